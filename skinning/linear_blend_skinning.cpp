@@ -55,6 +55,13 @@ Vec3 turnedNormal(const Affine& matrix, const Vec3& normal) {
   return length > 0.0 ? turned / length : Vec3(0.0, 1.0, 0.0);
 }
 
+NodeIndex strongestJoint(const Skin& skin, const VertexInfluences& influences) {
+  const auto strongest =
+      static_cast<std::size_t>(std::ranges::max_element(influences.weights) - influences.weights.begin());
+  const std::size_t slot = influences.joints[strongest];
+  return slot < skin.joints.size() ? skin.joints[slot] : NodeIndex::none;
+}
+
 /// Calls `visit(primitive, weights, vertex, matrix)` for every vertex that is drawn, in order.
 template <typename Visit>
 void eachDrawnVertex(const Scene& scene, const FrameState& frame, const Visit& visit) {
@@ -103,6 +110,20 @@ std::vector<NodeIndex> drawnMeshNodes(const Scene& scene) {
 
 Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
   return morphed(Vec3(primitive.positions[vertex]), &MorphTarget::positions, primitive, weights, vertex);
+}
+
+NodeIndex strongestNode(const Scene& scene, std::size_t vertex) {
+  for (const NodeIndex node : drawnMeshNodes(scene)) {
+    const Node& holder = scene.nodes[at(node)];
+    for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
+      if (vertex < primitive.positions.size()) {
+        const bool isSkinned = holder.skin >= 0 && !primitive.influences.empty();
+        return isSkinned ? strongestJoint(scene.skins[at(holder.skin)], primitive.influences[vertex]) : node;
+      }
+      vertex -= primitive.positions.size();
+    }
+  }
+  return NodeIndex::none;
 }
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {

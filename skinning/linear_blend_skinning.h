@@ -15,6 +15,10 @@ namespace stretch::skinning {
 /// Normals of the same vertices in the same order, unit length.
 [[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame);
 
+/// The node that moves a drawn vertex most: its strongest joint, or of a rigid mesh the node itself.
+/// `vertex`: counted as in skinnedPositions; none beyond them.
+[[nodiscard]] NodeIndex strongestNode(const Scene& scene, std::size_t vertex);
+
 /// A vertex in its mesh's space, moved by the morph targets.
 [[nodiscard]] Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights,
                                    std::size_t vertex);

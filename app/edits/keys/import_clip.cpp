@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/keys/below_floor.h"
 #include "app/named.h"
 #include "core/base/number.h"
 #include "core/gltf/load/load_as_it_stands.h"
@@ -189,6 +190,27 @@ std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
   return lines;
 }
 
+// Feet of other proportions may sink in: farther below the floor than the source's do, of either's height.
+std::optional<std::string> sinkingLine(const Donor& donor, int index, const Document& document,
+                                       const NewClip& brought) {
+  constexpr double seen = 0.01;
+  const BelowFloor own = belowFloor(*document.scene, brought.clip);
+  const double ownShare = own.depth / document.body.height;
+  if (!brought.isRetargeted || ownShare <= seen) {
+    return std::nullopt;
+  }
+  const BelowFloor source = belowFloor(*donor.document.scene, clipOf(donor.document, index));
+  const double sourceShare = source.depth / donor.document.body.height;
+  if (ownShare - sourceShare <= seen) {
+    return std::nullopt;
+  }
+  const std::string part = own.node.exists() ? document.scene->nodes[at(own.node)].name : std::string();
+  return fmt::format(
+      "{}: what follows \"{}\" gets {:.1f} % of the height below the floor at {:.2f} s (in the source "
+      "{:.1f} %); pose it higher there",
+      brought.from, part, 100.0 * ownShare, own.seconds, 100.0 * sourceShare);
+}
+
 } // namespace
 
 Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request,
@@ -229,6 +251,9 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
     clip->clip.name = !request.name.empty()     ? request.name
                       : clip->clip.name.empty() ? request.file.stem().string()
                                                 : clip->clip.name;
+    if (std::optional<std::string> line = sinkingLine(*donor, index, document, *clip)) {
+      brought.warnings.push_back(*std::move(line));
+    }
     brought.clips.push_back(std::move(clip).value());
   }
   if (brought.clips.empty()) {

@@ -12,8 +12,10 @@
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/naming_schemes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -220,4 +222,35 @@ TEST_CASE(
   CHECK(sourceClipsOf(changed)->back() == changed.clips->back());
   CHECK(sourceClipsOf(changed)->front() == source->front());
   CHECK_FALSE(changed.clips->front() == source->front());
+}
+
+TEST_CASE(
+    "What sinks below the floor on the character, and not in the source, is told with its joint and time") {
+  const TemporaryFolder folder;
+  test::MovingBiped source = test::still(test::makeNamedBody("Mixamo"));
+  test::addPunch(source, Interpolation::linear);
+  test::MovingBiped target = test::still(test::makeNamedBody("Unreal"));
+  const std::string clean = written(folder, "clean.glb", target, {});
+  const NodeIndex hand = target.node.at("hand.l");
+  Primitive flail; // hangs from the left hand far below the floor
+  flail.positions = {{0.0F, 0.0F, 0.0F}, {0.05F, -2.5F, 0.0F}, {-0.05F, -2.5F, 0.0F}};
+  const NodeIndex part = test::addNode(target.scene, "flail", hand, Vec3(0.0));
+  target.scene.nodes[at(part)].mesh = static_cast<int>(target.scene.meshes.size());
+  target.scene.meshes.push_back({"flail", {flail}, {}});
+  source.clip.name = "punch";
+  const std::string from = written(folder, "from.glb", source, {source.clip});
+  const std::string to = written(folder, "to.glb", target, {});
+  const auto told = [&](const std::string& own) {
+    const Result<NewClips> brought = clipsFromFile(openedFile(own), {from, {}, {}});
+    REQUIRE(brought);
+    return brought->warnings;
+  };
+  const auto isOfFloor = [](const std::string& line) {
+    return line.find("below the floor") != std::string::npos;
+  };
+  CHECK(std::ranges::none_of(told(clean), isOfFloor));
+  const std::vector<std::string> warnings = told(to);
+  const auto sinks = std::ranges::find_if(warnings, isOfFloor);
+  REQUIRE(sinks != warnings.end());
+  CHECK(sinks->starts_with("punch: what follows \"flail\" gets "));
 }
