@@ -37,9 +37,11 @@ std::optional<Vec3> loopTravel(const Scene& scene, const Clip& clip, NodeIndex h
     travel = positionOf(last.worlds[at(hips)]) - positionOf(first.worlds[at(hips)]);
     travel.y = 0.0;
   }
+  const auto isSmall = [&](const Vec3& move) { return glm::length(move) <= sameShare * height; };
   const bool same = std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) {
-    const Vec3 moved = positionOf(last.worlds[at(node)]) - positionOf(first.worlds[at(node)]) - travel;
-    return glm::length(moved) <= sameShare * height;
+    const Vec3 moved = positionOf(last.worlds[at(node)]) - positionOf(first.worlds[at(node)]);
+    // A node above the hips or beside them may stay where it is while they travel.
+    return isSmall(moved - travel) || (isSmall(moved) && !isAncestorOrSelf(scene, hips, node));
   });
   return same ? std::optional(travel) : std::nullopt;
 }
