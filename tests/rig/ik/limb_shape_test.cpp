@@ -154,6 +154,29 @@ TEST_CASE("a limb that straightens to be squashed curls until it is at the targe
   }
 }
 
+TEST_CASE(
+    "a limb that is bent against its usual side is bent farther or less on the side that it is bent to") {
+  const std::vector<double> bones =
+      GENERATE(std::vector{0.3, 0.25}, std::vector{0.3, 0.3}, std::vector{0.2, 0.2, 0.2, 0.2});
+  const double bend = GENERATE(0.6, -0.6); // radians at each inner joint, against the normal where below 0
+  const double share = GENERATE(0.7, 0.9, 1.02);
+  CAPTURE(bones.size(), bend, share);
+  LimbShapeProblem problem = bentLimb(bones, bend);
+  problem.bend = Bend::straighten;
+  const Vec3 line = problem.target - problem.points.front();
+  aimAt(problem, line, share * glm::length(line));
+  const LimbShape shape = solveLimbShape(problem);
+  const std::vector<Vec3> points = shapedPoints(problem, shape);
+  CHECK(glm::length(points.back() - problem.target) < 1e-6);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double before =
+        glm::cross(problem.points[i] - problem.points[i - 1], problem.points[i + 1] - problem.points[i]).z;
+    const double after = glm::cross(points[i] - points[i - 1], points[i + 1] - points[i]).z;
+    CHECK(before * after > 0.0);
+    CHECK((std::abs(after) > std::abs(before)) == (share < 1.0));
+  }
+}
+
 TEST_CASE("a straightening limb never flips while its target sweeps through its reach") {
   LimbShapeProblem problem = bentLimb({0.3, 0.25}, 0.6);
   problem.bend = Bend::straighten;

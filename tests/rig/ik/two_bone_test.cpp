@@ -66,6 +66,21 @@ TEST_CASE("Bones that are bent in their own plane turn in it alone") {
   }
 }
 
+TEST_CASE("A limb that is folded as tightly as nothing folds by itself keeps its bones as it is turned") {
+  TwoBoneProblem leg;
+  leg.base = Vec3(0.0, 1.0, 0.0);
+  leg.joint = Vec3(0.0, 0.5, 0.0);
+  leg.end = Vec3(0.0, 0.99, 0.0); // 0.01 from the base, of 0.99 of bones
+  leg.usualBend = Vec3(0.0, 0.0, 1.0);
+  leg.target = leg.base + 0.01 * glm::normalize(Vec3(1.0, -3.0, 0.5));
+  const TwoBoneShape turned = solveTwoBone(leg);
+  CHECK(turned.scale == Approx(1.0).epsilon(1e-9));
+  CHECK(glm::length(turned.end - leg.target) < 1e-9);
+  CHECK(glm::length(turned.joint - leg.base) == Approx(0.5).epsilon(1e-9));
+  leg.target = leg.base - Vec3(0.0, 0.005, 0.0);
+  CHECK(solveTwoBone(leg).scale == Approx(0.5).epsilon(1e-9)); // nearer than the pose: it shrinks
+}
+
 namespace {
 
 // How much the knee of a straight leg accelerates, in accelerations of its foot, which rises by 12 % of the

@@ -94,6 +94,20 @@ TEST_CASE("a chain from the root acts before the spine and the legs that it carr
   CHECK(orderOf(motion) == std::vector<std::string>{"lower", "spine", "left-arm", "left-leg"});
 }
 
+TEST_CASE("a limb acts right after the last of those that carry it") {
+  MovingBiped moving = withSpineChain();
+  Limb chain = moving.limb("spine");
+  chain.kind = LimbKind::chain;
+  chain.id = "lower";
+  chain.joints = {moving.node.at("root"), moving.node.at("hips")};
+  chain.endNode = moving.limb("spine").joints.back();
+  std::erase_if(moving.body.limbs, [](const Limb& limb) { return limb.id == "spine"; });
+  moving.body.limbs.push_back(chain);
+  const MotionState motion = solved(moving, {trailOf(1, "left-arm", 1.2), trailOf(2, "left-leg", 1.2),
+                                             trailOf(3, spineChain, 1.2), trailOf(4, "lower", 1.2)});
+  CHECK(orderOf(motion) == std::vector<std::string>{"lower", "left-leg", spineChain, "left-arm"});
+}
+
 TEST_CASE("trails of one limb act in the order of their starts, and a circle of limbs keeps all of them") {
   Scene scene;
   scene.nodes.resize(4);

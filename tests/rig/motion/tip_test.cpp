@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -21,6 +22,29 @@ double ratioAtTip(const MovingBiped& moving, const Trail& trail) {
   const Limb& limb = moving.limb(trail.limb);
   const double frame = motion.trails.front().tipSeconds * moving.clip.framesPerSecond;
   return lengthOf(limb, atFrame(moving, motion, frame)) / lengthOf(limb, sourceAtFrame(moving, frame));
+}
+
+// Part of the way from the first of these places to the last that is passed at each.
+std::vector<double> partsOfWay(const std::vector<Vec3>& places) {
+  std::vector<double> ways{0.0};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    ways.push_back(ways.back() + glm::length(places[i] - places[i - 1]));
+  }
+  for (double& way : ways) {
+    way /= std::max(ways.back(), 1e-12);
+  }
+  return ways;
+}
+
+// How many times as far from its start the path has to get for its tip to be `wanted` away from the base.
+double growthTo(double wanted, const Vec3& start, const Vec3& tip, const Vec3& base) {
+  double low = 1.0;
+  double high = 100.0;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (glm::length(start + middle * (tip - start) - base) < wanted ? low : high) = middle;
+  }
+  return low;
 }
 
 } // namespace
@@ -79,6 +103,33 @@ TEST_CASE("the hand is at the drawn trail on every frame of the range") {
                           drawn.original[i]) < 1e-12);
       }
     }
+  }
+}
+
+TEST_CASE("the hand gets farther from the start of its path the more of its way it has come") {
+  const std::string limb = GENERATE("left-arm", "left-leg");
+  const double scale = GENERATE(2.0, 3.0);
+  const RemapKind remap = GENERATE(RemapKind::linear, RemapKind::spline);
+  CAPTURE(limb, scale, remap == RemapKind::linear);
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail(limb, 0, 12, scale);
+  trail.settings.remap = remap;
+  const MotionState motion = solved(moving, {trail});
+  std::vector<Vec3> path;
+  for (int frame = 0; frame <= 12; ++frame) {
+    path.push_back(limbPoints(moving.limb(limb), sourceAtFrame(moving, frame).worlds).back());
+  }
+  const FrameState last = sourceAtFrame(moving, 12);
+  const Vec3 base = limbPoints(moving.limb(limb), last.worlds).front();
+  const double growth = growthTo(scale * lengthOf(moving.limb(limb), last), path.front(), path.back(), base);
+  const std::vector<double> ratios = partsOfWay(path);
+  for (std::size_t frame = 0; frame < path.size(); ++frame) {
+    CAPTURE(frame);
+    const double ratio = ratios[frame];
+    const double weight = remap == RemapKind::linear ? ratio : ratio * ratio * (3.0 - 2.0 * ratio);
+    const Vec3 wanted = path[frame] + weight * (growth - 1.0) * (path[frame] - path.front());
+    const FrameState after = atFrame(moving, motion, static_cast<double>(frame));
+    CHECK(glm::length(limbPoints(moving.limb(limb), after.worlds).back() - wanted) < 1e-5);
   }
 }
 

@@ -86,6 +86,22 @@ TEST_CASE("each bone is stretched by its factors and carries the hand along") {
   }
 }
 
+TEST_CASE("a foot without a mesh that is below all of the body's stays there") {
+  SyntheticBiped body = namedBody();
+  for (const char* key : {"shin.l", "foot.l", "toe.l", "shin.r", "foot.r", "toe.r"}) {
+    jointOf(body, key).movesMesh = false;
+  }
+  const MovingBiped moving = still(body);
+  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-leg", [](double) {
+                                          SoftBones bones = longer(0.0);
+                                          bones.kept = 1.0;
+                                          return bones;
+                                        })});
+  const FrameState source = sourceAtFrame(moving, 0);
+  const FrameState soft = atFrame(moving, motion, 0);
+  CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) < 1e-6);
+}
+
 TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
   const MovingBiped moving = punchingBiped();
   const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};

@@ -102,6 +102,7 @@ TEST_CASE("what the line cannot reach is pulled to the wanted length") {
   problem.pull = false;
   const TipSolution left = solveTip(problem);
   CHECK_FALSE(left.reached());
+  CHECK(left.outcome == TipOutcome::closest);
   CHECK(left.reachedLength == Approx(1.0));
   CHECK(left.wantedLength == Approx(std::sqrt(2.0) / 2));
 }
