@@ -26,6 +26,7 @@
 #include "core/gltf/json/json.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/refusal.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -280,14 +281,17 @@ TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
   CHECK(sameDocument(history.current(), start));
   history.redo();
   CHECK(history.current().weights.front().on);
-  CHECK_FALSE(setWeight(start, {"tail", 0, true, {}}));
-  CHECK_FALSE(setWeight(start, {"left-arm", 7, true, {}}));
+  CHECK_THAT(test::refusal(setWeight(start, {"tail", 0, true, {}})),
+             Catch::StartsWith("tail: the character has no such limb"));
+  CHECK_THAT(test::refusal(setWeight(start, {"left-arm", 7, true, {}})),
+             Catch::StartsWith("clip 7: the file has no such clip"));
   WeightSettings wrong;
   wrong.amount = 1.5;
-  CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
+  CHECK_THAT(test::refusal(setWeight(start, {"left-arm", 0, true, wrong})), Catch::Contains("amount"));
   wrong = {};
   wrong.rangeFrames = Vec2(9.0, 9.0);
-  CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
+  CHECK_THAT(test::refusal(setWeight(start, {"left-arm", 0, true, wrong})),
+             Catch::StartsWith("range: the range has no length"));
 }
 
 TEST_CASE("the verb elastic writes a file that check accepts, the same bytes each time") {

@@ -1,9 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include <map>
+#include <string>
+
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/glb.h"
 #include "core/gltf/source/json_text.h"
 #include "core/gltf/source/uri.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::gltf;
@@ -104,17 +108,22 @@ TEST_CASE("Bytes after the end of a GLB are warned of") {
 }
 
 TEST_CASE("JSON that is not allowed is refused, order of keys kept otherwise") {
-  CHECK_FALSE(parseJson("\xEF\xBB\xBF{}").ok());
-  CHECK_FALSE(parseJson("[]").ok());
-  CHECK_FALSE(parseJson("{").ok());
-  CHECK_FALSE(parseJson(R"({"a":1e999})").ok());
-  CHECK_FALSE(parseJson("{\"a\":\"\xFF\"}").ok());
-  CHECK_FALSE(parseJson(R"({"a":)" + std::string(300, '[') + std::string(300, ']') + "}").ok());
+  const std::string nested = std::string(300, '[') + std::string(300, ']');
+  for (const auto& [text, reason] :
+       std::map<std::string, std::string>{{"\xEF\xBB\xBF{}", "starts with a byte order mark"},
+                                          {"[]", "is not a JSON object"},
+                                          {"{", "is no valid JSON"},
+                                          {R"({"a":1e999})", "holds a number out of range"},
+                                          {"{\"a\":\"\xFF\"}", "is no valid JSON"},
+                                          {R"({"a":)" + nested + "}", "is nested deeper than 256 levels"}}) {
+    CHECK_THAT(test::refusal(parseJson(text)), Catch::StartsWith("JSON: " + reason));
+  }
   CHECK(parseJson(R"({"b":"[[{\"","a":12345678901})")->dump() == R"({"b":"[[{\"","a":12345678901})");
 }
 
 TEST_CASE("A deep nesting of a hundred thousand brackets is refused, not recursed into") {
-  CHECK_FALSE(parseJson(R"({"a":)" + std::string(100000, '[')).ok());
+  CHECK_THAT(test::refusal(parseJson(R"({"a":)" + std::string(100000, '['))),
+             Catch::StartsWith("JSON: is nested deeper than 256 levels"));
 }
 
 TEST_CASE("Base64 gives back what it took") {

@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/json/json.h"
@@ -216,28 +218,47 @@ TEST_CASE("A mesh that was bound follows the new weights alone") {
   }
 }
 
-TEST_CASE("A binding that does not fit the file is refused") {
+TEST_CASE("A binding that does not fit the file is refused with the part that does not fit") {
   const gltf::Loaded file = test::loaded(twoSleeves());
   gltf::Edits edits = boundSleeves(*file.scene);
+  const std::string first = std::to_string(edits.boundMeshes[0].node.value);
+  const std::string second = std::to_string(edits.boundMeshes[1].node.value);
+  std::string unfit = "the binding of node " + first;
   SECTION("a vertex too few") {
     edits.boundMeshes[0].influences[0].pop_back();
   }
   SECTION("a primitive too few") {
     edits.boundMeshes[0].influences.pop_back();
   }
+  SECTION("a primitive too many") {
+    edits.boundMeshes[0].influences.push_back(edits.boundMeshes[0].influences.back());
+  }
   SECTION("a joint that the skin lacks") {
     edits.boundMeshes[1].influences[2][0].joints[3] = 2;
+    unfit = "the binding of node " + second;
+  }
+  SECTION("a weight that is no number") {
+    edits.boundMeshes[1].influences[0][0].weights[3] = std::numeric_limits<float>::quiet_NaN();
+    unfit = "the binding of node " + second;
   }
   SECTION("a node without a mesh") {
     edits.boundMeshes[0].node = NodeIndex(0);
+    unfit = "the binding of node 0";
   }
   SECTION("a skin that is not there") {
     edits.boundMeshes[0].skin = 2;
   }
   SECTION("a matrix too few") {
     edits.addedSkins[0].inverseBind.pop_back();
+    unfit = "added skin '" + edits.addedSkins[0].name + "'";
   }
-  CHECK_FALSE(gltf::patched(*file.source, edits).ok());
+  SECTION("a joint of a skin that the file lacks") {
+    edits.addedSkins[0].joints.back() = NodeIndex(file.scene->nodes.size() + edits.addedNodes.size());
+    unfit = "added skin '" + edits.addedSkins[0].name + "'";
+  }
+  const auto refused = gltf::patched(*file.source, edits);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().what == "an edit does not fit the file: " + unfit);
 }
 
 TEST_CASE("A skeleton is taken out again of a file without scenes, and nothing is put in") {

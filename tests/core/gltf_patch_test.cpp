@@ -10,6 +10,7 @@
 #include "core/gltf/patch/edits.h"
 #include "core/gltf/source/uri.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using gltf::Json;
@@ -249,16 +250,21 @@ TEST_CASE("Edits that do not fit the file are refused") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits;
+  std::string unfit = "a track of node 1 in clip " + std::to_string(wave);
   SECTION("parent") {
+    unfit = "added node 'leaf'";
     edits.addedNodes = {{"leaf", NodeIndex(6), {}, NodeIndex::none, true}};
   }
   SECTION("slot") {
+    unfit = "slot 3 of skin 0";
     edits.skinSlots = {{0, 3, NodeIndex(1), Mat4(1.0)}};
   }
   SECTION("clip") {
+    unfit = "clip 2";
     edits.clips = {{2, {}}};
   }
   SECTION("node") {
+    unfit = "a track of node 6 in clip " + std::to_string(wave);
     edits.clips = {{wave, {turnTrack(NodeIndex(6))}}};
   }
   SECTION("values") {
@@ -270,7 +276,8 @@ TEST_CASE("Edits that do not fit the file are refused") {
   SECTION("not finite") {
     edits.clips = {{wave, {scaleTrack(NodeIndex(1), {0}, {1, std::numeric_limits<float>::infinity(), 1})}}};
   }
-  CHECK_FALSE(gltf::patched(*file.source, edits).ok());
+  CHECK_THAT(test::refusal(gltf::patched(*file.source, edits)),
+             Catch::StartsWith("an edit does not fit the file: " + unfit + ";"));
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using gltf::Json;
@@ -132,7 +133,7 @@ TEST_CASE("A file of another model with the same name is not overwritten") {
   fs::create_directories(folder / "out/textures");
   test::writeBytes(folder / "out/textures/skin.png", {9});
   const Status refused = gltf::save(*sourceAt(folder / "in/model.gltf"), folder / "out/model.gltf");
-  CHECK_FALSE(refused.ok());
+  CHECK_THAT(test::refusal(refused), Catch::Contains("is already there with other content"));
   CHECK(test::readBytes(folder / "out/textures/skin.png") == gltf::Bytes{9});
   CHECK(folder.fileCount() == 4);
 }
@@ -142,9 +143,10 @@ TEST_CASE("A save that fails leaves nothing behind and the old file as it was") 
   armBuilder().write(folder / "model.glb");
   const auto source = sourceAt(folder / "model.glb");
   fs::create_directories(folder / "taken.gltf/inside");
-  CHECK_FALSE(gltf::save(*source, folder / "taken.gltf").ok());
-  CHECK_FALSE(gltf::save(*source, folder / "model.obj").ok());
-  CHECK_FALSE(gltf::save(*source, folder / "model.glb/below.glb").ok());
+  const auto reason = [&](const char* name) { return test::refusal(gltf::save(*source, folder / name)); };
+  CHECK_THAT(reason("taken.gltf"), Catch::StartsWith((folder / "taken.gltf").string()));
+  CHECK_THAT(reason("model.obj"), Catch::Contains("an output has to end in .glb or .gltf"));
+  CHECK_THAT(reason("model.glb/below.glb"), Catch::StartsWith((folder / "model.glb").string()));
   CHECK(folder.fileCount() == 1);
   CHECK(test::readBytes(folder / "model.glb") == armBuilder().bytes());
 }

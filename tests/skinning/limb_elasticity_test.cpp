@@ -161,14 +161,67 @@ TEST_CASE("the body's weight is shared by the limbs that stand") {
   CHECK(masses[1] == std::vector<double>{30.0, 0.0, 0.0});
 }
 
-TEST_CASE("limbs that do not add up are refused with a line") {
+TEST_CASE("a motion that does not add up is refused with what is wrong with it and where") {
   LimbMotion motion = hanging(3, [](double) { return Vec3(0.0); });
-  motion.joints[1].pop_back();
-  CHECK_FALSE(limbElasticity(arm(), motion, {}));
-  motion = hanging(3, [](double) { return Vec3(0.0); });
-  motion.joints[1][1].x = std::nan("");
-  CHECK(limbElasticity(arm(), motion, {}).error().line().find("frame 1") != std::string::npos);
-  LimbElasticity wrong;
-  wrong.amount = 2.0;
-  CHECK_FALSE(limbElasticity(arm(), hanging(3, [](double) { return Vec3(0.0); }), wrong));
+  std::vector<LimbSegment> limb = arm();
+  std::string wrong = "limb: the limb has no segments, no frames, or lists of different lengths";
+  SECTION("a joint too few") {
+    motion.joints[1].pop_back();
+    wrong = "limb, frame 1: 3 finite joints are needed";
+  }
+  SECTION("a joint that is no number") {
+    motion.joints[2][1].x = std::nan("");
+    wrong = "limb, frame 2: 3 finite joints are needed";
+  }
+  SECTION("no frames") {
+    motion.joints.clear();
+  }
+  SECTION("no segments") {
+    limb.clear();
+  }
+  SECTION("no rate") {
+    motion.framesPerSecond = 0.0;
+  }
+  SECTION("frames without a word on standing") {
+    motion.planted = {1.0, 1.0};
+  }
+  SECTION("frames without a mass") {
+    motion.carriedMass = {1.0, 1.0};
+  }
+  const auto refused = limbElasticity(limb, motion, {});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().line().starts_with(wrong + ";"));
+}
+
+TEST_CASE("settings of a limb out of their range are refused by what they are") {
+  const LimbMotion motion = hanging(3, [](double) { return Vec3(0.0); });
+  LimbElasticity settings;
+  std::string wrong = "elastic: inertia and amount lie in 0..1, damping is not negative";
+  SECTION("amount") {
+    settings.amount = GENERATE(2.0, -0.1);
+  }
+  SECTION("inertia") {
+    settings.inertia = GENERATE(1.1, -0.1);
+  }
+  SECTION("damping") {
+    settings.damping = GENERATE(-0.1, 101.0);
+  }
+  SECTION("gravity") {
+    settings.gravity.y = std::nan("");
+  }
+  SECTION("the material") {
+    wrong = "elastic: Young's modulus, density and stiffness must be positive";
+    SECTION("softness") {
+      settings.youngModulus = GENERATE(0.0, -1.0, 1e31);
+    }
+    SECTION("density") {
+      settings.density = GENERATE(-1.0, 1e31);
+    }
+    SECTION("stiffness") {
+      settings.stiffness = GENERATE(0.0, 1e7);
+    }
+  }
+  const auto refused = limbElasticity(arm(), motion, settings);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().line().starts_with(wrong + ";"));
 }

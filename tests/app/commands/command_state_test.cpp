@@ -15,6 +15,7 @@
 #include "app/open_document.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -196,7 +197,7 @@ TEST_CASE("A group has a name of its own, which is saved, undone and gone with t
   CHECK(groupTitle(again, members) == "Clap");
   const Document apart = takeApart(session.document(), members);
   CHECK(findTrail(apart, id)->groupName.empty());
-  CHECK_FALSE(renameGroup(apart, id, "Clap"));
+  CHECK_THAT(test::refusal(renameGroup(apart, id, "Clap")), Catch::Contains("the trail stands alone"));
   REQUIRE(session.undo());
   CHECK(groupTitle(session.document(), members) == "left arm and right arm");
 }

@@ -8,6 +8,7 @@
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -83,8 +84,10 @@ TEST_CASE("A group is taken apart, and put together from trails of different lim
   const Result<Document> together = groupTrails(apart, ids);
   REQUIRE(together);
   CHECK(groupMembers(*together, ids.front()) == ids);
-  CHECK_FALSE(groupTrails(apart, std::vector<int>{ids.front()}));
-  CHECK_FALSE(groupTrails(apart, std::vector<int>{ids.front(), ids.front()}));
+  CHECK_THAT(test::refusal(groupTrails(apart, std::vector<int>{ids.front()})),
+             Catch::StartsWith("a group needs two trails or more"));
+  CHECK_THAT(test::refusal(groupTrails(apart, std::vector<int>{ids.front(), ids.front()})),
+             Catch::Contains("a group holds one trail of each limb"));
 }
 
 TEST_CASE("Groups and tangents are kept with the work and in recipes") {

@@ -1,12 +1,18 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
+#include <string>
+
+#include <glm/geometric.hpp>
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/history.h"
+#include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -25,12 +31,6 @@ Document hipsAt(const Document& document, double frame, double up, const KeyRang
 
 double hipsUp(const Document& document, double frame) {
   return offsetAt(document, 0, frame, "hips").move.y;
-}
-
-Status refused(const Document& document, double frame, const ControllerOffset& offset,
-               const KeyRange& range = {}) {
-  const Result<Document> changed = setOffsets(document, 0, frame, {&offset, 1}, {}, range);
-  return changed ? Status(Success{}) : Status(changed.error());
 }
 
 } // namespace
@@ -86,18 +86,52 @@ TEST_CASE("Beside another adjustment a key has the room that is left") {
 }
 
 TEST_CASE("What cannot be keyed is refused with its reason, and nothing is changed") {
-  const Document document = test::boxer();
+  Document document = test::boxer();
+  // Joints of no limb turn alone.
+  std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id == "right-arm"; });
   const double never = std::numeric_limits<double>::quiet_NaN();
-  CHECK(refused(document, 15.0, {"hips", {}, {}}, {Vec2(4.0, 12.0)}).error().what ==
-        "frame 15 lies outside of the range 4 to 12");
-  CHECK_FALSE(refused(document, 8.0, {"tail", {}, {}}));
-  CHECK_FALSE(refused(document, 8.0, {"hips", {1e9, 0.0, 0.0}, {}}));
-  CHECK_FALSE(refused(document, 8.0, {"hips", {never, 0.0, 0.0}, {}}));
-  CHECK_FALSE(refused(document, never, {"hips", {}, {}}));
-  CHECK_FALSE(refused(document, 8.0, {"left-elbow", {}, {0.5, 0.0, 0.0}}));
-  CHECK_FALSE(setOffsets(document, 7, 0.0, {}, {}, {}));
+  const auto reason = [&](double frame, const ControllerOffset& offset, const KeyRange& range = {}) {
+    return test::refusal(setOffsets(document, 0, frame, {&offset, 1}, {}, range));
+  };
+  CHECK_THAT(reason(15.0, {"hips", {}, {}}, {Vec2(4.0, 12.0)}),
+             Catch::StartsWith("hips: frame 15 lies outside of the range 4 to 12"));
+  CHECK_THAT(reason(8.0, {"tail", {}, {}}), Catch::Contains("has no controller 'tail'"));
+  const std::string far = "hips: the offset at frame 8 is out of proportion";
+  CHECK_THAT(reason(8.0, {"hips", {1e9, 0.0, 0.0}, {}}), Catch::StartsWith(far));
+  CHECK_THAT(reason(8.0, {"hips", {}, {700.0, 0.0, 0.0}}), Catch::StartsWith(far));
+  const std::string noNumber = "hips: a number of a key is not finite";
+  CHECK_THAT(reason(8.0, {"hips", {never, 0.0, 0.0}, {}}), Catch::StartsWith(noNumber));
+  CHECK_THAT(reason(never, {"hips", {}, {}}), Catch::StartsWith(noNumber));
+  CHECK_THAT(reason(8.0, {"left-elbow", {}, {0.5, 0.0, 0.0}}),
+             Catch::StartsWith("left-elbow: moves and does not turn"));
+  CHECK_THAT(reason(8.0, {"RightForeArm", {0.5, 0.0, 0.0}, {}}),
+             Catch::StartsWith("RightForeArm: turns and does not move"));
+  CHECK_THAT(test::refusal(setOffsets(document, 7, 0.0, {}, {}, {})),
+             Catch::StartsWith("clip 7: the file has no such clip"));
+  const std::vector<AttributeValue> much{{"left-arm.stretch", 1001.0}};
+  CHECK_THAT(test::refusal(setOffsets(document, 0, 8.0, {}, much, {})),
+             Catch::StartsWith("left-arm.stretch: the value at frame 8 is out of proportion"));
   const std::vector<ControllerOffset> oneIsWrong{{"hips", {0.0, 0.1, 0.0}, {}}, {"tail", {}, {}}};
-  CHECK_FALSE(setOffsets(document, 0, 8.0, oneIsWrong, {}, {}));
+  CHECK_THAT(test::refusal(setOffsets(document, 0, 8.0, oneIsWrong, {}, {})), Catch::Contains("'tail'"));
+}
+
+TEST_CASE("What is keyed is where the character stands at that frame") {
+  const Document start = test::boxer();
+  const std::vector<ControllerOffset> offsets{{"hips", {0.05, -0.1, 0.02}, {0.0, 0.4, 0.0}}};
+  const Result<Document> keyed = setOffsets(start, 0, 5.0, offsets, {}, {Vec2(2.0, 9.0)});
+  REQUIRE(keyed);
+  const auto hips = [](const Document& document, double frame) {
+    const double seconds = frame / clipOf(document, 0).framesPerSecond;
+    return evaluate(document, prepareMotion(document, 0), seconds).worlds[at(document.body.hips)];
+  };
+  const Mat4 moved = hips(*keyed, 5.0);
+  const Mat4 source = hips(start, 5.0);
+  CHECK(glm::length(positionOf(moved) - positionOf(source) - offsets[0].move) < 1e-6);
+  const Quat turn = rotationOf(moved) * glm::inverse(rotationOf(source));
+  CHECK(2.0 * std::atan2(turn.y, turn.w) == Approx(0.4).margin(1e-6));
+  for (const double outside : {1.0, 10.0}) {
+    CHECK(hips(*keyed, outside) == hips(start, outside));
+  }
 }
 
 TEST_CASE("Several controllers and attributes are one step that undo takes back and redo brings") {
@@ -166,9 +200,11 @@ TEST_CASE("A range is given to what is adjusted, unless it leaves a key out or r
   const Result<Document> local = setOffsetRange(document, 0, 8.0, hipsAlone, {Vec2(4.0, 12.0)});
   REQUIRE(local);
   CHECK(hipsUp(*local, 4.0) == 0.0);
-  CHECK_FALSE(setOffsetRange(*local, 0, 8.0, hipsAlone, {Vec2(9.0, 12.0)}));
+  CHECK_THAT(test::refusal(setOffsetRange(*local, 0, 8.0, hipsAlone, {Vec2(9.0, 12.0)})),
+             Catch::StartsWith("hips: the key at frame 8 lies outside of 9 to 12"));
   const Document two = hipsAt(*local, 15.0, 0.1, {Vec2(13.0, 18.0)});
-  CHECK_FALSE(setOffsetRange(two, 0, 8.0, hipsAlone, {}));
+  CHECK_THAT(test::refusal(setOffsetRange(two, 0, 8.0, hipsAlone, {})),
+             Catch::StartsWith("hips: another adjustment stands in the way"));
   const Result<Document> whole = setOffsetRange(*local, 0, 8.0, hipsAlone, {});
   REQUIRE(whole);
   CHECK(hipsUp(*whole, 20.0) == Approx(-0.2));

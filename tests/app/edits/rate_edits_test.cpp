@@ -15,6 +15,7 @@
 #include "app/session.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -145,7 +146,7 @@ TEST_CASE("A recipe that was saved at a chosen rate means the same on a clip tha
   CHECK_FALSE(recipeToJson(exaggerated(), 0).contains("frames_per_second"));
   gltf::Json odd = json;
   odd["frames_per_second"] = 0;
-  CHECK_FALSE(recipeFromJson(odd, other));
+  CHECK_THAT(test::refusal(recipeFromJson(odd, other)), Catch::Contains("frames_per_second"));
 }
 
 TEST_CASE("Playhead and range stay where they are in time when the rate changes, and when that is undone") {

@@ -15,6 +15,7 @@
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/random_edits.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -227,9 +228,11 @@ TEST_CASE("After a clip became shorter its controllers, pins and grips are edite
   const KeySelection first = keysBetween(cut, 0, {&row, 1}, 0.0, 4.0);
   CHECK(moveKeys(cut, 0, first, {1.0, 0.0}));
   SECTION("what is new still has to lie in the clip") {
-    CHECK_FALSE(setOffsets(cut, 0, 14.0, offsets, values, {}));
+    CHECK_THAT(test::refusal(setOffsets(cut, 0, 14.0, offsets, values, {})),
+               Catch::Contains("the key at frame 14 lies outside of"));
     pin.time.rangeFrames.y = 30.0;
-    CHECK_FALSE(changeHold(cut, {rig::HoldKind::pin, 0}, {{pin}, {}, {}}));
+    CHECK_THAT(test::refusal(changeHold(cut, {rig::HoldKind::pin, 0}, {{pin}, {}, {}})),
+               Catch::Contains("its range 4 to 30"));
   }
 }
 

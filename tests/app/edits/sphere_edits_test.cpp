@@ -4,6 +4,7 @@
 #include "app/edits/trail/mirror_edits.h"
 #include "app/edits/trail/sphere_edits.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -115,8 +116,10 @@ TEST_CASE("Mirroring view axes keeps them an orientation and reflects what they 
 }
 
 TEST_CASE("The spine has no other side") {
-  CHECK_FALSE(otherSide(test::boxer(), "spine"));
-  CHECK_FALSE(otherSide(test::boxer(), "tail"));
+  CHECK_THAT(test::refusal(otherSide(test::boxer(), "spine")),
+             Catch::StartsWith("spine: this limb has no other side"));
+  CHECK_THAT(test::refusal(otherSide(test::boxer(), "tail")),
+             Catch::StartsWith("tail: the character has no such limb"));
   CHECK(*otherSide(test::boxer(), "right-arm") == "left-arm");
 }
 
@@ -130,7 +133,8 @@ TEST_CASE("A limb corrected by hand takes the place of the one that was found") 
   CHECK(findLimb(*changed, "left-arm")->joints == std::vector{NodeIndex(4)});
 
   corrected.joints = {NodeIndex(99)};
-  CHECK_FALSE(correctLimb(document, corrected));
+  CHECK_THAT(test::refusal(correctLimb(document, corrected)),
+             Catch::StartsWith("left-arm: the limb names joints that the character does not have"));
   rig::Limb leg = *findLimb(document, "left-arm");
   static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
   const Result<Document> added = correctLimb(document, leg);
@@ -147,7 +151,7 @@ TEST_CASE("A chain is added once") {
   const Result<Document> once = addChain(test::boxer(), chain);
   REQUIRE(once);
   CHECK(findLimb(*once, chain.id) != nullptr);
-  CHECK_FALSE(addChain(*once, chain));
+  CHECK_THAT(test::refusal(addChain(*once, chain)), Catch::Contains("this chain is there already"));
 }
 
 TEST_CASE("A tangent stays on a sphere that is not pulled, and goes when it is taken back") {

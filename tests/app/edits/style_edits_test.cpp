@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/trail/style_edits.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 
@@ -46,7 +47,8 @@ TEST_CASE("A style scales arms, legs and body as its cartoon does, and only the 
 }
 
 TEST_CASE("A style for a trail that is not there is refused") {
-  CHECK_FALSE(app::applyStyle(threeTrails(), {7}, app::styles()[0]).ok());
+  CHECK_THAT(test::refusal(app::applyStyle(threeTrails(), {7}, app::styles()[0])),
+             Catch::StartsWith("trail 7: there is no such trail"));
 }
 
 TEST_CASE("No style stretches the body further than the limbs do") {

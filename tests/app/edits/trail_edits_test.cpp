@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "app/edits/trail/trail_edits.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -47,10 +50,10 @@ TEST_CASE("An id is not given out again after its trail is deleted") {
 
 TEST_CASE("Two trails on one limb may not overlap in time") {
   const CreatedTrail first = made(test::boxer(), punchTrail(4, 10));
-  CHECK_FALSE(createTrail(first.document, punchTrail(8, 12)));
-  CHECK_FALSE(createTrail(first.document, punchTrail(5, 6)));
-  CHECK_FALSE(createTrail(first.document, punchTrail(0, 20)));
-  CHECK(createTrail(first.document, punchTrail(8, 12)).error().line().find("overlap") != std::string::npos);
+  const std::string overlap = "two trails of one limb may not overlap in time: there is one from 4 to 10";
+  for (const auto& [start, end] : {std::pair(8, 12), std::pair(5, 6), std::pair(0, 20)}) {
+    CHECK_THAT(test::refusal(createTrail(first.document, punchTrail(start, end))), Catch::Contains(overlap));
+  }
 
   SECTION("but may touch") {
     CHECK(createTrail(first.document, punchTrail(10, 14)));
@@ -64,7 +67,8 @@ TEST_CASE("Two trails on one limb may not overlap in time") {
     const CreatedTrail second = made(first.document, punchTrail(10, 14));
     rig::TrailSettings settings = findTrail(second.document, second.trailId)->settings;
     settings.startFrame = 9.5;
-    CHECK_FALSE(setTrailSettings(second.document, second.trailId, settings));
+    CHECK_THAT(test::refusal(setTrailSettings(second.document, second.trailId, settings)),
+               Catch::Contains(overlap));
     settings.startFrame = 10.5;
     CHECK(setTrailSettings(second.document, second.trailId, settings));
   }
@@ -73,28 +77,35 @@ TEST_CASE("Two trails on one limb may not overlap in time") {
 TEST_CASE("A trail needs a limb, a clip, a range with a length and numbers that are numbers") {
   const Document document = test::boxer();
   NewTrail wanted = punchTrail(0, 10);
+  std::string reason = "left-arm: a setting of the trail is not a number";
   SECTION("limb") {
     wanted.limb = "tail";
+    reason = "tail: the character has no such limb";
   }
   SECTION("clip") {
     wanted.clip = 1;
+    reason = "clip 1: the file has no such clip";
   }
   SECTION("negative clip") {
     wanted.clip = -1;
+    reason = "clip -1: the file has no such clip";
   }
   SECTION("no length") {
     wanted.settings.endFrame = 0;
+    reason = "left-arm: the range 0 to 0 has no length";
   }
   SECTION("turned round") {
     wanted.settings.startFrame = 11;
+    reason = "left-arm: the range 11 to 10 has no length";
   }
   SECTION("scale") {
+    reason = "scale: nan is not possible";
     wanted.settings.scale = std::numeric_limits<double>::quiet_NaN();
   }
   SECTION("sphere") {
     wanted.settings.spheres = {{3.0, Vec3(0.0, std::numeric_limits<double>::infinity(), 0.0)}};
   }
-  CHECK_FALSE(createTrail(document, wanted));
+  CHECK_THAT(test::refusal(createTrail(document, wanted)), Catch::StartsWith(reason));
 }
 
 TEST_CASE("Connecting makes the exaggerated copy") {
@@ -154,12 +165,11 @@ TEST_CASE("A pasted trail keeps its range on a free limb and takes the range of 
 
 TEST_CASE("Edits of a trail that is not there are refused") {
   const Document document = test::boxer();
-  CHECK_FALSE(setTrailSettings(document, 7, {}));
-  CHECK_FALSE(setConnected(document, 7, true));
-  CHECK_FALSE(setFollow(document, 7, true));
-  CHECK_FALSE(setBlend(document, 7, 1.0));
-  CHECK_FALSE(applyTrail(document, 7));
-  CHECK_FALSE(deleteTrail(document, 7));
+  for (const Result<Document>& refused :
+       {setTrailSettings(document, 7, {}), setConnected(document, 7, true), setFollow(document, 7, true),
+        setBlend(document, 7, 1.0), applyTrail(document, 7), deleteTrail(document, 7)}) {
+    CHECK(test::refusal(refused) == "trail 7: there is no such trail; select a trail");
+  }
 }
 
 TEST_CASE("A clip is marked as a loop once and unmarked again") {

@@ -13,6 +13,7 @@
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -134,7 +135,7 @@ TEST_CASE("Auto keys come back with the file and follow their neighbours as befo
   Json broken = workOf(curved);
   broken["auto_keys"][0]["path"] = "weights";
   Document restored = openedForKeys(editedDummyPath);
-  CHECK_FALSE(restoreWork(broken, restored));
+  CHECK_THAT(test::refusal(restoreWork(broken, restored)), Catch::Contains("auto_keys"));
   Json elsewhere = workOf(curved);
   elsewhere["auto_keys"][0]["keys"] = {{123.0, 7}};
   restored = openedForKeys(editedDummyPath);
@@ -194,5 +195,5 @@ TEST_CASE("Kept keys that make no sense are refused", "[keys]") {
   Json twice = work;
   twice["clip_keys"].push_back(twice["clip_keys"][0]);
   Document restored = test::boxer();
-  CHECK_FALSE(restoreWork(twice, restored));
+  CHECK_THAT(test::refusal(restoreWork(twice, restored)), Catch::Contains("clip_keys"));
 }
