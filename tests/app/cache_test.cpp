@@ -252,6 +252,11 @@ TEST_CASE("the cache tells two clips of one length apart, and the edited clip fr
     trail.clip = 1;
     document.trails.push_back(trail);
   }
+  for (const int clip : {0, 1}) {
+    rig::Adjustment lowered = hipsLowered(8.0);
+    lowered.clip = clip;
+    document = orFail(placeAdjustments(document, std::vector{lowered}));
+  }
   EvaluationCache cache;
   for (const int clip : {0, 1, 0}) {
     const rig::MotionState motion = prepareMotion(document, clip);
@@ -266,4 +271,27 @@ TEST_CASE("the cache tells two clips of one length apart, and the edited clip fr
   edited.clips = clipsTurned(document, 0);
   CHECK(cache.original(edited, 0, 0.3).worlds == cache.original(document, 0, 0.3).worlds);
   CHECK(cache.original(edited, 0, 0.3).worlds == evaluateOriginal(edited, 0, 0.3).worlds);
+}
+
+TEST_CASE("the original of a clip is its source, also where the same keys were a source themselves") {
+  const Document plain = test::boxer();
+  Document edited = plain;
+  edited.sourceClips = clipsTurned(plain, 0);
+  EvaluationCache cache;
+  for (const Document& document : {plain, edited, plain}) {
+    CHECK(cache.original(document, 0, 0.3).worlds == evaluateOriginal(document, 0, 0.3).worlds);
+  }
+  CHECK_FALSE(evaluateOriginal(plain, 0, 0.3).worlds == evaluateOriginal(edited, 0, 0.3).worlds);
+}
+
+TEST_CASE("a body is measured once, however often it is posed, and again where its limbs are others") {
+  const Document before = orFail(placeAdjustments(test::boxer(), std::vector{hipsLowered(8.0)}));
+  EvaluationCache cache;
+  const std::vector<rig::ControllerShape>* const shapes = &cache.shapes(before, 0);
+  REQUIRE_FALSE(shapes->empty());
+  const rig::ControllerShape* const first = shapes->data();
+  const Document posed = orFail(placeAdjustments(before, std::vector{hipsLowered(9.0)}));
+  CHECK(cache.shapes(posed, 0).data() == first);
+  const Document corrected = withShorterArm(before, "left-arm");
+  CHECK(cache.shapes(corrected, 0).data() != first);
 }

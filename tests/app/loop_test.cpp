@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -134,6 +137,26 @@ TEST_CASE("The strokes of a limb are gone through, round and round, by trails th
   CHECK(nextStroke(session, *moved, false) == std::optional(Vec2(0.0, 10.0)));
   session.edit(made->document, "Exaggerate");
   CHECK_FALSE(nextStroke(session, *made, true)); // That trail may have been worked on.
+}
+
+TEST_CASE(
+    "The path of a limb is drawn over the seam of a loop that stays where it is, of one that travels not") {
+  const auto [way, crosses] =
+      GENERATE(table<double, bool>({{0.0, true}, {0.08, true}, {0.12, false}, {2.0, false}})); // 1.8 high
+  Document document = shadowBoxer();
+  std::vector<Clip> clips = *document.clips;
+  Track track;
+  track.node = document.body.hips;
+  track.channel = Channel::translation;
+  track.width = 3;
+  track.times = {0.0F, static_cast<float>(clips.front().endSeconds)};
+  track.values = {0.0F, 1.0F, 0.0F, 0.0F, 1.0F, static_cast<float>(way)};
+  clips.front().tracks.emplace_back(std::move(track));
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  document = setLooping(withTrailTo(document, 10.0, 20.0), 0, true);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  REQUIRE(motion.trails.front().release.seconds() > 0.0);
+  CHECK((trailPaths(document, motion, 1).front().drawn.frames.back() > 20.5) == crosses);
 }
 
 TEST_CASE(

@@ -7,12 +7,14 @@
 
 #include "app/edits/keys/import_clip.h"
 #include "app/files/autosave.h"
+#include "app/files/imported_clips.h"
 #include "app/files/save.h"
 #include "app/session.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/nodes.h"
+#include "tests/support/refusal.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/naming_schemes.h"
@@ -156,6 +158,22 @@ TEST_CASE("An imported clip is undone, and comes back after a crash, also where 
   const Result<Document> again = withAutosave(openedFile(saved), aside);
   REQUIRE(again);
   CHECK(again->clips->size() == after.clips->size());
+}
+
+TEST_CASE("A clip that was kept aside stands right behind those of the file or is refused") {
+  const TemporaryFolder folder;
+  const Document before = openedFile(posedCharacter);
+  const gltf::Json kept = importedClipsToJson(imported(before, punchFile(folder)));
+  REQUIRE(kept.size() == 1);
+  const auto count = static_cast<int>(before.clips->size());
+  CHECK(kept[0]["clip"] == count);
+  CHECK(withImportedClips(before, kept));
+  for (const int elsewhere : {-1, 0, count - 1, count + 1}) {
+    gltf::Json moved = kept;
+    moved[0]["clip"] = elsewhere;
+    CHECK_THAT(test::refusal(withImportedClips(before, moved)),
+               Catch::StartsWith("imported_clips: is not what this program writes"));
+  }
 }
 
 TEST_CASE("Undoing the import of the clip that is viewed shows one that is still there") {

@@ -17,6 +17,7 @@
 #include "core/math/euler.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -190,14 +191,16 @@ TEST_CASE("A joint without keys gets its first one where it rests", "[keys]") {
   const KeySelection first{{rows.front(), {{0}}}};
   const Document raised = documentOf(moveKeys(keyed, 0, {{rows.front(), {{0, 2U}}}}, {0.0, 0.25}));
   CHECK(trackAt(raised, rows.front()).values == std::vector<float>{0.3F, 0.25F, 0.0F});
-  CHECK_FALSE(removeKeys(keyed, 0, first));
+  CHECK_THAT(test::refusal(removeKeys(keyed, 0, first)),
+             Catch::Contains("a track of the clip keeps one key"));
   CHECK(sameDocument(restoreAllTracks(raised), start));
 }
 
 TEST_CASE("The last key of a track of the clip is not deleted", "[keys]") {
   const Document start = test::boxer();
   const std::vector<KeyRow> rows{armTurns};
-  CHECK_FALSE(removeKeys(start, 0, allKeys(start, 0, rows)));
+  CHECK_THAT(test::refusal(removeKeys(start, 0, allKeys(start, 0, rows))),
+             Catch::Contains("a track of the clip keeps one key"));
   CHECK(trackAt(documentOf(removeKeys(start, 0, keysBetween(start, 0, rows, 4.0, 12.0)))).times.size() == 2);
 }
 
@@ -211,6 +214,30 @@ TEST_CASE("Copied keys stand at the frame where they are pasted, by value", "[ke
   CHECK(row.keys[4].frame == Approx(30.0));
   CHECK(row.keys[5].frame == Approx(35.0));
   CHECK(row.keys[5].values[1] == Approx(row.keys[2].values[1]).margin(1e-3));
+}
+
+TEST_CASE("Copied keys are pasted on another joint where it is keyed alike, and on their own joint elsewhere",
+          "[keys]") {
+  const Document start = test::boxer();
+  const CopiedKeys copied =
+      copyKeys(start, 0, keysBetween(start, 0, std::vector<KeyRow>{armTurns}, 5.0, 10.0));
+  const KeyRow otherTurns{NodeIndex(6), Channel::rotation, {}};
+  const Document turned = documentOf(pasteKeys(start, 0, copied, 5.0, otherTurns));
+  CHECK(readRow(turned, 0, otherTurns).keys.back().values[1] ==
+        Approx(readRow(start, 0, armTurns).keys[2].values[1]).margin(1e-3));
+  CHECK(trackAt(turned) == trackAt(start));
+  for (const KeyRow& unlike : {KeyRow{NodeIndex(6), Channel::translation, {}}, handRow}) {
+    const Document own = documentOf(pasteKeys(start, 0, copied, 30.0, unlike));
+    CHECK(readRow(own, 0, unlike).keys.empty());
+    CHECK(readRow(own, 0, armTurns).keys.size() == 6);
+  }
+}
+
+TEST_CASE("Of keys that are picked those that are there no more are picked no longer", "[keys]") {
+  const Document start = test::boxer();
+  const KeyRow gone{NodeIndex(6), Channel::rotation, {}};
+  const KeySelection there = stillThere(start, 0, {{armTurns, {{0}, {3, 2U}, {4}, {9}}}, {gone, {{0}}}});
+  CHECK(there == KeySelection{{armTurns, {{0}, {3, 2U}}}});
 }
 
 TEST_CASE("A tangent on a linear track makes it a cubic one whose other keys run as straight as before",
@@ -319,7 +346,8 @@ TEST_CASE("A tangent that is dragged has the slope that is asked for", "[keys]")
 TEST_CASE("A track of the clip steps as a whole", "[keys]") {
   const Document start = test::boxer();
   const std::vector<KeyRow> rows{armTurns};
-  CHECK_FALSE(setKeyKind(start, 0, oneKey(armTurns, 1), rig::KeyInterpolation::stepped));
+  CHECK_THAT(test::refusal(setKeyKind(start, 0, oneKey(armTurns, 1), rig::KeyInterpolation::stepped)),
+             Catch::StartsWith("a track of the clip steps as a whole"));
   const Document stepped =
       documentOf(setKeyKind(start, 0, allKeys(start, 0, rows), rig::KeyInterpolation::stepped));
   CHECK(trackAt(stepped).interpolation == Interpolation::step);
@@ -348,6 +376,11 @@ TEST_CASE("Offset keys are edited by the same edits", "[keys]") {
   const Document flat = documentOf(setKeyKind(start, 0, oneKey(handRow, 1), rig::KeyInterpolation::flat));
   CHECK(flat.adjustments[0].keys[1].interpolation == rig::KeyInterpolation::flat);
   const std::vector<KeyRow> rows{handRow};
+  for (const TangentSide side : {TangentSide::in, TangentSide::out, TangentSide::both}) {
+    const Document bent = documentOf(setKeySlope(start, 0, handRow, {1, 2U}, side, 0.25));
+    CHECK(readRow(bent, 0, handRow).keys[1].inSlopes[1] == Approx(0.25).margin(1e-3));
+    CHECK(readRow(bent, 0, handRow).keys[1].outSlopes[1] == Approx(0.25).margin(1e-3));
+  }
   CHECK(documentOf(insertKeys(start, 0, rows, 6.0)).adjustments[0].keys.size() == 4);
   CHECK(documentOf(removeKeys(start, 0, allKeys(start, 0, rows))).adjustments.empty());
   const CopiedKeys copied = copyKeys(start, 0, oneKey(handRow, 0));
@@ -374,7 +407,7 @@ TEST_CASE("A range of the whole clip is made slower, and what comes after moves 
   CHECK(keyFramesOf(*alone, 0, armTurns)[3] == Approx(20.0));
   slower.limb = "right-arm";
   CHECK(sameDocument(*retimed(start, 0, slower), start));
-  CHECK_FALSE(retimed(start, 0, {5.0, 5.0, 3.0}));
+  CHECK_THAT(test::refusal(retimed(start, 0, {5.0, 5.0, 3.0})), Catch::StartsWith("the range has no length"));
 }
 
 TEST_CASE("A prop's hands let go at the retimed frame", "[keys][holds]") {

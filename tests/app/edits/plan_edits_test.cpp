@@ -8,10 +8,12 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/body/limb_edits.h"
 #include "app/edits/pose/prop_file_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
 #include "app/files/saved_work.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/refusal.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/moving_creatures.h"
@@ -80,7 +82,8 @@ TEST_CASE("Another body plan replaces the limbs, and takes along what was set up
   const Result<Document> other = changePlan(document, "other");
   REQUIRE(other);
   CHECK(other->weights.empty());
-  CHECK_FALSE(changePlan(document, "centaur"));
+  CHECK_THAT(test::refusal(changePlan(document, "centaur")),
+             Catch::StartsWith("plan: there is no body plan 'centaur'"));
 }
 
 TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand") {
@@ -103,6 +106,15 @@ TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand
     CHECK(static_cast<const rig::LimbPlace&>(opened.body.limbs[i]) ==
           static_cast<const rig::LimbPlace&>(document.body.limbs[i]));
   }
+}
+
+TEST_CASE("A horse whose limbs were left as they were found is a horse again when its work is read") {
+  const Document document = setLooping(horse(), 0, true);
+  REQUIRE_FALSE(document.limbsCorrected);
+  Document again = horse();
+  REQUIRE(restoreWork(workOf(document), again));
+  CHECK(again.body.plan == "quadruped");
+  CHECK(again.body.limbs.size() == document.body.limbs.size());
 }
 
 TEST_CASE("A plan that was chosen by hand is read from the character alone when its file opens with a prop") {

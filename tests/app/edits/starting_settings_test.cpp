@@ -136,6 +136,27 @@ TEST_CASE("A recipe of a biped tells all limbs that a horse lacks, wherever it n
   CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks left-arm, left-leg, right-arm, right-leg"));
 }
 
+TEST_CASE("A limb that a horse lacks is told from each list of a recipe") {
+  const CreatureOnDisk file(pawingHorse());
+  const auto [list, lacked] = GENERATE(table<std::string, std::string>({
+      {R"("trails": [{"limb": "left-arm", "scale": 2}])", "left-arm"},
+      {R"("trails": [], "elastic": [{"limb": "right-arm"}])", "right-arm"},
+      {R"("pins": [{"limb": "left-leg", "range": [0, 10], "at": 0}])", "left-leg"},
+      {R"("grips": [{"leader": "right-leg", "follower": "front-left-leg", "range": [0, 10]}])", "right-leg"},
+      {R"("grips": [{"leader": "front-left-leg", "follower": "left-leg", "range": [0, 10]}])", "left-leg"},
+      {R"("props": [{"node": "Bat", "hands": {"left-arm": [{"frame": 0, "value": 1}]}}])", "left-arm"},
+      {R"("adjustments": [{"controller": "right-knee", "keys": [{"frame": 3}]}])", "right-leg"},
+      {R"("adjustments": [{"attribute": "left-arm.stretch", "keys": [{"frame": 3, "value": 1}]}])",
+       "left-arm"},
+  }));
+  CAPTURE(list);
+  file.folder.write("recipe.json", R"({"version": 1, )" + list + "}");
+  const VerbAnswer lacking = runVerb({"pose", file.path, "-o", (file.folder / "out.glb").string(), "--recipe",
+                                      (file.folder / "recipe.json").string()});
+  CHECK(lacking.exitCode == 1);
+  CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks " + lacked + "; name limbs"));
+}
+
 TEST_CASE("A grip that names no foot of a horse says which limbs can be held") {
   const CreatureOnDisk file(pawingHorse());
   file.folder.write("recipe.json", R"({"version": 1,

@@ -1,4 +1,5 @@
 #include <random>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -10,6 +11,7 @@
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/locator_text.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -90,7 +92,7 @@ TEST_CASE("Clips are read at the rate again that was set for them") {
   CHECK(source.trails == document.trails);
   Json broken = work;
   broken["rates"][0]["frames_per_second"] = 0.0;
-  CHECK_FALSE(restoreWork(broken, source));
+  CHECK_THAT(test::refusal(restoreWork(broken, source)), Catch::Contains("rates"));
   setFramesPerSecond(document, own);
   CHECK_FALSE(workOf(document).contains("rates"));
 }
@@ -218,6 +220,39 @@ TEST_CASE("A trail that no edit would make is left out of the work with a warnin
   CHECK(document.warnings.size() == 2 - left);
 }
 
+TEST_CASE("A new trail gets a number above all of a file's, in whatever order they stand in it") {
+  Json work = workOf(trailed());
+  work["trails"][0]["id"] = 9;
+  work["trails"][1]["id"] = 4;
+  Document document = test::boxer();
+  REQUIRE(restoreWork(work, document));
+  NewTrail wanted;
+  wanted.limb = "right-arm";
+  wanted.settings.endFrame = 10.0;
+  const Result<CreatedTrail> created = createTrail(document, wanted);
+  REQUIRE(created);
+  CHECK(created->trailId == 10);
+}
+
+TEST_CASE("A scale of an earlier version that is out of reach today is the largest there is") {
+  Json work = workOf(trailed());
+  work["trails"][0]["scale"] = 1000.0;
+  Document document = test::boxer();
+  REQUIRE(restoreWork(work, document));
+  CHECK(document.trails[0].settings.scale == rig::largestStretch);
+  CHECK(document.trails[1].settings.scale == Approx(1.2));
+}
+
+TEST_CASE("Holds that make no sense are refused, whichever of their kinds they are") {
+  const std::string kind = GENERATE("pins", "grips", "props");
+  Json work = workOf(trailed());
+  work[kind] = {{{"clip", 0}, {"stretch", "far"}}};
+  const Document before = test::boxer();
+  Document document = before;
+  CHECK(test::refusal(restoreWork(work, document)) != "accepted");
+  CHECK(sameDocument(document, before));
+}
+
 TEST_CASE("Work of earlier versions says with which settings a trail was applied") {
   Json work = workOf(trailed());
   Json& trail = work["trails"][0];
@@ -269,7 +304,7 @@ TEST_CASE("Locators are part of the work: kept, restored, and none when they are
   CHECK(withoutWork(restored).locators.empty());
   Json damaged = work;
   damaged["locators"]["locators"].erase(0);
-  CHECK_FALSE(restoreWork(damaged, restored));
+  CHECK_THAT(test::refusal(restoreWork(damaged, restored)), Catch::Contains("locators"));
 }
 
 TEST_CASE("A chain that a file keeps twice is read once, with a warning") {
