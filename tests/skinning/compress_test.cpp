@@ -373,6 +373,27 @@ TEST_CASE("gravity's flattening gives back the modulus that it was made with") {
   CHECK(flattening->height == Approx(0.88).epsilon(1e-3));
   CHECK(flattening->width == Approx(1.0 / 0.88).epsilon(1e-3));
   CHECK(flattening->compression == Approx(0.12).epsilon(0.01));
+  CHECK(flattening->predictedHeight == Approx(1.0 - flattening->compression));
+  CHECK(flattening->predictedWidth == Approx(1.0 / (1.0 - flattening->compression)));
+  CHECK(flattening->length == Approx(1.0).epsilon(1e-2));
   // Eq. 6 for a cylinder of water: q = m g pi / (2 E l w), m = density * w^2 pi / 4 * l.
   CHECK(flattening->youngModulus == Approx(1000.0 * 9.81 * pi * pi * 1.0 / (8.0 * 0.12)).epsilon(0.1));
+}
+
+TEST_CASE("flattening is measured where the body has come to, with the length that gravity took") {
+  MeshSequence with = test::shorteningTube(2, 0.0, 0.0, 0.12);
+  MeshSequence without = test::shorteningTube(2, 0.0, 0.0, 0.0);
+  for (glm::vec3& p : with.frame(1)) {
+    p.x *= 0.9F;
+  }
+  for (MeshSequence* const sequence : {&with, &without}) {
+    for (glm::vec3& p : sequence->frame(0)) {
+      p = {p.z, p.y, -p.x}; // it turns from along z to along x
+    }
+  }
+  const auto flattening = gravityFlattening(with, without, {});
+  REQUIRE(flattening);
+  CHECK(flattening->height == Approx(0.88).epsilon(0.01));
+  CHECK(flattening->width == Approx(1.0 / 0.88).epsilon(0.01));
+  CHECK(flattening->length == Approx(0.9).epsilon(0.01));
 }

@@ -83,6 +83,52 @@ TEST_CASE("a shift by a known distance gives its square, its share of the diagon
             .epsilon(1e-5));
 }
 
+TEST_CASE("distances are told in parts of the reference's size, not of the other's") {
+  const MeshSequence sequence = waving(5);
+  MeshSequence larger = sequence;
+  for (glm::vec3& p : larger.positions) {
+    p *= 2.0F;
+  }
+  const SequenceMetrics metrics = compared(sequence, larger);
+  CHECK(metrics.rmsePercent ==
+        Approx(100.0 * std::sqrt(metrics.mse) / boxDiagonal(sequence.frame(0))).epsilon(1e-6));
+}
+
+TEST_CASE("the largest distance is that of any frame") {
+  const MeshSequence sequence = waving(5);
+  for (const std::size_t frame : {0U, 2U, 4U}) {
+    MeshSequence off = sequence;
+    off.frame(frame)[3].y += 0.5F;
+    CHECK(compared(sequence, off).largestPercent ==
+          Approx(50.0 / boxDiagonal(sequence.frame(0))).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a jump in time counts in every step whose window it lies in, by its weight") {
+  MeshSequence still = waving(1);
+  for (int frame = 1; frame < 12; ++frame) {
+    still.positions.insert(still.positions.end(), still.positions.begin(),
+                           still.positions.begin() + static_cast<std::ptrdiff_t>(still.vertexCount));
+  }
+  MeshSequence jumping = still;
+  for (std::size_t frame = 6; frame < 12; ++frame) {
+    for (std::size_t v = 0; v < still.vertexCount; ++v) {
+      jumping.frame(frame)[v].x += 0.3F;
+    }
+  }
+  StedSettings settings;
+  settings.timeStep = 0.4;
+  settings.window = GENERATE(1, 3, 5);
+  settings.c = GENERATE(0.5, 2.0);
+  const auto metrics = compareSequences(still, jumping, settings);
+  REQUIRE(metrics);
+  // One of 11 steps is hypot(0.3, 0.4) long in place of 0.4, a quarter more; a window of w steps that holds
+  // it deviates by sqrt(w - 1) / w of that, and w windows do.
+  const double wanted = 0.25 * std::sqrt(settings.window - 1.0) / 11.0;
+  CHECK(metrics->stedTemporal == Approx(wanted).margin(1e-5));
+  CHECK(metrics->sted == Approx(settings.c * wanted).margin(1e-5));
+}
+
 TEST_CASE("STED does not see where a sequence is, the squared error does") {
   const MeshSequence sequence = waving(12);
   const glm::quat turn = glm::angleAxis(0.7F, glm::normalize(glm::vec3(1, 2, 3)));

@@ -5,12 +5,15 @@
 #include <numeric>
 
 #include "skinning/bind/bind_weights.h"
+#include "tests/support/refusal.h"
 #include "tests/support/skinning/shapes.h"
+#include "tests/support/skinning/weight_of.h"
 
 using namespace stretch;
 using skinning::BindJoint;
 using skinning::Influences;
 using test::Shape;
+using test::weightOf;
 
 namespace {
 
@@ -20,14 +23,6 @@ std::vector<Influences> bound(const Shape& shape, const std::vector<BindJoint>& 
     FAIL(result.error().line());
   }
   return result->influences;
-}
-
-double weightOf(const Influences& row, std::size_t joint) {
-  double weight = 0.0;
-  for (std::size_t i = 0; i < Influences::capacity; ++i) {
-    weight += row.bones[i] == joint ? static_cast<double>(row.weights[i]) : 0.0;
-  }
-  return weight;
 }
 
 void add(Shape& shape, const Shape& other, const glm::vec3& offset) {
@@ -238,7 +233,8 @@ TEST_CASE("Binding ends when it is told to, and says what it took") {
   const Shape tube = test::tube(10.0, 1.0, 40, 12);
   const auto stopped = skinning::bindWeights(tube.positions, tube.triangles, tubeBones, {},
                                              [](double share) { return share < 0.5; });
-  CHECK_FALSE(stopped.ok());
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().what == "the binding was stopped");
   double last = 0.0;
   const auto done =
       skinning::bindWeights(tube.positions, tube.triangles, tubeBones, {}, [&last](double share) {
@@ -254,10 +250,18 @@ TEST_CASE("Binding ends when it is told to, and says what it took") {
 
 TEST_CASE("What cannot be bound is said in one line") {
   const Shape tube = test::tube(10.0, 1.0, 10, 8);
-  CHECK_FALSE(skinning::bindWeights(tube.positions, tube.triangles, {}).ok());
-  CHECK_FALSE(skinning::bindWeights(tube.positions, {}, tubeBones).ok());
+  const std::string noJoints = "there are no joints to bind to; give a skeleton";
+  const std::string noFaces = "there is no triangle to bind; give a mesh with faces";
+  CHECK(test::refusal(skinning::bindWeights(tube.positions, tube.triangles, {})) == noJoints);
+  CHECK(test::refusal(skinning::bindWeightsOnSurface(tube.positions, tube.triangles, {})) == noJoints);
+  CHECK(test::refusal(skinning::bindWeights(tube.positions, {}, tubeBones)) == noFaces);
+  CHECK(test::refusal(skinning::bindWeightsOnSurface(tube.positions, {}, tubeBones)) == noFaces);
+  const std::vector<BindJoint> tooMany(65536, tubeBones.front());
+  CHECK(test::refusal(skinning::bindWeights(tube.positions, tube.triangles, tooMany)) ==
+        "more joints than a skin can name; bind to fewer");
   const std::vector<glm::vec3> point(3, glm::vec3(1.0F));
-  CHECK_FALSE(skinning::bindWeights(point, {{0, 1, 2}}, tubeBones).ok());
+  CHECK(test::refusal(skinning::bindWeights(point, {{0, 1, 2}}, tubeBones)) ==
+        "the mesh has no extent; bind a mesh with a body");
 }
 
 TEST_CASE("On a closed surface weights go by the way over it, an open one is refused") {

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "skinning/locate/arm_joints.h"
 #include "skinning/locate/fit_biped.h"
 #include "skinning/locate/trunk_joints.h"
 #include "tests/support/skinning/tube_person.h"
@@ -104,6 +106,9 @@ TEST_CASE("Limbs that are boxes turn where they begin and in their middles", "[l
     const Vec3 either(found.x * place.x < 0.0 ? -found.x : found.x, found.y, found.z);
     CHECK(glm::distance(either, place) < 0.02 * height);
   }
+  for (const char* hand : {"leftHand", "rightHand"}) {
+    CHECK(jointOf(*fitted, hand).confidence < 0.5); // a box shows no wrist
+  }
 }
 
 TEST_CASE("Hips are over the crotch, but not where that lies between the bones of a pelvis", "[locators]") {
@@ -113,7 +118,14 @@ TEST_CASE("Hips are over the crotch, but not where that lies between the bones o
 }
 
 TEST_CASE("An elbow is where a thin rod meets a thick forearm", "[locators]") {
-  checkFits(tubePerson({.hasRods = true}), asMade, 1.0, 0.04);
+  const TubePerson robot = tubePerson({.hasRods = true});
+  checkFits(robot, asMade, 1.0, 0.04);
+  const Result<FittedBiped> fitted = fitBiped(robot.positions, robot.triangles);
+  REQUIRE(fitted);
+  for (const std::string side : {"left", "right"}) {
+    const Vec3& elbow = jointOf(*fitted, side + "LowerArm").position;
+    CHECK(glm::distance(elbow, robot.joints.at(side + "LowerArm")) < 0.015); // in the forearm, not at its end
+  }
 }
 
 TEST_CASE("A beard does not draw the head's joint forward", "[locators]") {
@@ -145,6 +157,20 @@ TEST_CASE("A beard does not draw the head's joint forward", "[locators]") {
 
 TEST_CASE("What one hand holds does not make its arm longer", "[locators]") {
   checkFits(tubePerson({.holdsInRight = 0.4}));
+  checkFits(tubePerson({.holdsInLeft = 0.4}));
+}
+
+TEST_CASE("An arm that is guessed from the other one lies as that one does on the other side, half as sure",
+          "[locators]") {
+  const ArmJoints left{{Vec3(0.2, 0.8, 0.01), 0.8}, {Vec3(0.3, 0.6, -0.02), 0.7}, {Vec3(0.4, 0.5, 0.1), 0.6}};
+  const ArmJoints right = mirroredArm(left);
+  const Vec3 across(-1.0, 1.0, 1.0);
+  for (const auto& [mirrored, own] :
+       {std::pair(right.shoulder, left.shoulder), std::pair(right.elbow, left.elbow),
+        std::pair(right.wrist, left.wrist)}) {
+    CHECK(mirrored.place == across * own.place);
+    CHECK(mirrored.confidence == Approx(0.5 * own.confidence));
+  }
 }
 
 TEST_CASE("Arms that do not show are guessed, unsure, and named for setting them by hand", "[locators]") {

@@ -82,8 +82,8 @@ void addArm(const std::string& name, double side, const TubePose& pose, TubePers
                      {at(0.6), 0.048},
                      {at(0.68), 0.045},
                      {at(0.72), 0.02}});
-  if (side < 0.0 && pose.holdsInRight > 0.0) {
-    Tubes(person).add({{at(0.62), 0.02}, {at(0.72 + pose.holdsInRight), 0.02}});
+  if (const double held = side < 0.0 ? pose.holdsInRight : pose.holdsInLeft; held > 0.0) {
+    Tubes(person).add({{at(0.62), 0.02}, {at(0.72 + held), 0.02}});
   }
 }
 

@@ -16,6 +16,7 @@ struct TubePose {
   bool hasArms = true;
   bool hasRods = false;         ///< Upper arms are thin rods in thick forearms, as of a robot.
   double holdsInRight = 0.0;    ///< Length of a stick beyond the right hand.
+  double holdsInLeft = 0.0;     ///< Length of one beyond the left hand.
   std::size_t everyNthHole = 0; ///< Leaves out one of so many triangles; 0: none.
 };
 
