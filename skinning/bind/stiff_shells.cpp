@@ -4,13 +4,13 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include <tbb/parallel_for.h>
 
+#include "core/base/disjoint_sets.h"
 #include "skinning/bind/points_within.h"
 #include "skinning/bind/skeleton_ways.h"
 #include "skinning/bind/weight_row.h"
@@ -301,22 +301,18 @@ void dropGuests(const Shell& shell, const Joints& guests, std::vector<Influences
 
 std::vector<std::size_t> shellsOf(const std::vector<std::uint32_t>& welded,
                                   const std::vector<Triangle>& triangles) {
-  std::vector<std::uint32_t> leaders = welded;
-  const auto leaderOf = [&](std::uint32_t v) {
-    while (leaders[v] != v) {
-      leaders[v] = leaders[leaders[v]];
-      v = leaders[v];
-    }
-    return v;
-  };
-  for (const Triangle& triangle : triangles) {
-    leaders[leaderOf(triangle[0])] = leaderOf(triangle[1]);
-    leaders[leaderOf(triangle[1])] = leaderOf(triangle[2]);
+  DisjointSets sets(welded.size());
+  for (std::uint32_t v = 0; v < welded.size(); ++v) {
+    sets.join(v, welded[v]);
   }
-  std::map<std::uint32_t, std::size_t> numbers;
+  for (const Triangle& triangle : triangles) {
+    sets.join(triangle[0], triangle[1]);
+    sets.join(triangle[1], triangle[2]);
+  }
+  std::map<std::size_t, std::size_t> numbers;
   std::vector<std::size_t> shells(welded.size());
   for (std::uint32_t v = 0; v < welded.size(); ++v) {
-    shells[v] = numbers.try_emplace(leaderOf(v), numbers.size()).first->second;
+    shells[v] = numbers.try_emplace(sets.leaderOf(v), numbers.size()).first->second;
   }
   return shells;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/math/types.h"
 
 namespace stretch::skinning {
@@ -13,17 +14,8 @@ namespace {
 
 using Place = std::array<std::int64_t, 3>;
 
-std::uint32_t leaderOf(std::vector<std::uint32_t>& leaders, std::uint32_t vertex) {
-  while (leaders[vertex] != vertex) {
-    leaders[vertex] = leaders[leaders[vertex]];
-    vertex = leaders[vertex];
-  }
-  return vertex;
-}
-
 // Joins vertices in one cell of a grid.
-void joinInCells(std::span<const glm::vec3> positions, double cell, double shift,
-                 std::vector<std::uint32_t>& leaders) {
+void joinInCells(std::span<const glm::vec3> positions, double cell, double shift, DisjointSets& sets) {
   std::vector<std::pair<Place, std::uint32_t>> sorted(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Vec3 scaled = Vec3(positions[v]) / cell + shift;
@@ -35,9 +27,7 @@ void joinInCells(std::span<const glm::vec3> positions, double cell, double shift
   std::ranges::sort(sorted);
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (sorted[i].first == sorted[i - 1].first) {
-      const std::uint32_t a = leaderOf(leaders, sorted[i - 1].second);
-      const std::uint32_t b = leaderOf(leaders, sorted[i].second);
-      leaders[std::max(a, b)] = std::min(a, b);
+      sets.join(sorted[i - 1].second, sorted[i].second);
     }
   }
 }
@@ -53,10 +43,11 @@ std::vector<std::uint32_t> weldedVertices(std::span<const glm::vec3> positions) 
     return leaders;
   }
   // Two grids, half a cell apart: what an edge of one parts lies in the middle of a cell of the other.
-  joinInCells(positions, cell, 0.0, leaders);
-  joinInCells(positions, cell, 0.5, leaders);
+  DisjointSets sets(positions.size());
+  joinInCells(positions, cell, 0.0, sets);
+  joinInCells(positions, cell, 0.5, sets);
   for (std::uint32_t v = 0; v < leaders.size(); ++v) {
-    leaders[v] = leaderOf(leaders, v);
+    leaders[v] = static_cast<std::uint32_t>(sets.leaderOf(v));
   }
   return leaders;
 }

@@ -4,27 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace stretch::skinning {
 namespace {
-
-/// Pieces of a surface that is cut across, by union and find.
-class Pieces {
-public:
-  explicit Pieces(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-  [[nodiscard]] std::uint32_t of(std::uint32_t v) {
-    while (parents_[v] != v) {
-      parents_[v] = parents_[parents_[v]];
-      v = parents_[v];
-    }
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parents_[of(a)] = of(b); }
-
-private:
-  std::vector<std::uint32_t> parents_;
-};
 
 /// The vertices that share an edge with each, some twice.
 std::vector<std::vector<std::uint32_t>> neighboursOf(std::size_t vertices,
@@ -63,7 +47,7 @@ bool isBranched(const std::vector<double>& along, const std::vector<double>& are
   const auto sliceOf = [&](std::uint32_t v) {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(along[v] * slices), 0, slices - 1));
   };
-  Pieces pieces(along.size());
+  DisjointSets pieces(along.size());
   for (const Triangle& triangle : triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       if (sliceOf(triangle[c]) == sliceOf(triangle[(c + 1) % 3])) {
@@ -74,7 +58,7 @@ bool isBranched(const std::vector<double>& along, const std::vector<double>& are
   std::vector<double> ofPiece(along.size(), 0.0);
   std::vector<double> ofSlice(slices, 0.0);
   for (std::uint32_t v = 0; v < along.size(); ++v) {
-    ofPiece[pieces.of(v)] += areas[v];
+    ofPiece[pieces.leaderOf(v)] += areas[v];
     ofSlice[sliceOf(v)] += areas[v];
   }
   std::vector<int> counts(slices, 0);
@@ -96,15 +80,15 @@ bool hasLimbBeside(const std::vector<double>& distances, const std::vector<doubl
   std::ranges::stable_sort(order,
                            [&](std::uint32_t a, std::uint32_t b) { return distances[a] > distances[b]; });
   const auto neighbours = neighboursOf(distances.size(), triangles);
-  Pieces pieces(distances.size());
+  DisjointSets pieces(distances.size());
   std::vector<bool> flooded(distances.size(), false);
   std::vector<Limb> limbs(distances.size());
   for (const std::uint32_t v : order) { // From the farthest down: limbs grow and meet.
     flooded[v] = true;
     limbs[v] = {distances[v], vertexDiameters[v], 1.0};
     for (const std::uint32_t other : neighbours[v]) {
-      const std::uint32_t a = pieces.of(v);
-      const std::uint32_t b = pieces.of(other);
+      const std::size_t a = pieces.leaderOf(v);
+      const std::size_t b = pieces.leaderOf(other);
       if (!flooded[other] || a == b) {
         continue;
       }
@@ -113,7 +97,7 @@ bool hasLimbBeside(const std::vector<double>& distances, const std::vector<doubl
         return true;
       }
       pieces.join(a, b);
-      limbs[pieces.of(a)].add(limbs[pieces.of(a) == a ? b : a]);
+      limbs[std::min(a, b)].add(limbs[std::max(a, b)]);
     }
   }
   return false;

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/disjoint_sets.h"
 #include "skinning/bind/voxel_ways.h"
 
 namespace stretch::skinning {
@@ -33,25 +34,6 @@ std::vector<double> waysFromCentre(const StandingBody& body) {
   return ways;
 }
 
-// Heaps of cells that touch each other; each is known by its cell that is farthest out.
-class Heaps {
-public:
-  explicit Heaps(std::size_t cells) : above_(cells) {
-    std::iota(above_.begin(), above_.end(), std::size_t{0});
-  }
-  [[nodiscard]] std::size_t farthestOf(std::size_t cell) {
-    while (above_[cell] != cell) {
-      above_[cell] = above_[above_[cell]];
-      cell = above_[cell];
-    }
-    return cell;
-  }
-  void join(std::size_t farthest, std::size_t other) { above_[other] = farthest; }
-
-private:
-  std::vector<std::size_t> above_;
-};
-
 } // namespace
 
 // From the farthest cell inwards each cell begins a heap or joins those that it touches. Where two heaps
@@ -66,25 +48,21 @@ std::size_t endsOf(const StandingBody& body) {
     return 0;
   }
   const double least = shortest * ways[order.front()];
-  Heaps heaps(ways.size());
-  std::vector<bool> isIn(ways.size(), false);
+  std::vector<std::size_t> places(order.size()); // of cells in the order: the farthest cell leads a heap
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    places[order[place]] = place;
+  }
+  DisjointSets heaps(order.size());
   std::size_t ends = 1; // the farthest of all meets no one
-  for (const std::size_t cell : order) {
-    isIn[cell] = true;
-    eachNeighbour(body.cubes, cell, [&](std::size_t next, std::size_t) {
-      if (!isIn[next]) {
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    eachNeighbour(body.cubes, order[place], [&](std::size_t next, std::size_t) {
+      if (places[next] > place) {
         return;
       }
-      std::size_t one = heaps.farthestOf(cell);
-      std::size_t other = heaps.farthestOf(next);
-      if (one == other) {
-        return;
+      const std::size_t lesser = std::max(heaps.leaderOf(place), heaps.leaderOf(places[next]));
+      if (heaps.join(place, places[next])) {
+        ends += ways[order[lesser]] - ways[order[place]] >= least ? 1 : 0;
       }
-      if (ways[one] < ways[other]) {
-        std::swap(one, other);
-      }
-      ends += ways[other] - ways[cell] >= least ? 1 : 0;
-      heaps.join(one, other);
     });
   }
   return ends;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
 
 namespace stretch::skinning {
 
@@ -15,30 +16,6 @@ constexpr int fine = 140; // cubes along the longest side: the gap between an ar
 constexpr std::array<std::array<int, 3>, 6> faces{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-// Which cells belong together, as a forest of leaders.
-class Pieces {
-public:
-  explicit Pieces(std::size_t count) : leaders_(count) {
-    std::iota(leaders_.begin(), leaders_.end(), std::size_t{0});
-  }
-  std::size_t leaderOf(std::size_t one) {
-    while (leaders_[one] != one) {
-      leaders_[one] = leaders_[leaders_[one]];
-      one = leaders_[one];
-    }
-    return one;
-  }
-  bool join(std::size_t a, std::size_t b) {
-    a = leaderOf(a);
-    b = leaderOf(b);
-    leaders_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<std::size_t> leaders_;
-};
-
 bool isInside(const VoxelGrid& grid, const std::array<int, 3>& place) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (place[axis] < 0 || place[axis] >= grid.counts[axis]) {
@@ -48,8 +25,8 @@ bool isInside(const VoxelGrid& grid, const std::array<int, 3>& place) {
   return true;
 }
 
-Pieces piecesOf(const VoxelBody& body) {
-  Pieces pieces(body.cellCount());
+DisjointSets piecesOf(const VoxelBody& body) {
+  DisjointSets pieces(body.cellCount());
   for (std::size_t cell = 0; cell < body.cellCount(); ++cell) {
     const std::array<int, 3> place = body.grid.placeOfIndex(body.cubeOf[cell]);
     for (int x = -1; x <= 1; ++x) {
@@ -109,7 +86,7 @@ Reach reachAround(const VoxelBody& body) {
   return reach;
 }
 
-std::vector<Bridge> bridgesOf(const VoxelBody& body, const Reach& reach, Pieces& pieces) {
+std::vector<Bridge> bridgesOf(const VoxelBody& body, const Reach& reach, DisjointSets& pieces) {
   std::vector<Bridge> bridges;
   for (std::size_t cube = 0; cube < reach.from.size(); ++cube) {
     const std::array<int, 3> place = body.grid.placeOfIndex(cube);
@@ -147,7 +124,7 @@ void addCell(VoxelBody& body, std::uint32_t cube) {
 }
 
 void joinPieces(VoxelBody& body) {
-  Pieces pieces = piecesOf(body);
+  DisjointSets pieces = piecesOf(body);
   const std::size_t count = body.cellCount();
   bool isOne = true;
   for (std::size_t cell = 1; cell < count && isOne; ++cell) {

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/disjoint_sets.h"
+
 namespace stretch::skinning {
 namespace {
 
@@ -56,27 +58,18 @@ void forEachEdge(const std::vector<Side>& sides, Use&& use) {
   }
 }
 
-std::uint32_t findRoot(std::vector<std::uint32_t>& parents, std::uint32_t vertex) {
-  while (parents[vertex] != vertex) {
-    parents[vertex] = parents[parents[vertex]];
-    vertex = parents[vertex];
-  }
-  return vertex;
-}
-
 void countParts(std::size_t vertexCount, const std::vector<Triangle>& triangles, TopologyReport& report) {
-  std::vector<std::uint32_t> parents(vertexCount);
-  std::iota(parents.begin(), parents.end(), 0U);
+  DisjointSets parts(vertexCount);
   std::vector<bool> used(vertexCount, false);
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t corner : triangle) {
       used[corner] = true;
-      parents[findRoot(parents, corner)] = findRoot(parents, triangle[0]);
+      parts.join(corner, triangle[0]);
     }
   }
   for (std::uint32_t v = 0; v < vertexCount; ++v) {
     report.looseVertices += used[v] ? 0 : 1;
-    report.components += used[v] && findRoot(parents, v) == v ? 1 : 0;
+    report.components += used[v] && parts.leaderOf(v) == v ? 1 : 0;
   }
 }
 
