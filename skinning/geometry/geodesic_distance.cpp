@@ -227,10 +227,4 @@ std::vector<double> GeodesicSolver::distances(const std::vector<std::uint32_t>& 
   return distance;
 }
 
-std::vector<double> geodesicDistances(std::span<const glm::vec3> positions,
-                                      const std::vector<Triangle>& triangles,
-                                      const std::vector<std::uint32_t>& sources) {
-  return GeodesicSolver(positions, triangles).distances(sources);
-}
-
 } // namespace stretch::skinning

@@ -32,9 +32,4 @@ private:
   std::unique_ptr<const Stencils> stencils_;
 };
 
-/// The one-off: builds the solver and asks it once.
-[[nodiscard]] std::vector<double> geodesicDistances(std::span<const glm::vec3> positions,
-                                                    const std::vector<Triangle>& triangles,
-                                                    const std::vector<std::uint32_t>& sources);
-
 } // namespace stretch::skinning

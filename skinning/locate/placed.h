@@ -10,7 +10,4 @@ struct Placed {
   double confidence = 0.0; ///< 0..1.
 };
 
-/// Below this a place is a guess by proportions.
-inline constexpr double leastSure = 0.5;
-
 } // namespace stretch::skinning

@@ -14,7 +14,7 @@ using namespace stretch::skinning;
 namespace {
 
 std::vector<double> distancesFrom(const test::Shape& shape, std::uint32_t source) {
-  return geodesicDistances(shape.positions, shape.triangles, {source});
+  return GeodesicSolver(shape.positions, shape.triangles).distances({source});
 }
 
 /// Mean of |found - exact| / exact over all vertices but the source.

@@ -185,15 +185,6 @@ Key fromGlfwKey(int glfwKey) {
   return printable ? static_cast<Key>(glfwKey) : Key::none;
 }
 
-std::optional<int> toGlfwKey(Key key) {
-  for (int candidate = 1; candidate <= GLFW_KEY_LAST; ++candidate) {
-    if (fromGlfwKey(candidate) == key && key != Key::none) {
-      return candidate;
-    }
-  }
-  return std::nullopt;
-}
-
 std::string shownChord(const app::Chord& chord) {
   std::string plain = app::chordText(chord);
   const int code = static_cast<int>(chord.key);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +46,6 @@ void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepo
 
 /// Our key of one of GLFW's; none for keys that nothing is bound to. Modifier keys are none.
 [[nodiscard]] app::Key fromGlfwKey(int glfwKey);
-[[nodiscard]] std::optional<int> toGlfwKey(app::Key key);
 
 /// The chord as the user's keyboard layout labels it: "Ctrl+W" for the key in position Z of a French
 /// keyboard.

@@ -49,10 +49,6 @@ bool isChecked(const Shell& shell, std::string_view id) {
   return command != nullptr && isOn(shell, *command);
 }
 
-bool hasCommand(const Shell& shell, std::string_view commandId) {
-  return findCommandOf(shell, commandId) != nullptr;
-}
-
 namespace {
 
 /// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.

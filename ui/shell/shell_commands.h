@@ -21,9 +21,6 @@ namespace stretch::ui {
 /// Whether a switch is on; false for commands that are not switches.
 [[nodiscard]] bool isChecked(const Shell& shell, std::string_view commandId);
 
-/// Whether there is a command of this id.
-[[nodiscard]] bool hasCommand(const Shell& shell, std::string_view commandId);
-
 /// Runs a command by its id; what went wrong is told in a toast.
 void runCommand(Shell& shell, std::string_view commandId);
 

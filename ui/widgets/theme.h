@@ -65,8 +65,6 @@ void applyStyle(const Theme& theme);
 
 /// Colour of the original path: sky blue.
 inline constexpr ImU32 originalTrailColour = IM_COL32(0x56, 0xB4, 0xE9, 255);
-/// Colour of errors: vermilion.
-inline constexpr ImU32 errorTrailColour = IM_COL32(0xD5, 0x5E, 0x00, 255);
 /// A mesh sequence and the skinned clip that it was compressed to, one over the other.
 inline constexpr ImU32 originalMeshColour = IM_COL32(0xC8, 0x4A, 0x3C, 255);
 inline constexpr ImU32 skinnedMeshColour = IM_COL32(0x4C, 0xA8, 0x5F, 255);

@@ -352,15 +352,6 @@ Result<Document> writeRow(const Document& document, int clip, const KeyedRow& ro
   return row.row.isOffset() ? writeOffsets(document, clip, row) : writeOwn(document, clip, row);
 }
 
-bool isAngle(const KeyRow& row, std::size_t component) {
-  return row.isOffset() ? component >= 3 : row.channel == Channel::rotation;
-}
-
-std::string componentTitle(const KeyRow& row, std::size_t component) {
-  const std::string axis(1, "XYZ"[component % 3]);
-  return !row.isOffset() ? axis : (component < 3 ? "Move " : "Turn ") + axis;
-}
-
 std::string rowTitle(const Document& document, const KeyRow& row) {
   if (!row.isOffset()) {
     return fmt::format("{} {}", nodeTitle(document, row.node), channelWord(row.channel));

@@ -81,10 +81,6 @@ enum class RowDetail { times, values }; ///< Times alone are read faster; such k
 /// clip itself would lose its last key, and where a number is out of proportion.
 [[nodiscard]] Result<Document> writeRow(const Document& document, int clip, const KeyedRow& row);
 
-/// "X", "Move Y": what a component of a row is called.
-[[nodiscard]] std::string componentTitle(const KeyRow& row, std::size_t component);
-/// Whether a component's values are degrees.
-[[nodiscard]] bool isAngle(const KeyRow& row, std::size_t component);
 /// "left hand", "Arm.L rotation": what a row is called.
 [[nodiscard]] std::string rowTitle(const Document& document, const KeyRow& row);
 

@@ -14,11 +14,20 @@
 
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/render/picture/image_edits.h"
-#include "ui/shell/shell_commands.h"
+#include "ui/shell/input.h"
 
 namespace stretch::test {
 
 using namespace ui;
+
+std::optional<int> toGlfwKey(app::Key key) {
+  for (int candidate = 1; candidate <= GLFW_KEY_LAST; ++candidate) {
+    if (fromGlfwKey(candidate) == key && key != app::Key::none) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
 
 namespace {
 
@@ -210,7 +219,7 @@ void Script::beginKey(const Step& step) {
 }
 
 void Script::requestCommand(const std::string& id, ui::Shell& shell) {
-  if (!hasCommand(shell, id)) {
+  if (std::ranges::find(shell.commands, id, &app::Command<Shell>::id) == shell.commands.end()) {
     fail("there is no command " + id);
   }
   shell.requested.push_back(id);

@@ -14,6 +14,9 @@
 
 namespace stretch::test {
 
+/// Returns GLFW's key for one of ours; none for keys that no keyboard has.
+[[nodiscard]] std::optional<int> toGlfwKey(app::Key key);
+
 /// Drives the editor without a hand: feeds keys and mouse through the same callbacks as the window does,
 /// finds widgets by their ids, takes pictures and checks the document. One step per line, '#' begins a
 /// comment:

@@ -11,6 +11,7 @@
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/key_tables.h"
 #include "tests/support/app/other_value.h"
+#include "tests/support/ui_driver/script.h"
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
@@ -203,7 +204,7 @@ TEST_CASE("Numbers are compared as numbers, the rest as text") {
 TEST_CASE("Every key of ours is one of the window's") {
   for (const app::Key key : test::allKeys()) {
     INFO(app::keyName(key));
-    const auto code = toGlfwKey(key);
+    const auto code = test::toGlfwKey(key);
     REQUIRE(code);
     CHECK(fromGlfwKey(*code) == key);
   }

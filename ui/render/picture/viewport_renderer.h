@@ -31,8 +31,6 @@ public:
   /// passes its size in. The state of the context that the caller set stays as it was.
   Status draw(RenderTarget& target, const View& view, const ViewportPicture& picture);
 
-  [[nodiscard]] SceneRenderer& sceneRenderer() { return scene_; }
-
 private:
   ViewportRenderer(SceneRenderer scene, OverlayRenderer overlay)
       : scene_(std::move(scene)), overlay_(std::move(overlay)), inSoftware_(drawsInSoftware()) {}
