@@ -11,6 +11,7 @@
 #include "app/files/save.h"
 #include "app/locators/locator_edits.h"
 #include "app/things/time_map.h"
+#include "core/anim/frames.h"
 #include "core/anim/sampling.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/reading/detection.h"

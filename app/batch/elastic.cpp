@@ -14,6 +14,7 @@
 #include "app/schema/parse_text.h"
 #include "app/schema/weight_schema.h"
 #include "app/things/place.h"
+#include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 
 namespace stretch::app {
@@ -73,8 +74,7 @@ std::vector<std::string> allButTrunk(const Document& document) {
 
 /// A range that the clip has in part is cut to that part; the answer says so, else it is empty.
 Result<std::string> cutToClip(const Document& document, int clip, WeightSettings& settings) {
-  const Clip& cut = clipOf(document, clip);
-  const double last = std::round(cut.endSeconds * cut.framesPerSecond);
+  const double last = lastFrame(clipOf(document, clip));
   if (!settings.rangeFrames || (settings.rangeFrames->x >= 0.0 && settings.rangeFrames->y <= last)) {
     return std::string();
   }

@@ -20,6 +20,7 @@
 #include "app/recipe/offset_table.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
+#include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 #include "rig/adjust/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
@@ -207,7 +208,7 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
   Result<Document> posed = placeAdjustments(document, recipe.adjustments);
   if (posed && arguments.pinsFeet) {
     const Clip& clip = clipOf(*posed, recipe.clip);
-    const Vec2 whole(0.0, std::floor(clip.endSeconds * clip.framesPerSecond + 1e-3));
+    const Vec2 whole(0.0, wholeFrameAtMost(endInFrames(clip)));
     posed = placeHolds(*posed, plantedFeet(*posed, recipe.clip, whole));
   }
   if (posed) {

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 
@@ -25,7 +26,7 @@ std::vector<double> framesToLookAt(const rig::MotionState& motion) {
   constexpr double most = 20000.0;
   const double last = std::min(motion.endSeconds * motion.framesPerSecond, most);
   std::vector<double> frames;
-  for (double frame = 0.0; frame <= last + 1e-3; frame += 0.5) {
+  for (double frame = 0.0; frame <= last + frameTolerance; frame += 0.5) {
     frames.push_back(frame);
   }
   return frames;

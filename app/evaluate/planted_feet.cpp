@@ -8,6 +8,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/standing_floor.h"
 #include "app/weight/sample_clip.h"
+#include "core/anim/frames.h"
 #include "skinning/elastic/limb_elasticity.h"
 
 namespace stretch::app {
@@ -80,9 +81,8 @@ void addPins(const SampledClip& sampled, const SampledClip::OfLimb& leg, double 
     while (i + 1 < stands.size() && stands[i + 1]) {
       ++i;
     }
-    constexpr double rounding = 1e-3;
-    const double first = std::max(std::ceil(frameOfSample(start) - rounding), std::ceil(frames.x));
-    const double last = std::min(std::floor(frameOfSample(i) + rounding), std::floor(frames.y));
+    const double first = std::max(wholeFrameAtLeast(frameOfSample(start)), std::ceil(frames.x));
+    const double last = std::min(wholeFrameAtMost(frameOfSample(i)), std::floor(frames.y));
     if (last - first >= shortestFrames) {
       pins.push_back(pinOver(leg, clip, first, last));
     }

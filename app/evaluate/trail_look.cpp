@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/standing_floor.h"
+#include "core/anim/frames.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
 #include "rig/body/evidence/bind_pose.h"
@@ -194,7 +195,7 @@ void TrailLook::findLowestPlace() {
   FrameState bind;
   bind.worlds = rig::bindPoseWorlds(scene);
   lookAt(bind);
-  const double last = clip.endSeconds * clip.framesPerSecond;
+  const double last = endInFrames(clip);
   const double step = std::max(1.0, last / mostFrames);
   for (double frame = 0.0; frame <= last; frame += step) {
     lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));

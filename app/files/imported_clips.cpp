@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/edits/keys/import_clip.h"
+#include "core/anim/track_names.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/json/json_integers.h"
 
@@ -16,38 +17,29 @@ namespace {
 
 using gltf::Json;
 
-constexpr std::array<const char*, 4> channelWords{"translation", "rotation", "scale", "weights"};
-constexpr std::array<const char*, 3> interpolationWords{"STEP", "LINEAR", "CUBICSPLINE"};
-
 Error malformedClip() {
   return {"is not what this program writes", "imported_clips", "import the clip again"};
 }
 
 Json trackJson(const Track& track) {
   return {{"node", track.node.value},
-          {"path", channelWords[static_cast<std::size_t>(track.channel)]},
-          {"interpolation", interpolationWords[static_cast<std::size_t>(track.interpolation)]},
+          {"path", nameOf(track.channel)},
+          {"interpolation", nameOf(track.interpolation)},
           {"width", track.width},
           {"times", track.times},
           {"values", track.values}};
 }
 
-template <std::size_t count>
-std::size_t wordIndex(const std::array<const char*, count>& words, const Json& word) {
-  return static_cast<std::size_t>(std::ranges::find(words, word.get<std::string>()) - words.begin());
-}
-
 Result<Track> trackOfJson(const Json& json, std::size_t nodes) {
   Track track;
   track.node = NodeIndex(gltf::integerOf(json.at("node")));
-  const std::size_t channel = wordIndex(channelWords, json.at("path"));
-  const std::size_t interpolation = wordIndex(interpolationWords, json.at("interpolation"));
-  if (!track.node.exists() || at(track.node) >= nodes || channel == channelWords.size() ||
-      interpolation == interpolationWords.size()) {
+  const auto channel = channelNamed(json.at("path").get<std::string>());
+  const auto interpolation = interpolationNamed(json.at("interpolation").get<std::string>());
+  if (!track.node.exists() || at(track.node) >= nodes || !channel || !interpolation) {
     return malformedClip();
   }
-  track.channel = static_cast<Channel>(channel);
-  track.interpolation = static_cast<Interpolation>(interpolation);
+  track.channel = *channel;
+  track.interpolation = *interpolation;
   track.width = gltf::integerOf(json.at("width"));
   track.times = json.at("times").get<std::vector<float>>();
   track.values = json.at("values").get<std::vector<float>>();

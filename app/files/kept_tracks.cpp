@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/edits/keys/track_edits.h"
+#include "core/anim/track_names.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/json/json_integers.h"
 
@@ -19,9 +20,6 @@ namespace stretch::app {
 namespace {
 
 using gltf::Json;
-
-constexpr std::array<const char*, 3> channelNames{"translation", "rotation", "scale"};
-constexpr std::array<const char*, 3> samplerKinds{"STEP", "LINEAR", "CUBICSPLINE"};
 
 std::size_t numbersOfKey(const Track& track) {
   return static_cast<std::size_t>(track.width) *
@@ -57,8 +55,8 @@ const Track* sourceTrack(const Document& document, int clip, NodeIndex node, Cha
 Json keptTrack(int clip, const Track& track, const Track* source) {
   Json json = {{"clip", clip},
                {"node", track.node.value},
-               {"path", channelNames[static_cast<std::size_t>(track.channel)]},
-               {"interpolation", samplerKinds[static_cast<std::size_t>(track.interpolation)]}};
+               {"path", nameOf(track.channel)},
+               {"interpolation", nameOf(track.interpolation)}};
   if (source == nullptr || track.times != source->times) {
     json["times"] = track.times;
   }
@@ -79,10 +77,10 @@ Error malformedTrack() {
   return malformedKeys("clip_keys");
 }
 
-template <std::size_t count>
-std::optional<std::size_t> placeOf(const std::array<const char*, count>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
+// Of the parts of a node that keys are edited of: morph weights are none.
+std::optional<Channel> editedChannel(const Json& json) {
+  const std::optional<Channel> channel = channelNamed(json.at("path").get<std::string>());
+  return channel == Channel::weights ? std::nullopt : channel;
 }
 
 bool takeChanged(const Json& changed, Track& track) {
@@ -111,20 +109,20 @@ bool isSound(const Track& track) {
 
 Result<Track> trackFromJson(const Json& json, int clip, const Document& document) {
   const NodeIndex node(gltf::integerOf(json.at("node")));
-  const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
-  const auto interpolation = placeOf(samplerKinds, json.at("interpolation").get<std::string>());
+  const auto channel = editedChannel(json);
+  const auto interpolation = interpolationNamed(json.at("interpolation").get<std::string>());
   if (!node.exists() || at(node) >= document.scene->nodes.size() || !channel || !interpolation) {
     return malformedTrack();
   }
-  const Track* const source = sourceTrack(document, clip, node, static_cast<Channel>(*channel));
+  const Track* const source = sourceTrack(document, clip, node, *channel);
   if (source == nullptr && !(json.contains("times") && json.contains("values"))) {
     return malformedTrack();
   }
   Track track = source != nullptr ? *source : Track{};
   track.node = node;
-  track.channel = static_cast<Channel>(*channel);
+  track.channel = *channel;
   track.width = track.channel == Channel::rotation ? 4 : 3;
-  track.interpolation = static_cast<Interpolation>(*interpolation);
+  track.interpolation = *interpolation;
   track.times = json.contains("times") ? json.at("times").get<std::vector<float>>() : track.times;
   track.values = json.contains("values") ? json.at("values").get<std::vector<float>>() : track.values;
   if (!isSound(track) || !takeChanged(json.value("changed", Json::array()), track) || !isSound(track)) {
@@ -154,7 +152,7 @@ Json keptFollowingKeys(const Document& document) {
     }
     list.push_back({{"clip", following.clip},
                     {"node", following.node.value},
-                    {"path", channelNames[static_cast<std::size_t>(following.channel)]},
+                    {"path", nameOf(following.channel)},
                     {"keys", std::move(keys)}});
   }
   return list;
@@ -163,12 +161,11 @@ Json keptFollowingKeys(const Document& document) {
 Status restoreFollowingKeys(const Json& entries, Document& document) {
   for (const Json& json : entries) {
     const int clip = gltf::integerOf(json.at("clip"));
-    const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
+    const auto channel = editedChannel(json);
     if (clip < 0 || at(clip) >= document.clips->size() || !channel) {
       return malformedKeys("auto_keys");
     }
-    FollowingKeys following{
-        clip, NodeIndex(gltf::integerOf(json.at("node"))), static_cast<Channel>(*channel), {}};
+    FollowingKeys following{clip, NodeIndex(gltf::integerOf(json.at("node"))), *channel, {}};
     const int track = findTrack(clipOf(document, clip), following.node, following.channel);
     const std::vector<float> times =
         track < 0 ? std::vector<float>{} : clipOf(document, clip).tracks[at(track)]->times;

@@ -11,6 +11,7 @@
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/recipe/recipe.h"
+#include "core/anim/frames.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
@@ -211,7 +212,6 @@ Result<rig::Adjustment> adjustmentOfRow(const TableRow& row, Document& document,
 }
 
 Status joinRow(rig::Adjustment own, std::vector<rig::Adjustment>& adjustments) {
-  constexpr double sameFrame = 1e-3;
   const auto same = std::ranges::find_if(adjustments, [&](const rig::Adjustment& other) {
     return other.controller == own.controller && other.rangeFrames == own.rangeFrames;
   });
@@ -221,7 +221,7 @@ Status joinRow(rig::Adjustment own, std::vector<rig::Adjustment>& adjustments) {
   }
   const rig::OffsetKey& key = own.keys.front();
   const bool isThere = std::ranges::any_of(
-      same->keys, [&](const rig::OffsetKey& other) { return std::abs(other.frame - key.frame) < sameFrame; });
+      same->keys, [&](const rig::OffsetKey& other) { return sameFrame(other.frame, key.frame); });
   if (isThere) {
     return Error{fmt::format("there is a key of {} at frame {:g} already", own.controller, key.frame), "",
                  "leave one of them out"};

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "core/gltf/patch/edits.h"
+#include "core/math/polyline.h"
 #include "skinning/body/body_skeleton.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/export/read_back.h"
@@ -41,7 +42,7 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
   for (std::size_t frame = 0; frame < mesh.frameCount(); ++frame) {
     analysis.joints.push_back(tracker.joints(mesh.frame(frame)));
     const std::vector<Vec3>& joints = analysis.joints.back();
-    analysis.measured.push_back({skinning::totalCurvature(joints), skinning::polylineLength(joints)});
+    analysis.measured.push_back({skinning::totalCurvature(joints), polylineLength(joints)});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/named.h"
 #include "app/things/checks.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/things/checks.h"
+#include "core/anim/frames.h"
 #include "rig/motion/solve_holds.h"
 
 namespace stretch::app {

@@ -7,6 +7,7 @@
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "app/things/checks.h"
+#include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 
 namespace stretch::app {
@@ -49,8 +50,7 @@ Status checkAlone(const Ground& ground, const rig::Trail& trail) {
     return values;
   }
   const rig::TrailSettings& settings = trail.settings;
-  const Clip& clip = clipOf(ground.document, trail.clip);
-  const double last = std::round(clip.endSeconds * clip.framesPerSecond);
+  const double last = lastFrame(clipOf(ground.document, trail.clip));
   const bool isOutside = settings.startFrame >= last || settings.endFrame <= 0.0;
   return isOutside && ground.entry != Entry::file
              ? Status(
@@ -89,9 +89,8 @@ Status checkLimbAndClip(const Document& document, const std::string& limbId, int
 
 double lastFrameFor(const Ground& ground, int clip) {
   const Clip& shown = clipOf(ground.document, clip);
-  return ground.entry == Entry::file
-             ? std::numeric_limits<double>::infinity()
-             : std::max(0.0, std::ceil(shown.endSeconds * shown.framesPerSecond - frameTolerance));
+  return ground.entry == Entry::file ? std::numeric_limits<double>::infinity()
+                                     : std::max(0.0, wholeFrameAtLeast(endInFrames(shown)));
 }
 
 Error outsideClip(const std::string& what, double lastFrame, const std::string& who) {

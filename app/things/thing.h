@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "app/document.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
 // Everything that stands in the time of a clip beside its keys. What is told of each kind here (its subject,
 // its span, the one visitor over all that it holds) is all that retiming, other rates, labels, memory, the
 // checks and the door (place.h) know of it.
-
-/// Two frames that differ by less are one.
-inline constexpr double frameTolerance = 1e-3;
 
 /// Things by kind: of a clip, of a recipe, of a request. A document has the same lists.
 struct Things {
@@ -270,8 +268,7 @@ template <typename T>
 [[nodiscard]] bool stoodAt(const Document& document, const T& thing, double frame) {
   return std::ranges::any_of(listOf<T>(document), [&](const T& old) {
     return old.clip == thing.clip && subjectOf(old) == subjectOf(thing) &&
-           std::ranges::any_of(framesNamedBy(old),
-                               [&](double named) { return std::abs(named - frame) < frameTolerance; });
+           std::ranges::any_of(framesNamedBy(old), [&](double named) { return sameFrame(named, frame); });
   });
 }
 

@@ -1,9 +1,11 @@
 #include "app/things/time_map.h"
 
+#include "core/anim/frames.h"
+
 namespace stretch::app {
 
 bool TimeMap::isInside(double frame) const {
-  return frame >= first - frameTolerance && frame <= last + frameTolerance;
+  return isWithinFrames(first, last, frame);
 }
 
 double TimeMap::rounded(double frame) const {

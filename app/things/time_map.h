@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/things/thing.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -69,7 +70,7 @@ struct MapParts : IgnoredParts {
     std::erase_if(entries, [&](const auto& entry) { return map.givesWay(frameOf(entry)); });
     std::for_each(entries.begin(), entries.end(), each);
     const auto joined = std::unique(entries.begin(), entries.end(), [](const auto& one, const auto& next) {
-      return std::abs(frameOf(next) - frameOf(one)) < frameTolerance;
+      return sameFrame(frameOf(one), frameOf(next));
     });
     entries.erase(joined, entries.end());
     if (needsOne && entries.empty() && !all.empty()) {
@@ -106,7 +107,7 @@ template <typename T>
 template <typename T>
 [[nodiscard]] double firstAfter(const T& thing) {
   const double end = spanOf(thing).y;
-  return holdsAtItsEnds<T> ? std::floor(end + frameTolerance) + 1.0 : end;
+  return holdsAtItsEnds<T> ? wholeFrameAtMost(end) + 1.0 : end;
 }
 
 } // namespace detail

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/limb.h"
 #include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
@@ -155,9 +156,8 @@ void measureLengths(const WeightInput& input, const rig::MotionState& motion,
   std::vector<Measured> all = measuredOf(motion, reports);
   const double perFrame = std::max(1.0, std::ceil(fewestPerSecond / clip.framesPerSecond));
   const double first = std::max(0.0, std::floor(clip.startSeconds * clip.framesPerSecond + 1e-6));
-  const double last = std::min(clip.endSeconds * clip.framesPerSecond, first + mostFrames);
-  constexpr double rounding = 1e-3; // The last frame is one, though its time is stored in single precision.
-  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + rounding; step += 1.0) {
+  const double last = std::min(endInFrames(clip), first + mostFrames);
+  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + frameTolerance; step += 1.0) {
     measureAt(input, motion, std::min(first + step / perFrame, last), all);
   }
   for (const Measured& one : all) {

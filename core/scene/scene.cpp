@@ -31,6 +31,13 @@ NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b) {
   return a;
 }
 
+NodeIndex humanoidNode(const Scene& scene, const std::string& bone) {
+  const auto found = scene.humanoid.find(bone);
+  const bool isThere =
+      found != scene.humanoid.end() && found->second.exists() && at(found->second) < scene.nodes.size();
+  return isThere ? found->second : NodeIndex::none;
+}
+
 std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {
   std::vector<bool> wanted(scene.nodes.size(), false);
   for (const NodeIndex node : nodes) {

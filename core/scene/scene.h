@@ -133,6 +133,9 @@ struct Scene {
 /// The lowest node that is at or above both; -1 where they hang from different roots.
 [[nodiscard]] NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b);
 
+/// The node of a bone of the VRM humanoid table; -1 where the file names none that it has.
+[[nodiscard]] NodeIndex humanoidNode(const Scene& scene, const std::string& bone);
+
 /// The nodes, and all below them; ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anim/frames.h"
 #include "core/anim/key_time.h"
 #include "core/math/monotone_curve.h"
 
@@ -34,15 +35,13 @@ OffsetKey restingKey(double frame, double standard) {
 
 // The keys, and what stands at the ends of the range.
 std::vector<OffsetKey> withEnds(const Adjustment& adjustment, double standard) {
-  constexpr double sameFrame = 1e-3;
   std::vector<OffsetKey> keys = adjustment.keys;
   if (!adjustment.rangeFrames) {
     return keys;
   }
   for (const double end : {adjustment.rangeFrames->x, adjustment.rangeFrames->y}) {
-    const bool stands = std::any_of(keys.begin(), keys.end(), [&](const OffsetKey& key) {
-      return std::abs(key.frame - end) < sameFrame;
-    });
+    const bool stands = std::any_of(keys.begin(), keys.end(),
+                                    [&](const OffsetKey& key) { return sameFrame(key.frame, end); });
     if (!stands) {
       keys.push_back(restingKey(end, standard));
     }

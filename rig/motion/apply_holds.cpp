@@ -6,19 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/math/polyline.h"
 #include "rig/reach/limb_deform.h"
 
 namespace stretch::rig {
 
 namespace {
-
-double polylineLength(const std::vector<Vec3>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += glm::length(points[i] - points[i - 1]);
-  }
-  return length;
-}
 
 bool isHeldTurn(const Quat& turn) {
   constexpr double unseen = 1e-11;

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/motion/solve_steps.h"
 #include "rig/trail/limb_path.h"
 
@@ -18,7 +19,7 @@ std::optional<double> standingHeight(const Scene& scene, const Clip& clip, const
     nodes.push_back(leg.endNode);
   }
   const NodeSampler sampler(scene, clip, nodes);
-  const double last = std::floor(std::min(clip.endSeconds * clip.framesPerSecond, longestFrames) + 1e-3);
+  const double last = wholeFrameAtMost(std::min(endInFrames(clip), longestFrames));
   const double farthestStep = restingSpeed * leg.restLength / clip.framesPerSecond;
   const double leastRest = std::max(1.0, std::round(restingSeconds * clip.framesPerSecond));
   std::optional<double> lowest;

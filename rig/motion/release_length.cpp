@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/motion/range_offset.h"
 #include "rig/motion/solve_steps.h"
 
@@ -48,10 +49,9 @@ double calmSeconds(const SolvedTrail& solved, double framesPerSecond) {
 
 // So much longer that the release ends on a frame.
 double toWholeFrame(const SolvedTrail& solved, double seconds, double framesPerSecond) {
-  constexpr double rounding = 1e-3; // frames
   const double direction = isForwards(solved) ? 1.0 : -1.0;
   const double edge = (direction * solved.tipSeconds + seconds) * framesPerSecond;
-  return std::max(0.0, std::ceil(edge - rounding) / framesPerSecond - direction * solved.tipSeconds);
+  return std::max(0.0, wholeFrameAtLeast(edge) / framesPerSecond - direction * solved.tipSeconds);
 }
 
 // On a loop until the range begins again: there the limb starts from its own path.

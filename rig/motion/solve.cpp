@@ -10,6 +10,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/anim/frames.h"
 #include "rig/adjust/solve_adjustments.h"
 #include "rig/body/reading/detection.h"
 #include "rig/motion/order.h"
@@ -21,7 +22,7 @@ namespace stretch::rig {
 namespace {
 
 TrailSettings usable(TrailSettings settings, const Clip& clip) {
-  const double lastFrame = std::max(0.0, clip.endSeconds * clip.framesPerSecond);
+  const double lastFrame = std::max(0.0, endInFrames(clip));
   settings.startFrame = std::clamp(settings.startFrame, 0.0, lastFrame);
   settings.endFrame = std::clamp(settings.endFrame, settings.startFrame,
                                  std::min(lastFrame, settings.startFrame + longestFrames));

@@ -6,13 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/limb.h"
 
 namespace stretch::rig {
 
 namespace {
-
-constexpr double sameSphere = 1e-3; // frames
 
 Mat3 axesOf(const TrailSettings& settings) {
   return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
@@ -34,7 +33,7 @@ void setByHand(SolvedTrail& solved) {
   std::vector<double>& frames = solved.controlFrames;
   frames = {start, end};
   for (const double frame : solved.trail.controlFrames) {
-    if (frame > start + sameSphere && frame < end - sameSphere) {
+    if (frame > start + frameTolerance && frame < end - frameTolerance) {
       frames.push_back(frame);
     }
   }
@@ -47,9 +46,8 @@ void keepPulledSpheres(SolvedTrail& solved) {
   for (const SphereOffset& sphere : solved.settings.spheres) {
     const bool inRange =
         sphere.frame >= solved.settings.startFrame && sphere.frame <= solved.settings.endFrame;
-    const bool known = std::any_of(frames.begin(), frames.end(), [&](double frame) {
-      return std::abs(frame - sphere.frame) <= sameSphere;
-    });
+    const bool known = std::any_of(frames.begin(), frames.end(),
+                                   [&](double frame) { return sameFrame(frame, sphere.frame); });
     if (inRange && !known) {
       frames.push_back(sphere.frame);
     }
@@ -108,7 +106,7 @@ void setControlFrames(const MotionInput& input, SolvedTrail& solved, const Solve
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
-  const double last = std::min(clip.endSeconds * clip.framesPerSecond, longestFrames);
+  const double last = std::min(endInFrames(clip), longestFrames);
   std::vector<NodeIndex> nodes = limb.joints;
   if (limb.endNode.exists()) {
     nodes.push_back(limb.endNode);
@@ -122,7 +120,7 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
   const Vec3 begin = reachAt(0.0);
   double farthest = 0.0;
   double farthestFrame = last;
-  for (double frame = 1.0; frame <= std::floor(last + 1e-3); frame += 1.0) {
+  for (double frame = 1.0; frame <= wholeFrameAtMost(last); frame += 1.0) {
     const double distance = glm::length(reachAt(frame) - begin);
     if (distance > farthest * (1.0 + 1e-9)) {
       farthest = distance;

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "rig/motion/solve_steps.h"
 #include "rig/trail/limb_path.h"
 
@@ -26,7 +27,7 @@ double strengthOf(const Stroke& stroke) {
 
 /// Positions of the limb's end seen from its base at every frame, in limb lengths.
 std::vector<Vec3> reachOf(const Scene& scene, const Clip& clip, const Limb& limb) {
-  const double last = std::floor(std::min(clip.endSeconds * clip.framesPerSecond, longestFrames) + 1e-3);
+  const double last = wholeFrameAtMost(std::min(endInFrames(clip), longestFrames));
   std::vector<NodeIndex> nodes = limb.joints;
   if (limb.endNode.exists()) {
     nodes.push_back(limb.endNode);

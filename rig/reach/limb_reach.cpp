@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
 #include "core/math/rotation.h"
 #include "rig/controllers/controller.h"
 #include "rig/ik/limb_shape.h"
@@ -21,11 +22,7 @@ Vec3 baseInBind(const BindPlaces& places, const Limb& limb) {
 }
 
 std::vector<double> alongOf(const Limb& limb, const BindPlaces& places) {
-  const std::vector<Vec3> points = limbPoints(limb, places.worlds);
-  std::vector<double> along{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    along.push_back(along.back() + glm::length(points[i] - points[i - 1]));
-  }
+  std::vector<double> along = lengthsAlong(limbPoints(limb, places.worlds));
   const double whole = along.back();
   for (std::size_t i = 0; i < along.size(); ++i) {
     along[i] =

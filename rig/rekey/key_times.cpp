@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
 #include "core/base/index.h"
 #include "rig/rekey/joint_check.h"
 #include "rig/rekey/stretch_build.h"
@@ -208,7 +209,7 @@ double onWholeFrame(const MissAt& missAt, double framesPerSecond, double start, 
   double best = time;
   double bestMiss = -1.0;
   const double frame = time * framesPerSecond;
-  for (const double whole : {std::floor(frame + 1e-3), std::ceil(frame - 1e-3)}) {
+  for (const double whole : {wholeFrameAtMost(frame), wholeFrameAtLeast(frame)}) {
     const double candidate = asKeyTime(whole / framesPerSecond);
     if (candidate > start + sameKey && candidate < end - sameKey && missAt(candidate) > bestMiss) {
       best = candidate;

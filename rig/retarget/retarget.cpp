@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/anim/frames.h"
 #include "core/anim/sampling.h"
 #include "core/math/finite.h"
 #include "core/math/rotation.h"
@@ -37,11 +38,11 @@ std::vector<double> timesOf(const Clip& clip) {
   if (!(length * rate < static_cast<double>(mostFrames))) {
     return times;
   }
-  const auto whole = static_cast<std::size_t>(length * rate + 1e-3);
+  const auto whole = static_cast<std::size_t>(wholeFrameAtMost(length * rate));
   for (std::size_t i = 0; i <= whole; ++i) {
     times.push_back(clip.startSeconds + static_cast<double>(i) / rate);
   }
-  if (clip.endSeconds - times.back() > 1e-3 / rate) {
+  if (clip.endSeconds - times.back() > frameTolerance / rate) {
     times.push_back(clip.endSeconds);
   }
   if (times.size() > 1) {

@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/finite.h"
+#include "core/math/polyline.h"
 #include "core/math/rotation.h"
 #include "core/math/transform.h"
 #include "rig/adjust/foot_roll.h"
@@ -26,17 +27,10 @@ namespace {
 
 const Vec3 skyward(0.0, 1.0, 0.0);
 
-NodeIndex tableNode(const Scene& scene, const std::string& bone) {
-  const auto found = scene.humanoid.find(bone);
-  const bool isThere =
-      found != scene.humanoid.end() && found->second.exists() && at(found->second) < scene.nodes.size();
-  return isThere ? found->second : NodeIndex::none;
-}
-
 // The joint between the trunk and the arm's base that is farthest up: none of the other arm hangs on it.
 NodeIndex shoulderOf(const Scene& scene, const Limb& arm, const Limb* other, const Skeleton& skeleton,
                      const std::string& side) {
-  if (const NodeIndex named = tableNode(scene, side + "Shoulder"); named.exists()) {
+  if (const NodeIndex named = humanoidNode(scene, side + "Shoulder"); named.exists()) {
     return named;
   }
   const std::set<NodeIndex> joints = skinJoints(scene);
@@ -182,10 +176,7 @@ SkeletonLeg legOf(const Scene& scene, const Body& biped, const Limb& limb, const
     leg.ballInFooting = roll.ball;
   }
   leg.sole = soleHeight(scene, leg, places);
-  const std::vector<Vec3> points = limbPoints(limb, places.worlds);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    leg.length += glm::length(points[i + 1] - points[i]);
-  }
+  leg.length = polylineLength(limbPoints(limb, places.worlds));
   return leg;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/check.h"
+#include "core/math/polyline.h"
 
 namespace stretch::rig {
 
@@ -185,20 +186,13 @@ Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
 bool onlyTrembles(const std::vector<Vec3>& points, double extent, double limbLength) {
   constexpr double shortPath = 1e-3; // of the limb: such trembling would be scaled up by the thousands
   constexpr double wandering = 2.0;  // of how far it gets
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += glm::length(points[i] - points[i - 1]);
-  }
-  return extent < shortPath * limbLength && length > wandering * extent;
+  return extent < shortPath * limbLength && polylineLength(points) > wandering * extent;
 }
 
 std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds,
                                Pivot pivot) {
   check(points.size() == timesSeconds.size() && !points.empty(), "a path has one time for each point");
-  std::vector<double> ratios(points.size(), 0.0);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    ratios[i] = ratios[i - 1] + glm::length(points[i] - points[i - 1]);
-  }
+  std::vector<double> ratios = lengthsAlong(points);
   double whole = ratios.back();
   if (!(whole > 0.0 && std::isfinite(whole))) { // so far away that it cannot be measured, or on the spot
     whole = timesSeconds.back() - timesSeconds.front();

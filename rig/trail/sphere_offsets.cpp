@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anim/frames.h"
+
 namespace stretch::rig {
 
 namespace {
-
-constexpr double sameFrame = 1e-3; // As everywhere that a sphere is told by its frame.
 
 // Slope of the parabola through three neighbours; one-sided at the ends.
 Vec3 neighbourSlope(const std::vector<double>& x, const std::vector<Vec3>& y, std::size_t i) {
@@ -30,9 +30,7 @@ std::vector<double> mergedFrames(const std::vector<double>& controlFrames,
     frames.push_back(sphere.frame);
   }
   std::sort(frames.begin(), frames.end());
-  frames.erase(
-      std::unique(frames.begin(), frames.end(), [](double a, double b) { return b - a < sameFrame; }),
-      frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end(), sameFrame), frames.end());
   return frames;
 }
 
@@ -47,7 +45,7 @@ SphereOffsets::SphereOffsets(const std::vector<double>& controlFrames,
   values_.assign(frames_.size(), Vec3(0.0));
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     for (const SphereOffset& sphere : pulled) {
-      if (std::abs(sphere.frame - frames_[i]) < sameFrame) {
+      if (sameFrame(sphere.frame, frames_[i])) {
         values_[i] = sphere.offset;
       }
     }
@@ -58,7 +56,7 @@ SphereOffsets::SphereOffsets(const std::vector<double>& controlFrames,
   }
   for (const SphereOffset& sphere : pulled) {
     if (sphere.tangent) {
-      const auto place = std::lower_bound(frames_.begin(), frames_.end(), sphere.frame - sameFrame);
+      const auto place = std::lower_bound(frames_.begin(), frames_.end(), sphere.frame - frameTolerance);
       slopes_[static_cast<std::size_t>(place - frames_.begin())] = *sphere.tangent;
     }
   }
@@ -85,10 +83,11 @@ Vec3 SphereOffsets::at(double frame) const {
 }
 
 Vec3 SphereOffsets::slopeAt(double frame) const {
-  if (frames_.empty() || frame < frames_.front() - sameFrame || frame > frames_.back() + sameFrame) {
+  if (frames_.empty() || frame < frames_.front() - frameTolerance ||
+      frame > frames_.back() + frameTolerance) {
     return Vec3(0.0);
   }
-  const auto next = std::upper_bound(frames_.begin(), frames_.end(), frame + sameFrame);
+  const auto next = std::upper_bound(frames_.begin(), frames_.end(), frame + frameTolerance);
   const auto i = static_cast<std::size_t>(next - frames_.begin()) - 1;
   if (next == frames_.end()) {
     return slopes_.back();

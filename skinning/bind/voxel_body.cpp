@@ -14,15 +14,6 @@ namespace {
 constexpr std::array<std::array<int, 3>, 6> faceNeighbours{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-bool isWithin(const VoxelGrid& grid, const std::array<int, 3>& place) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (place[axis] < 0 || place[axis] >= grid.counts[axis]) {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::array<int, 3> moved(const std::array<int, 3>& place, const std::array<int, 3>& step) {
   return {place[0] + step[0], place[1] + step[1], place[2] + step[2]};
 }
@@ -52,7 +43,7 @@ Cubes reachedFromOutside(const VoxelGrid& grid, const Cubes& surface) {
     open.pop_back();
     for (const auto& step : faceNeighbours) {
       const std::array<int, 3> next = moved(place, step);
-      if (!isWithin(grid, next)) {
+      if (!grid.contains(next)) {
         continue;
       }
       const std::size_t index = grid.indexOf(next);
@@ -103,6 +94,15 @@ std::size_t VoxelGrid::cubeCount() const {
          static_cast<std::size_t>(counts[2]);
 }
 
+bool VoxelGrid::contains(const std::array<int, 3>& place) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (place[axis] < 0 || place[axis] >= counts[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::size_t VoxelGrid::indexOf(const std::array<int, 3>& place) const {
   return (static_cast<std::size_t>(place[0]) * static_cast<std::size_t>(counts[1]) +
           static_cast<std::size_t>(place[1])) *
@@ -142,7 +142,7 @@ std::int32_t VoxelBody::cellNear(const Vec3& point, int cubesAround) const {
     for (int y = -cubesAround; y <= cubesAround; ++y) {
       for (int z = -cubesAround; z <= cubesAround; ++z) {
         const std::array<int, 3> beside = moved(place, {x, y, z});
-        const std::int32_t cell = isWithin(grid, beside) ? cellAt[grid.indexOf(beside)] : outside;
+        const std::int32_t cell = grid.contains(beside) ? cellAt[grid.indexOf(beside)] : outside;
         const double distance = glm::distance(grid.middleOf(beside), point);
         if (cell != outside && distance < nearest) {
           nearest = distance;

@@ -18,6 +18,7 @@ struct VoxelGrid {
   std::array<int, 3> counts{1, 1, 1};
 
   [[nodiscard]] std::size_t cubeCount() const;
+  [[nodiscard]] bool contains(const std::array<int, 3>& place) const;
   [[nodiscard]] std::size_t indexOf(const std::array<int, 3>& place) const;
   /// The cube that a point lies in; the nearest one for points outside.
   [[nodiscard]] std::array<int, 3> placeOf(const Vec3& point) const;

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
 #include "skinning/body/branches.h"
 #include "skinning/geometry/geodesic_distance.h"
 
@@ -71,14 +72,6 @@ std::vector<Vec3> fitCurve(const std::vector<Vec3>& points, const std::vector<do
     curve.push_back(point);
   }
   return curve;
-}
-
-std::vector<double> arcLengths(const std::vector<Vec3>& line) {
-  std::vector<double> lengths{0.0};
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    lengths.push_back(lengths.back() + glm::length(line[i] - line[i - 1]));
-  }
-  return lengths;
 }
 
 /// Arc length of the point of the line nearest to `point`, looked for around the share `u` of the whole
@@ -255,7 +248,7 @@ CentreLine fitCentreLine(std::span<const glm::vec3> positions, const std::vector
                            round < 2    ? fewestControls
                            : round == 2 ? (controls + fewestControls) / 2
                                         : controls);
-    line.lengths = arcLengths(line.points);
+    line.lengths = lengthsAlong(line.points);
     for (std::size_t v = 0; v < inner.size(); ++v) {
       line.along[v] =
           projectOn(line.points, line.lengths, round == rounds ? Vec3(positions[v]) : inner[v], u[v]);
@@ -378,14 +371,6 @@ std::vector<int> segmentsOfTriangles(const BodySkeleton& skeleton, const std::ve
     segments.push_back(static_cast<int>(segmentAt(skeleton, along)));
   }
   return segments;
-}
-
-double polylineLength(const std::vector<Vec3>& joints) {
-  double length = 0.0;
-  for (std::size_t j = 1; j < joints.size(); ++j) {
-    length += glm::length(joints[j] - joints[j - 1]);
-  }
-  return length;
 }
 
 double totalCurvature(const std::vector<Vec3>& joints) {

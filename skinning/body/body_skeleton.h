@@ -55,8 +55,7 @@ private:
 [[nodiscard]] std::vector<int> segmentsOfTriangles(const BodySkeleton& skeleton,
                                                    const std::vector<Triangle>& triangles);
 
-/// Sum of the segment lengths, and of the angles between neighbouring segments (radians): Eq. 7 of the paper.
-[[nodiscard]] double polylineLength(const std::vector<Vec3>& joints);
+/// Sum of the angles between neighbouring segments (radians): Eq. 7 of the paper.
 [[nodiscard]] double totalCurvature(const std::vector<Vec3>& joints);
 
 } // namespace stretch::skinning

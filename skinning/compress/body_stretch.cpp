@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
 #include "core/math/rotation.h"
 
 namespace stretch::skinning {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/math/polyline.h"
 #include "skinning/body/body_skeleton.h"
 #include "skinning/fit/joint_tree.h"
 

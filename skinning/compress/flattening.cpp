@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
+
 namespace stretch::skinning {
 namespace {
 

@@ -16,15 +16,6 @@ constexpr int fine = 140; // cubes along the longest side: the gap between an ar
 constexpr std::array<std::array<int, 3>, 6> faces{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-bool isInside(const VoxelGrid& grid, const std::array<int, 3>& place) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (place[axis] < 0 || place[axis] >= grid.counts[axis]) {
-      return false;
-    }
-  }
-  return true;
-}
-
 DisjointSets piecesOf(const VoxelBody& body) {
   DisjointSets pieces(body.cellCount());
   for (std::size_t cell = 0; cell < body.cellCount(); ++cell) {
@@ -34,7 +25,7 @@ DisjointSets piecesOf(const VoxelBody& body) {
         for (int z = -1; z <= 1; ++z) {
           const std::array<int, 3> beside{place[0] + x, place[1] + y, place[2] + z};
           const std::int32_t other =
-              isInside(body.grid, beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
+              body.grid.contains(beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
           if (other != VoxelBody::outside) {
             pieces.join(cell, static_cast<std::size_t>(other));
           }
@@ -71,7 +62,7 @@ Reach reachAround(const VoxelBody& body) {
     const std::array<int, 3> place = body.grid.placeOfIndex(cube);
     for (const auto& step : faces) {
       const std::array<int, 3> beside{place[0] + step[0], place[1] + step[1], place[2] + step[2]};
-      if (!isInside(body.grid, beside)) {
+      if (!body.grid.contains(beside)) {
         continue;
       }
       const auto index = static_cast<std::uint32_t>(body.grid.indexOf(beside));
@@ -93,7 +84,7 @@ std::vector<Bridge> bridgesOf(const VoxelBody& body, const Reach& reach, Disjoin
     for (std::size_t side = 0; side < 6; side += 2) {
       const std::array<int, 3> beside{place[0] + faces[side][0], place[1] + faces[side][1],
                                       place[2] + faces[side][2]};
-      if (!isInside(body.grid, beside)) {
+      if (!body.grid.contains(beside)) {
         continue;
       }
       const std::size_t other = body.grid.indexOf(beside);
@@ -157,7 +148,7 @@ SliceRegion regionFrom(const VoxelBody& body, std::uint32_t first, std::vector<b
       for (int z = -1; z <= 1; ++z) {
         const std::array<int, 3> beside{place[0] + x, place[1], place[2] + z};
         const std::int32_t other =
-            isInside(body.grid, beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
+            body.grid.contains(beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
         if (other != VoxelBody::outside && !taken[static_cast<std::size_t>(other)]) {
           taken[static_cast<std::size_t>(other)] = true;
           region.cells.push_back(static_cast<std::uint32_t>(other));

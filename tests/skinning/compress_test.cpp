@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
 #include "skinning/compress/compress.h"
 #include "skinning/compress/flattening.h"
 #include "tests/support/skinning/bodies.h"

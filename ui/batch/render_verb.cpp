@@ -16,6 +16,7 @@
 #include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
+#include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
@@ -324,9 +325,7 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (Status trails = takeTrails(arguments, *document, clip); !trails) {
     return trails;
   }
-  const double lastFrame =
-      clip < 0 ? -1.0
-               : app::clipOf(*document, clip).endSeconds * app::clipOf(*document, clip).framesPerSecond;
+  const double lastFrame = clip < 0 ? -1.0 : endInFrames(app::clipOf(*document, clip));
   const Result<std::vector<double>> frames = framesOf(arguments, lastFrame);
   if (!frames) {
     return frames.error();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/evaluate/evaluate.h"
+#include "core/anim/frames.h"
 #include "rig/limb_nodes.h"
 #include "ui/panels/body/weight_view.h"
 #include "ui/widgets/theme.h"
@@ -70,7 +71,7 @@ std::vector<TrailSphere> spheresOf(const ShownTrail& trail, double playhead,
                                    const PictureSelection& selection) {
   std::vector<TrailSphere> spheres;
   for (const app::PlacedSphere& sphere : trail.spheres) {
-    const auto isIt = [&](double frame) { return app::sameFrame(frame, sphere.frame); };
+    const auto isIt = [&](double frame) { return sameFrame(frame, sphere.frame); };
     const bool chosen = std::any_of(selection.spheres.begin(), selection.spheres.end(), isIt);
     spheres.push_back({sphere.positionWorld, chosen,
                        selection.hoveredSphere && isIt(*selection.hoveredSphere),
@@ -189,7 +190,7 @@ std::optional<AxisHandles> handlesOf(const ShownTrails& trails, int selectedTrai
     return std::nullopt;
   }
   for (const app::PlacedSphere& sphere : trail->spheres) {
-    if (app::sameFrame(sphere.frame, selectedSpheres.back())) {
+    if (sameFrame(sphere.frame, selectedSpheres.back())) {
       AxisHandles handles;
       handles.origin = sphere.positionWorld;
       return handles;

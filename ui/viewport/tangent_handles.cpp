@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/edits/trail/sphere_edits.h"
+#include "core/anim/frames.h"
 
 namespace stretch::ui {
 
@@ -43,7 +44,7 @@ void updateTangents(app::Session& session, const View& view, ShownTangents& show
     return;
   }
   std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
-  if (motion != shown.motion || !app::sameFrame(selected.back(), shown.sphereFrame)) {
+  if (motion != shown.motion || !sameFrame(selected.back(), shown.sphereFrame)) {
     shown = {{}, std::move(motion), selected.back()};
     for (const app::TangentHandle& handle : app::tangentHandles(session, selected.back())) {
       shown.handles.push_back({handle, handle.tipWorld});

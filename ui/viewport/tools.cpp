@@ -9,17 +9,12 @@
 #include "app/commands/pose/hold.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
+#include "core/anim/frames.h"
 #include "ui/viewport/keys_tool.h"
 
 namespace stretch::ui {
 
 namespace {
-
-Vec3 axisVector(int axis) {
-  Vec3 vector(0.0);
-  vector[static_cast<std::size_t>(axis)] = 1.0;
-  return vector;
-}
 
 Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
   Result<app::Document> changed = app::exaggeratedWith(tool.targets, tool.modal);
@@ -81,7 +76,7 @@ double defaultRelease(app::Session& session, int trailId) {
 
 std::optional<Vec3> positionOfSphere(const std::vector<app::PlacedSphere>& spheres, double frame) {
   const auto found = std::find_if(spheres.begin(), spheres.end(), [&](const app::PlacedSphere& sphere) {
-    return app::sameFrame(sphere.frame, frame);
+    return sameFrame(sphere.frame, frame);
   });
   return found == spheres.end() ? std::nullopt : std::optional(found->positionWorld);
 }
@@ -239,7 +234,7 @@ Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const 
   }
   grab->moved = true;
   if (grab->modal.axis && !grab->modal.plane) {
-    const Vec3 axis = axisVector(*grab->modal.axis);
+    const Vec3 axis = app::axisVector(*grab->modal.axis);
     const double from = positionAlongAxis(view, grab->anchor, axis, grab->startPixels);
     const double to = positionAlongAxis(view, grab->anchor, axis, mousePixels);
     grab->modal.mouseWorld = (to - from) * axis;

@@ -8,6 +8,7 @@
 
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
+#include "core/anim/frames.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/exaggeration.h"
@@ -167,7 +168,7 @@ void drawHoverLabel(ViewportContext& context) {
   }
   for (const app::PlacedSphere& sphere : trail->spheres) {
     const auto place = placeOf(context.viewport, sphere.positionWorld);
-    if (place && app::sameFrame(sphere.frame, *context.viewport.hoveredSphere)) {
+    if (place && sameFrame(sphere.frame, *context.viewport.hoveredSphere)) {
       label(context, {place->x + context.theme.px(16.0F), place->y + context.theme.px(10.0F)},
             fmt::format("frame {:.4g}", sphere.frame), context.theme.colours.text);
     }

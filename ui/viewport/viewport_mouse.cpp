@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/commands/table/selection.h"
+#include "core/anim/frames.h"
 #include "ui/panels/body/weight_view.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/menus/context_menu.h"
@@ -72,8 +73,8 @@ void navigate(ViewportState& viewport) {
 
 void selectSphere(app::Session& session, double frame, bool add) {
   std::vector<double>& selected = session.view().selection.editTrails().spheres;
-  const auto found = std::find_if(selected.begin(), selected.end(),
-                                  [&](double other) { return app::sameFrame(other, frame); });
+  const auto found =
+      std::find_if(selected.begin(), selected.end(), [&](double other) { return sameFrame(other, frame); });
   if (add && found != selected.end()) {
     selected.erase(found);
   } else if (add) {
@@ -237,7 +238,7 @@ void selectInBox(ViewportContext& context) {
     const bool inside = place && place->pixels.x >= low.x && place->pixels.x <= high.x &&
                         place->pixels.y >= low.y && place->pixels.y <= high.y;
     const bool known = std::any_of(selected.begin(), selected.end(),
-                                   [&](double frame) { return app::sameFrame(frame, sphere.frame); });
+                                   [&](double frame) { return sameFrame(frame, sphere.frame); });
     if (inside && !known) {
       selected.push_back(sphere.frame);
     }

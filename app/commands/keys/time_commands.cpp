@@ -10,12 +10,11 @@
 #include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/trail/trail_edits.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
 namespace {
-
-constexpr double sameFrameTolerance = 1e-3; ///< Key times are single precision.
 
 Status goTo(Session& session, double frame) {
   session.view().frame = std::clamp(frame, 0.0, lastFrame(session.document(), session.view().clip));
@@ -23,11 +22,11 @@ Status goTo(Session& session, double frame) {
 }
 
 Status stepBack(Session& session) {
-  return goTo(session, std::ceil(session.view().frame - sameFrameTolerance) - 1.0);
+  return goTo(session, wholeFrameAtLeast(session.view().frame) - 1.0);
 }
 
 Status stepForward(Session& session) {
-  return goTo(session, std::floor(session.view().frame + sameFrameTolerance) + 1.0);
+  return goTo(session, wholeFrameAtMost(session.view().frame) + 1.0);
 }
 
 constexpr double farFrames = 10.0;
@@ -43,11 +42,11 @@ Status goToKey(Session& session, bool next) {
   const std::vector<double> frames = framesToGoTo(session);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
-                                    [&](double frame) { return frame > view.frame + sameFrameTolerance; });
+                                    [&](double frame) { return frame > view.frame + frameTolerance; });
     return found == frames.end() ? Status(Success{}) : goTo(session, *found);
   }
   const auto found = std::find_if(frames.rbegin(), frames.rend(),
-                                  [&](double frame) { return frame < view.frame - sameFrameTolerance; });
+                                  [&](double frame) { return frame < view.frame - frameTolerance; });
   return found == frames.rend() ? Status(Success{}) : goTo(session, *found);
 }
 

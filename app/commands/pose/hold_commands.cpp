@@ -18,6 +18,7 @@
 #include "app/edits/pose/hold_edits.h"
 #include "app/edits/pose/prop_file_edits.h"
 #include "app/evaluate/planted_feet.h"
+#include "core/anim/frames.h"
 #include "rig/controllers/controller.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/solved_holds.h"
@@ -240,7 +241,7 @@ bool hasPropInHand(const Session& session) {
 
 // Firm up to the frame, let go over the blend after it; later keys go.
 void letGoAt(double frame, rig::PropHand& hand) {
-  std::erase_if(hand.keys, [&](const rig::OffsetKey& key) { return key.frame > frame - 1e-3; });
+  std::erase_if(hand.keys, [&](const rig::OffsetKey& key) { return key.frame > frame - frameTolerance; });
   const double before = hand.keys.empty() ? 1.0 : hand.keys.back().value;
   for (const auto& [at, value] : {std::pair(frame, before), std::pair(frame + usualBlend.y, 0.0)}) {
     rig::OffsetKey key;

@@ -12,6 +12,7 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/pose_edits.h"
 #include "app/edits/trail/sphere_edits.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/anim/frames.h"
+
 namespace stretch::app {
 
 namespace {
@@ -27,9 +29,7 @@ bool hasClip(const Document& document, int clip) {
 }
 
 double lastFrame(const Document& document, int clip) {
-  return hasClip(document, clip)
-             ? static_cast<double>(std::max<std::int64_t>(0, frameCount(clipOf(document, clip)) - 1))
-             : 0.0;
+  return hasClip(document, clip) ? lastFrame(clipOf(document, clip)) : 0.0;
 }
 
 namespace {

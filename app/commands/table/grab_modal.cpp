@@ -8,12 +8,6 @@ namespace stretch::app {
 
 namespace {
 
-Vec3 axisVector(int axis) {
-  Vec3 vector(0.0);
-  vector[static_cast<std::size_t>(axis)] = 1.0;
-  return vector;
-}
-
 void lockAxis(GrabModal& modal, int axis, bool plane) {
   const bool same = modal.axis == axis && modal.plane == plane;
   modal.axis = same ? std::nullopt : std::optional(axis);

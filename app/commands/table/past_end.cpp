@@ -9,6 +9,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/keys/key_row.h"
 #include "app/things/thing.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -43,12 +44,12 @@ std::optional<Vec2> framesOf(const T& thing) {
 
 std::vector<std::string> standingPastEnd(const Document& document, int clip) {
   const Clip& shown = clipOf(document, clip);
-  const double last = shown.endSeconds * shown.framesPerSecond;
+  const double last = endInFrames(shown);
   std::vector<std::string> past;
   eachList(document, [&](const auto& list) {
     for (const auto& thing : list) {
       const std::optional<Vec2> frames = framesOf(thing);
-      if (thing.clip == clip && frames && frames->y > last + keyTolerance) {
+      if (thing.clip == clip && frames && frames->y > last + frameTolerance) {
         past.push_back(fmt::format("{} of {} ({:g} to {:g})",
                                    kindTitle<std::remove_cvref_t<decltype(thing)>>(),
                                    titleOf(document, thing), frames->x, frames->y));

@@ -13,6 +13,7 @@
 #include "app/commands/table/tables.h"
 #include "app/commands/trail/spheres.h"
 #include "app/edits/trail/sphere_edits.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 

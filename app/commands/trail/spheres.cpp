@@ -10,6 +10,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/sphere_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "core/anim/frames.h"
 #include "rig/motion/paths.h"
 
 namespace stretch::app {

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/edits/keys/following_keys.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -53,9 +54,9 @@ bool areOne(const HeldKey& kept, const HeldKey& key, double framesPerSecond) {
   const auto seconds = [&](const HeldKey& one) {
     return static_cast<float>(one.key.frame / framesPerSecond);
   };
-  const bool wereApart = std::abs(kept.before - key.before) >= keyTolerance;
+  const bool wereApart = !sameFrame(kept.before, key.before);
   return kept.key.part == key.key.part &&
-         ((wereApart && key.key.frame - kept.key.frame < keyTolerance) || !(seconds(key) > seconds(kept)));
+         ((wereApart && key.key.frame - kept.key.frame < frameTolerance) || !(seconds(key) > seconds(kept)));
 }
 
 // In order, and of keys in one place the picked one.
@@ -65,8 +66,8 @@ void settle(std::vector<HeldKey>& keys, double framesPerSecond) {
   });
   // Keys that stood as near to each other before, such as the two of a step, leave each other alone.
   const auto covers = [](const HeldKey& other, const HeldKey& key) {
-    return other.picked != 0 && std::abs(other.key.frame - key.key.frame) < keyTolerance &&
-           std::abs(other.before - key.before) >= keyTolerance;
+    return other.picked != 0 && sameFrame(other.key.frame, key.key.frame) &&
+           !sameFrame(other.before, key.before);
   };
   std::vector<HeldKey> kept;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -178,8 +179,8 @@ KeySelection keysBetween(const Document& document, int clip, std::span<const Key
   for (const KeyRow& row : rows) {
     const std::vector<double> frames = keyFramesOf(document, clip, row);
     PickedRow picked{row, {}};
-    const auto first = std::lower_bound(frames.begin(), frames.end(), firstFrame - keyTolerance);
-    for (auto frame = first; frame != frames.end() && *frame <= lastFrame + keyTolerance; ++frame) {
+    const auto first = std::lower_bound(frames.begin(), frames.end(), firstFrame - frameTolerance);
+    for (auto frame = first; frame != frames.end() && *frame <= lastFrame + frameTolerance; ++frame) {
       picked.keys.push_back({static_cast<int>(frame - frames.begin())});
     }
     if (!picked.keys.empty()) {
@@ -372,7 +373,7 @@ namespace {
 
 int partAt(const KeyedRow& row, double frame) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
-    if (frame >= row.parts[i].firstFrame - keyTolerance && frame <= row.parts[i].lastFrame + keyTolerance) {
+    if (isWithinFrames(row.parts[i].firstFrame, row.parts[i].lastFrame, frame)) {
       return static_cast<int>(i);
     }
   }
@@ -381,7 +382,7 @@ int partAt(const KeyedRow& row, double frame) {
 
 bool hasKeyAt(const HeldRow& held, double frame) {
   return std::any_of(held.keys.begin(), held.keys.end(),
-                     [&](const HeldKey& key) { return std::abs(key.key.frame - frame) < keyTolerance; });
+                     [&](const HeldKey& key) { return sameFrame(key.key.frame, frame); });
 }
 
 // A key on the curve: the curve stays as it is where its track can say so.

@@ -12,6 +12,8 @@
 #include "app/edits/keys/track_row.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/named.h"
+#include "core/anim/frames.h"
+#include "core/anim/track_names.h"
 #include "rig/controllers/offset_curve.h"
 
 namespace stretch::app {
@@ -44,7 +46,7 @@ std::vector<std::size_t> adjustmentsOf(const Document& document, int clip, const
 
 RowPart partOf(const Document& document, const rig::Adjustment& adjustment) {
   const Clip& clip = clipOf(document, adjustment.clip);
-  const double last = std::max(0.0, std::ceil(clip.endSeconds * clip.framesPerSecond - keyTolerance));
+  const double last = std::max(0.0, wholeFrameAtLeast(endInFrames(clip)));
   const Vec2 range = adjustment.rangeFrames.value_or(Vec2(0.0, last));
   return {range.x, range.y};
 }
@@ -163,7 +165,7 @@ Result<Document> writeOffsets(const Document& document, int clip, const KeyedRow
   }
   for (const RowKey& key : row.keys) {
     std::vector<rig::OffsetKey>& keys = changed.adjustments[places[at(key.part)]].keys;
-    const bool taken = !keys.empty() && key.frame - keys.back().frame < keyTolerance;
+    const bool taken = !keys.empty() && key.frame - keys.back().frame < frameTolerance;
     if (!taken) {
       keys.push_back(
           offsetKey(key, key.origin >= 0 ? before[at(key.origin)].key : nullptr, look.isAttribute));
@@ -224,20 +226,6 @@ Result<Document> writeOwn(const Document& document, int clip, const KeyedRow& ro
       known != nullptr && written.track == *known ? document : setTracks(document, clip, {written.track});
   rememberFollowing(clip, written, row, changed);
   return changed;
-}
-
-const char* channelWord(Channel channel) {
-  switch (channel) {
-  case Channel::translation:
-    return "translation";
-  case Channel::rotation:
-    return "rotation";
-  case Channel::scale:
-    return "scale";
-  case Channel::weights:
-    return "morph weights";
-  }
-  return "";
 }
 
 Track restTrack(const Scene& scene, const KeyRow& row) {
@@ -354,7 +342,7 @@ Result<Document> writeRow(const Document& document, int clip, const KeyedRow& ro
 
 std::string rowTitle(const Document& document, const KeyRow& row) {
   if (!row.isOffset()) {
-    return fmt::format("{} {}", nodeTitle(document, row.node), channelWord(row.channel));
+    return fmt::format("{} {}", nodeTitle(document, row.node), nameOf(row.channel));
   }
   std::string title = row.controller;
   std::replace(title.begin(), title.end(), '-', ' ');

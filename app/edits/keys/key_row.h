@@ -84,7 +84,4 @@ enum class RowDetail { times, values }; ///< Times alone are read faster; such k
 /// "left hand", "Arm.L rotation": what a row is called.
 [[nodiscard]] std::string rowTitle(const Document& document, const KeyRow& row);
 
-/// A key is where another one is within this many frames.
-inline constexpr double keyTolerance = 1e-3;
-
 } // namespace stretch::app

@@ -12,6 +12,7 @@
 #include "app/named.h"
 #include "app/things/place.h"
 #include "app/things/time_map.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -21,8 +22,8 @@ constexpr double roundedFrames = 1e-4; ///< A retimed frame that comes so near t
 
 void mapKey(const TimeMap& map, bool hasSlopes, RowKey& key) {
   const double frame = key.frame;
-  const bool comesIn = map.isInside(frame) && frame > map.first + keyTolerance;
-  const bool goesOut = map.isInside(frame) && frame < map.last - keyTolerance;
+  const bool comesIn = map.isInside(frame) && frame > map.first + frameTolerance;
+  const bool goesOut = map.isInside(frame) && frame < map.last - frameTolerance;
   for (std::size_t i = 0; i < mostComponents && hasSlopes; ++i) {
     key.inSlopes[i] /= comesIn ? map.factor : 1.0;
     key.outSlopes[i] /= goesOut ? map.factor : 1.0;
@@ -94,7 +95,7 @@ Status checkRetime(const Document& document, const Retime& wanted) {
   constexpr double longest = 1e6; // frames
   const double frames = wanted.lastFrame - wanted.firstFrame;
   const bool sound = std::isfinite(frames + wanted.newFrames) && wanted.firstFrame >= 0.0 &&
-                     frames >= keyTolerance && wanted.newFrames >= keyTolerance &&
+                     frames >= frameTolerance && wanted.newFrames >= frameTolerance &&
                      wanted.newFrames <= longest;
   if (!sound) {
     return Error{"the range has no length, or none that it could get", "",

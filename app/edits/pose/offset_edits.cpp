@@ -9,6 +9,7 @@
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/sphere_edits.h"
+#include "core/anim/frames.h"
 #include "rig/controllers/offset_curve.h"
 
 namespace stretch::app {
@@ -29,7 +30,7 @@ Vec2 framesOf(const rig::Adjustment& adjustment) {
 
 bool holdsFrame(const rig::Adjustment& adjustment, double frame) {
   const Vec2 frames = framesOf(adjustment);
-  return (frames.x < frame || sameFrame(frames.x, frame)) && (frame < frames.y || sameFrame(frames.y, frame));
+  return isWithinFrames(frames.x, frames.y, frame);
 }
 
 template <typename Keys>
@@ -97,8 +98,7 @@ Result<rig::Adjustment> firstKey(const Document& document, int clip, const rig::
   if (room == Vec2(-endlessFrames, endlessFrames)) {
     return adjustment;
   }
-  const Clip& motion = clipOf(document, clip);
-  const Vec2 ends(0.0, std::max(key.frame, std::round(motion.endSeconds * motion.framesPerSecond)));
+  const Vec2 ends(0.0, std::max(key.frame, lastFrame(clipOf(document, clip))));
   adjustment.rangeFrames = Vec2(std::max(room.x, ends.x), std::min(room.y, ends.y));
   for (const double end : {ends.x, ends.y}) {
     if (room.x < end && end < room.y) {
@@ -260,10 +260,8 @@ Result<Document> resetOffsetsOver(const Document& document, int clip, const Vec2
     if (!meant || range.y < frames.x || range.x > frames.y) {
       continue;
     }
-    std::erase_if(adjustment.keys, [&](const rig::OffsetKey& key) {
-      return (frames.x < key.frame || sameFrame(frames.x, key.frame)) &&
-             (key.frame < frames.y || sameFrame(frames.y, key.frame));
-    });
+    std::erase_if(adjustment.keys,
+                  [&](const rig::OffsetKey& key) { return isWithinFrames(frames.x, frames.y, key.frame); });
     const double standard = standardOf(list, adjustment.controller);
     for (const double end : {frames.x, frames.y}) {
       if (!adjustment.keys.empty() && range.x < end && end < range.y) {

@@ -10,6 +10,7 @@
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/mirror_edits.h"
+#include "core/anim/frames.h"
 #include "rig/controllers/offset_curve.h"
 #include "rig/reach/bind_places.h"
 
@@ -84,10 +85,9 @@ KeysBeside keysBeside(const rig::OffsetCurve& curve, double timeSeconds, double 
 
 std::optional<rig::Offset> offsetBetween(const Document& document, const rig::Adjustment& adjustment,
                                          double frame, double standard, double between) {
-  constexpr double sameFrames = 1e-3;
   const double rate = clipOf(document, adjustment.clip).framesPerSecond;
   const rig::OffsetCurve curve(adjustment, standard, rate);
-  const KeysBeside beside = keysBeside(curve, frame / rate, sameFrames / rate);
+  const KeysBeside beside = keysBeside(curve, frame / rate, frameTolerance / rate);
   if (!beside.before || !beside.after) {
     return std::nullopt;
   }

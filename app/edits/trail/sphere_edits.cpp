@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/edits/trail/trail_edits.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -82,10 +83,6 @@ double falloff(double distance, double radius) {
 }
 
 } // namespace
-
-bool sameFrame(double a, double b) {
-  return std::abs(a - b) < 1e-3;
-}
 
 Result<Document> moveSpheres(const Document& document, int trailId, std::span<const SphereMove> moves) {
   const rig::Trail* trail = findTrail(document, trailId);

@@ -61,7 +61,4 @@ struct PlacedSphere {
                                                 std::span<const double> selectedFrames,
                                                 const Vec3& deltaWorld, double radiusWorld);
 
-/// Whether two frames name the same sphere (within a thousandth of a frame).
-[[nodiscard]] bool sameFrame(double a, double b);
-
 } // namespace stretch::app

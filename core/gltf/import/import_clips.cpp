@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/anim/track_names.h"
 #include "core/gltf/import/accessor.h"
 #include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
@@ -14,19 +15,6 @@
 namespace stretch::gltf {
 
 namespace {
-
-std::optional<Channel> channelOf(const std::string& path) {
-  if (path == "translation") {
-    return Channel::translation;
-  }
-  if (path == "rotation") {
-    return Channel::rotation;
-  }
-  if (path == "scale") {
-    return Channel::scale;
-  }
-  return path == "weights" ? std::optional(Channel::weights) : std::nullopt;
-}
 
 std::size_t morphTargetsOf(const Scene& scene, NodeIndex node) {
   const int mesh = scene.nodes[at(node)].mesh;
@@ -84,7 +72,7 @@ private:
   bool readTarget(const Json& target, std::size_t index, Track& track) {
     const AnimationTarget driven = animationTarget(target);
     const std::string& path = driven.path;
-    const std::optional<Channel> channel = channelOf(path);
+    const std::optional<Channel> channel = channelNamed(path);
     track.node = driven.node;
     if (!channel || !track.node.exists() || at(track.node) >= scene_.nodes.size()) {
       problems_.warning(channelPlace(index),
@@ -115,16 +103,11 @@ private:
 
   Interpolation interpolationOf(const Json& sampler, const std::string& place) {
     const std::string name = textOr(sampler, "interpolation", "LINEAR");
-    if (name == "STEP") {
-      return Interpolation::step;
-    }
-    if (name == "CUBICSPLINE") {
-      return Interpolation::cubicSpline;
-    }
-    if (name != "LINEAR") {
+    const std::optional<Interpolation> known = interpolationNamed(name);
+    if (!known) {
       problems_.warning(place + ".interpolation", "is unknown; taken as LINEAR");
     }
-    return Interpolation::linear;
+    return known.value_or(Interpolation::linear);
   }
 
   bool readKeys(std::size_t samplerIndex, std::size_t channelIndex, Track& track) {

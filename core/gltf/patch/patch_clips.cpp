@@ -5,6 +5,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/anim/track_names.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/patch_parts.h"
 #include "core/gltf/source/animation_target.h"
@@ -15,32 +16,6 @@ namespace stretch::gltf {
 namespace {
 
 using Pointer = Json::json_pointer;
-
-const char* pathOf(Channel channel) {
-  switch (channel) {
-  case Channel::translation:
-    return "translation";
-  case Channel::rotation:
-    return "rotation";
-  case Channel::scale:
-    return "scale";
-  case Channel::weights:
-    return "weights";
-  }
-  return "";
-}
-
-const char* nameOf(Interpolation interpolation) {
-  switch (interpolation) {
-  case Interpolation::step:
-    return "STEP";
-  case Interpolation::linear:
-    return "LINEAR";
-  case Interpolation::cubicSpline:
-    return "CUBICSPLINE";
-  }
-  return "";
-}
 
 const char* outputType(Channel channel) {
   if (channel == Channel::weights) {
@@ -94,7 +69,7 @@ private:
 
   // Every channel with this target: a file may name it twice.
   void point(const Pointer& animation, const Track& track, std::size_t sampler) {
-    const std::string path = pathOf(track.channel);
+    const std::string path = nameOf(track.channel);
     const Target target{track.node.value, path};
     ChannelsOfTargets& known = channelsOf(animation);
     if (const auto driving = known.find(target); driving != known.end()) {

@@ -24,18 +24,11 @@ constexpr std::array tableLimbs = std::to_array<TableLimb>({
     {biped::rightLeg, {"rightUpperLeg", "rightLowerLeg", "rightFoot"}},
 });
 
-NodeIndex nodeOf(const Scene& scene, const char* bone) {
-  const auto found = scene.humanoid.find(bone);
-  const bool valid =
-      found != scene.humanoid.end() && found->second.exists() && at(found->second) < scene.nodes.size();
-  return valid ? found->second : NodeIndex::none;
-}
-
 // The entries of a row of bones that exist, each below the one before.
 std::vector<NodeIndex> chainOf(const Scene& scene, std::initializer_list<const char*> bones) {
   std::vector<NodeIndex> chain;
   for (const char* bone : bones) {
-    const NodeIndex node = nodeOf(scene, bone);
+    const NodeIndex node = humanoidNode(scene, bone);
     const bool below = chain.empty() || (node != chain.back() && isAncestorOrSelf(scene, chain.back(), node));
     if (node.exists() && below) {
       chain.push_back(node);
@@ -72,8 +65,8 @@ std::optional<Limb> spineOf(const Scene& scene, const BindPose& bindPose) {
 
 HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   HumanoidTable table;
-  table.hips = nodeOf(scene, "hips");
-  table.head = nodeOf(scene, "head");
+  table.hips = humanoidNode(scene, "hips");
+  table.head = humanoidNode(scene, "head");
   for (const TableLimb& entry : tableLimbs) {
     const std::vector<NodeIndex> chain = chainOf(scene, {entry.bones[0], entry.bones[1], entry.bones[2]});
     if (chain.size() == 3) {

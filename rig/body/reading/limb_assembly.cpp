@@ -7,18 +7,19 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/math/polyline.h"
+
 namespace stretch::rig::body {
 
 namespace {
 
 double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std::vector<Mat4>& worlds) {
-  double length = 0.0;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const Vec3 from = positionOf(worlds[at(joints[i])]);
-    const Vec3 to = i + 1 < joints.size() ? positionOf(worlds[at(joints[i + 1])]) : end;
-    length += glm::distance(from, to);
+  std::vector<Vec3> points;
+  for (const NodeIndex joint : joints) {
+    points.push_back(positionOf(worlds[at(joint)]));
   }
-  return length;
+  points.push_back(end);
+  return polylineLength(points);
 }
 
 // Joints strictly between two that stand off their bone by more than a twist joint would: they bend the limb

@@ -14,6 +14,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/edits/keys/track_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "core/anim/frames.h"
 #include "core/math/euler.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
@@ -423,9 +424,8 @@ void updateCurves(PanelContext& context, const GraphSubject& subject, const Grap
   std::vector<app::KeyRow> rows = limb != nullptr ? std::vector<app::KeyRow>{} : graphRows(context, subject);
   const bool isNew = !graph.madeFrom || !hasSameRows(*graph.madeFrom, key) || rows != graph.rows;
   const double share = mostPoints / std::max(1.0, 3.0 * static_cast<double>(rows.size()));
-  const std::vector<double> samples =
-      sampleFrames({key.firstFrame, key.lastFrame}, shown.endSeconds * shown.framesPerSecond,
-                   std::clamp(share, fewestSamples, mostSamples));
+  const std::vector<double> samples = sampleFrames({key.firstFrame, key.lastFrame}, endInFrames(shown),
+                                                   std::clamp(share, fewestSamples, mostSamples));
   if (isNew) {
     startRows(context, std::move(rows));
     graph.shownPicks.reset();

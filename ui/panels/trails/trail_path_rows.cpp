@@ -5,6 +5,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/sphere_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "core/anim/frames.h"
 #include "ui/panels/context/setting_rows.h"
 #include "ui/panels/trails/trail_sections.h"
 #include "ui/widgets/icons.h"
@@ -25,7 +26,7 @@ double releaseFrames(const rig::SolvedTrail* solved, double framesPerSecond) {
 void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double frame) {
   const WidgetContext widgets = widgetsOf(context);
   const auto found = std::find_if(trail.settings.spheres.begin(), trail.settings.spheres.end(),
-                                  [&](const rig::SphereOffset& s) { return app::sameFrame(s.frame, frame); });
+                                  [&](const rig::SphereOffset& s) { return sameFrame(s.frame, frame); });
   rig::SphereOffset sphere =
       found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
   const double reach = context.character().document().body.height * 2.0;
