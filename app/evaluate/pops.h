@@ -10,7 +10,7 @@
 namespace stretch::app {
 
 /// An elbow or a knee that pops: a limb that straightens moves its middle joint as the root of what is left
-/// to straighten, far quicker than its ends (spec: controllers, section 4).
+/// to straighten, far quicker than its ends (docs/controllers.md, Arms and legs).
 struct LimbPop {
   std::string limb;
   double frame = 0.0; ///< Whole frame at which it is worst.

@@ -286,6 +286,12 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
     result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
                                                            ", and no other plan fits"
                                                      : "no plan fits");
+    if (!result.limbs.empty()) {
+      constexpr double guessed = 0.4;
+      result.planConfidence = guessed;
+      result.warnings.emplace_back(
+          "no body plan fits, so its limbs are rows of joints: choose a plan if it has one");
+    }
   }
 }
 

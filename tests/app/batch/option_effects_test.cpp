@@ -437,6 +437,7 @@ TEST_CASE("Every option of compress changes the files that it writes") {
                    (inputs / "stream").string(), "--open-stream"})
               .exitCode == 0);
   fs::copy_file(inputs / "skeleton.glb", inputs / "copy.glb");
+  fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", inputs / "dummy.glb");
   const std::string few = "--bones 3";
   const std::string measured = few + " --stretch measured";
   checkTable(
@@ -444,6 +445,8 @@ TEST_CASE("Every option of compress changes the files that it writes") {
        joinedRows(
            {{"SEQUENCE", "IN/free -o OUT/out.glb --bones 3", "IN/tube -o OUT/out.glb --bones 3"},
             {"--output", "IN/tube -o OUT/out.glb --bones 3", "IN/tube -o OUT/other.glb --bones 3"},
+            {"--clip", "IN/dummy.glb -o OUT/out.glb --bones 3",
+             "IN/dummy.glb -o OUT/out.glb --bones 3 --clip #1"},
             {"--in-place", "IN/copy.glb -o IN/copy.glb --bones 3",
              "IN/copy.glb -o IN/copy.glb --bones 3 --in-place"}},
            rowsBehind(

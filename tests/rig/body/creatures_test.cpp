@@ -216,6 +216,9 @@ TEST_CASE("A body of no known plan has the rows of joints between branchings") {
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);
   REQUIRE(read.plan == "other");
+  CHECK(read.planConfidence < 0.5);
+  CHECK(std::ranges::any_of(read.warnings,
+                            [](const std::string& line) { return line.starts_with("no body plan fits"); }));
   std::vector<std::string> ids;
   for (const Limb& limb : read.limbs) {
     CHECK(limb.kind == LimbKind::chain);

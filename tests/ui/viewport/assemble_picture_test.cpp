@@ -24,7 +24,7 @@ app::Document punch() {
   return test::withNewTrail(test::boxer(), {.startFrame = 2.0, .endFrame = 12.0});
 }
 
-struct Window {
+struct BoxersWindow {
   app::Session session{punch()};
   ViewportState viewport;
   ViewportOverlays overlays;
@@ -107,7 +107,7 @@ TEST_CASE("A thing that a joint carries counts as its weight, and other joints d
 }
 
 TEST_CASE("The window and the verb render make the same picture, ghosts, trails and skeleton included") {
-  Window window;
+  BoxersWindow window;
   window.overlays.ghosts = true;
   window.overlays.skeleton = true;
   window.session.view().frame = 6.0;
@@ -128,7 +128,7 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
 }
 
 TEST_CASE("A character that is drawn alone moves as its trails say, which are not drawn") {
-  Window window;
+  BoxersWindow window;
   const app::Document& document = window.session.document();
   const auto pictures =
       picturesOfCharacter(document, window.session.sharedMotion(), {12.0}, {.trails = false});
@@ -139,7 +139,7 @@ TEST_CASE("A character that is drawn alone moves as its trails say, which are no
 }
 
 TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays where it was") {
-  Window window;
+  BoxersWindow window;
   window.session.view().frame = 8.0;
   const TrailPicture fine = window.picture().trails.at(0).path;
   window.overlays.trailIncrement = 3.0;
@@ -156,7 +156,7 @@ TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays w
 }
 
 TEST_CASE("Ghosts before and after have two colours, the nearest the strongest, none outside of the clip") {
-  Window window;
+  BoxersWindow window;
   window.overlays.ghosts = true;
   window.session.view().frame = 3.0;
   const std::vector<Ghost> ghosts = window.picture().ghosts;
@@ -168,7 +168,7 @@ TEST_CASE("Ghosts before and after have two colours, the nearest the strongest, 
 }
 
 TEST_CASE("Spheres stand on the selected trail only, handles on its last selected sphere") {
-  Window window;
+  BoxersWindow window;
   CHECK(window.picture().trails.at(0).path.spheres.empty());
   app::selectTrail(window.session, window.session.document().trails.front().id);
   const PictureContent selected = window.picture();
@@ -183,7 +183,7 @@ TEST_CASE("Spheres stand on the selected trail only, handles on its last selecte
 }
 
 TEST_CASE("The original beside the work has neither trails nor ghosts nor skeleton, but the same look") {
-  Window window;
+  BoxersWindow window;
   window.overlays.ghosts = true;
   window.overlays.skeleton = true;
   window.overlays.wire = true;
