@@ -2,7 +2,9 @@
 
 #include <array>
 #include <csignal>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
@@ -75,6 +77,23 @@ TEST_CASE("A pair of which one cannot be replaced is left as it was") {
   CHECK(failed.error().where == (folder / "model.gltf").string());
   CHECK(textOf(folder / "model.bin") == "old data");
   CHECK(entriesOf(folder) == 3); // the folder textures has gone again
+}
+
+TEST_CASE("Of files that are saved together those before the one that cannot be replaced are as they were") {
+  const std::size_t count = GENERATE(2U, 3U, 4U);
+  const TemporaryFolder folder;
+  std::vector<OutputFile> files;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const fs::path path = folder.write(std::to_string(i) + ".bin", "old " + std::to_string(i));
+    files.push_back({path, {1}});
+  }
+  fs::create_directories(folder / "model.gltf" / "inside");
+  files.push_back({folder / "model.gltf", {2}});
+  REQUIRE_FALSE(writeFiles(files));
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    CHECK(textOf(files[i].path) == "old " + std::to_string(i));
+  }
+  CHECK(entriesOf(folder) == count + 1); // with the folder in the way
 }
 
 TEST_CASE("A pair is replaced whole and leaves no other name of the old files") {
