@@ -23,23 +23,43 @@ namespace stretch::rig {
 
 class FrameTable;
 
+/// All of a trail that its original path is made from: on one ground (scene, clip, hips, limbs, adjustments)
+/// two trails with one key have one path. Sampling sees nothing else of a trail, so that no setting can be
+/// forgotten here.
+struct PathKey {
+  std::string limb;        ///< Limb::id.
+  double startFrame = 0.0; ///< The range, within the clip.
+  double endFrame = 0.0;
+  Pivot pivot = Pivot::start;
+  TrailSpace space = TrailSpace::world;
+  Mat3 axes{1.0}; ///< LimbPath::axes.
+
+  friend bool operator==(const PathKey&, const PathKey&) = default;
+};
+
+/// A trail's original path and all that follows from it alone.
+struct OriginalPath {
+  PathKey pathKey;
+  LimbPath path; ///< Over the range, in world space and in the trail's space.
+  BendNormal bend;
+  std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
+  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
+  std::vector<double> chosenFrames;     ///< chooseControlFrames.
+};
+
 /// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
-struct SolvedTrail {
+struct SolvedTrail : OriginalPath {
   Trail trail;
   TrailSettings settings; ///< Settings in use: range clamped to the clip, scale to its limits.
   Limb limb;
   LimbTopology topology;
-  LimbPath path;   ///< The original path over the range, in world space and in the trail's space.
   TipSolution tip; ///< In the trail's space.
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
-  std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
-  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
-  double wantedReleaseSeconds = 0.0;    ///< The release where the clip had room for it.
-  double calmReleaseSeconds = 0.0;      ///< A shorter one takes the limb back faster than it came.
-  BendNormal bend;
-  double startSeconds = 0.0; ///< The range.
+  double wantedReleaseSeconds = 0.0; ///< The release where the clip had room for it.
+  double calmReleaseSeconds = 0.0;   ///< A shorter one takes the limb back faster than it came.
+  double startSeconds = 0.0;         ///< The range.
   double endSeconds = 0.0;
   double tipSeconds = 0.0;
   double windowStartSeconds = 0.0; ///< Range, release and fade: outside nothing moves.

@@ -66,19 +66,21 @@ double roomFor(const MotionInput& input, const SolvedTrail& solved) {
 
 } // namespace
 
-std::optional<double> secondsToNextKey(const Clip& clip, const SolvedTrail& solved,
+std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
                                        const std::vector<NodeIndex>& nodes) {
   const std::vector<double> keys = keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds);
   if (isDenselyKeyed(keys, clip.startSeconds, clip.endSeconds, clip.framesPerSecond)) {
     return std::nullopt;
   }
   constexpr double later = 1e-5;
-  const auto next = std::upper_bound(keys.begin(), keys.end(), solved.tipSeconds + later);
-  const auto before = std::lower_bound(keys.begin(), keys.end(), solved.tipSeconds - later);
-  if (isForwards(solved)) {
-    return next == keys.end() ? std::nullopt : std::optional(*next - solved.tipSeconds);
+  const bool isForwards = key.pivot == Pivot::start;
+  const double tipSeconds = (isForwards ? key.endFrame : key.startFrame) / clip.framesPerSecond;
+  const auto next = std::upper_bound(keys.begin(), keys.end(), tipSeconds + later);
+  const auto before = std::lower_bound(keys.begin(), keys.end(), tipSeconds - later);
+  if (isForwards) {
+    return next == keys.end() ? std::nullopt : std::optional(*next - tipSeconds);
   }
-  return before == keys.begin() ? std::nullopt : std::optional(solved.tipSeconds - *(before - 1));
+  return before == keys.begin() ? std::nullopt : std::optional(tipSeconds - *(before - 1));
 }
 
 ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved) {

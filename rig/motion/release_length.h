@@ -20,7 +20,7 @@ struct ReleaseLength {
 
 /// From the tip to the next key of the nodes on the release's way; nothing on a densely keyed clip, or where
 /// no key follows.
-[[nodiscard]] std::optional<double> secondsToNextKey(const Clip& clip, const SolvedTrail& solved,
+[[nodiscard]] std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
                                                      const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig

@@ -30,21 +30,19 @@ TrailSettings usable(TrailSettings settings, const Clip& clip) {
   return settings;
 }
 
-const SolvedTrail* solvedBefore(const MotionInput& input, const Trail& trail) {
+// The first trail of the motion before that is meant; null: none.
+template <typename IsMeant>
+const SolvedTrail* solvedBefore(const MotionInput& input, const IsMeant& isMeant) {
   if (input.previous == nullptr) {
     return nullptr;
   }
   const std::vector<SolvedTrail>& trails = input.previous->trails;
-  const auto found = std::find_if(trails.begin(), trails.end(), [&](const SolvedTrail& solved) {
-    return solved.trail.id == trail.id && solved.trail.limb == trail.limb && solved.trail.clip == trail.clip;
-  });
+  const auto found = std::find_if(trails.begin(), trails.end(), isMeant);
   return found == trails.end() ? nullptr : &*found;
 }
 
-// Whether the settings, as used, ask for the same original path.
-bool samePath(const TrailSettings& a, const TrailSettings& b) {
-  return a.startFrame == b.startFrame && a.endFrame == b.endFrame && a.pivot == b.pivot &&
-         a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
+const SolvedTrail* sameTrailBefore(const MotionInput& input, const Trail& trail) {
+  return solvedBefore(input, [&](const SolvedTrail& solved) { return solved.trail == trail; });
 }
 
 // Where the scene's bind pose has what trails move: looked for at most once for all of them.
@@ -69,8 +67,12 @@ private:
   std::optional<BindPlaces> own_;
 };
 
-// Made before with the body, where that is there.
+// Made before with a trail of the limb, or with the body, where that is there.
 LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& places) {
+  if (const SolvedTrail* const before =
+          solvedBefore(input, [&](const SolvedTrail& solved) { return solved.limb == limb; })) {
+    return before->topology;
+  }
   const AdjustedBody* const body = input.body.get();
   if (body == nullptr) {
     return limbTopology(*input.scene, limb, input.limbs, places.get());
@@ -84,14 +86,6 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& plac
                                   [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
   return known != body->limbs.end() ? known->topology
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
-}
-
-std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  return nodes;
 }
 
 // Where a trail's path is looked at: its samples and halfway between them.
@@ -140,41 +134,39 @@ void setFrames(const MotionInput& input, MotionState& motion, Places& places) {
                               : std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
 }
 
+OriginalPath originalPath(const MotionInput& input, const MotionState& motion, const Limb& limb,
+                          const PathKey& key) {
+  if (const SolvedTrail* const same =
+          solvedBefore(input, [&](const SolvedTrail& before) { return before.pathKey == key; })) {
+    return static_cast<const OriginalPath&>(*same);
+  }
+  FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
+                     motion.adjustedFrames.get());
+  return samplePath(input, limb, key, frames);
+}
+
 SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
                        const Limb& limb, Places& places) {
-  const SolvedTrail* before = solvedBefore(input, trail);
-  if (before != nullptr && before->trail == trail) {
-    return *before;
+  if (const SolvedTrail* const same = sameTrailBefore(input, trail)) {
+    return *same;
   }
+  const TrailSettings used = usable(trail.settings, *input.clip);
+  const double fps = input.clip->framesPerSecond;
   SolvedTrail solved;
+  static_cast<OriginalPath&>(solved) = originalPath(input, motion, limb, pathKeyOf(limb.id, used));
   solved.trail = trail;
   solved.limb = limb;
-  solved.settings = usable(trail.settings, *input.clip);
-  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb, places);
+  solved.settings = used;
+  solved.topology = topologyOf(input, limb, places);
   solved.active = trail.connected;
-  const double fps = input.clip->framesPerSecond;
-  solved.startSeconds = solved.settings.startFrame / fps;
-  solved.endSeconds = solved.settings.endFrame / fps;
-  solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  if (before != nullptr && samePath(before->settings, solved.settings)) {
-    solved.path = before->path;
-    solved.bend = before->bend;
-    solved.keyTimes = before->keyTimes;
-    solved.nextKeySeconds = before->nextKeySeconds;
-  } else {
-    before = nullptr;
-    const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
-    solved.keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
-    solved.nextKeySeconds = secondsToNextKey(*input.clip, solved, keyed);
-    FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
-                       motion.adjustedFrames.get());
-    samplePath(input, frames, solved);
-  }
+  solved.startSeconds = used.startFrame / fps;
+  solved.endSeconds = used.endFrame / fps;
+  solved.tipSeconds = used.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
   solveTipOf(solved);
   explainTip(solved, fps);
-  solved.remap = Remap(solved.settings.remap, solved.settings.easeIn, solved.settings.easeOut);
-  setControlFrames(input, solved, before);
-  solved.offsets = SphereOffsets(solved.controlFrames, solved.settings.spheres);
+  solved.remap = Remap(used.remap, used.easeIn, used.easeOut);
+  setControlFrames(solved);
+  solved.offsets = SphereOffsets(solved.controlFrames, used.spheres);
   setRelease(input, solved);
   return solved;
 }
@@ -186,8 +178,7 @@ std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& m
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       found.emplace_back(&trail, limb);
-      const SolvedTrail* const before = solvedBefore(input, trail);
-      isNew += before == nullptr || before->trail != trail ? 1 : 0;
+      isNew += sameTrailBefore(input, trail) == nullptr ? 1 : 0;
     }
   }
   std::vector<SolvedTrail> solved(found.size());

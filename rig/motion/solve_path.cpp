@@ -8,6 +8,7 @@
 
 #include "core/anim/frames.h"
 #include "rig/limb.h"
+#include "rig/motion/release_length.h"
 
 namespace stretch::rig {
 
@@ -57,6 +58,14 @@ void keepPulledSpheres(SolvedTrail& solved) {
 
 } // namespace
 
+std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  return nodes;
+}
+
 std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   std::vector<NodeIndex> nodes = limb.joints;
   nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
@@ -66,52 +75,54 @@ std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   return nodes;
 }
 
-void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved) {
-  std::vector<Vec3> points;
-  std::vector<double> times;
-  solved.path.axes = axesOf(solved.settings);
-  for (const double time :
-       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, solved.keyTimes)) {
-    const FrameState& frame = frames.at(time);
-    solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
-    solved.bend.add(pointsToLead(solved.limb, frame),
-                    rotationOf(frame.worlds[at(solved.limb.joints.front())]));
-    const LimbSample& sample = solved.path.samples.back();
-    points.push_back(solved.path.toSpace(sample, sample.end));
-    times.push_back(time);
-  }
-  // A path that only trembles has no length to go by.
-  if (onlyTrembles(points, farthestOf(points), solved.limb.restLength)) {
-    points.assign(points.size(), points.front());
-  }
-  solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
-  // A planted foot stands still at the keys only: between them it slides about.
-  for (const double time : timesBetween(times, input.clip->framesPerSecond)) {
-    const FrameState& frame = frames.at(time);
-    solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
-  }
+PathKey pathKeyOf(const std::string& limb, const TrailSettings& used) {
+  return {limb, used.startFrame, used.endFrame, used.pivot, used.space, axesOf(used)};
 }
 
-void setControlFrames(const MotionInput& input, SolvedTrail& solved, const SolvedTrail* samePathBefore) {
+OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKey& key, FrameSource& frames) {
   constexpr double controlTolerance = 0.01; // of the limb's rest length
+  const double fps = input.clip->framesPerSecond;
+  const double start = key.startFrame / fps;
+  const double end = key.endFrame / fps;
+  OriginalPath original;
+  original.pathKey = key;
+  LimbPath& path = original.path;
+  path.axes = key.axes;
+  original.keyTimes = keyTimesOf(*input.clip, jointsAndEnd(limb), start, end);
+  original.nextKeySeconds = secondsToNextKey(*input.clip, key, jointsAndEnd(limb));
+  std::vector<Vec3> points;
+  const std::vector<double> times = sampleTimes(start, end, fps, original.keyTimes);
+  for (const double time : times) {
+    const FrameState& frame = frames.at(time);
+    path.samples.push_back(limbSample(limb, key.space, input.hips, frame));
+    original.bend.add(pointsToLead(limb, frame), rotationOf(frame.worlds[at(limb.joints.front())]));
+    points.push_back(path.toSpace(path.samples.back(), path.samples.back().end));
+  }
+  // A path that only trembles has no length to go by.
+  if (onlyTrembles(points, farthestOf(points), limb.restLength)) {
+    points.assign(points.size(), points.front());
+  }
+  path.ratios = pathRatios(points, times, key.pivot);
+  // A planted foot stands still at the keys only: between them it slides about.
+  for (const double time : timesBetween(times, fps)) {
+    path.between.push_back(limbSample(limb, key.space, input.hips, frames.at(time)));
+  }
+  original.chosenFrames =
+      chooseControlFrames(path, original.keyTimes, fps, controlTolerance * limb.restLength);
+  return original;
+}
+
+void setControlFrames(SolvedTrail& solved) {
+  solved.controlFrames = solved.chosenFrames;
   if (!solved.trail.controlFrames.empty()) {
     setByHand(solved);
-  } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
-    solved.controlFrames = samePathBefore->controlFrames;
-  } else {
-    solved.controlFrames = chooseControlFrames(solved.path, solved.keyTimes, input.clip->framesPerSecond,
-                                               controlTolerance * solved.limb.restLength);
   }
   keepPulledSpheres(solved);
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
   const double last = std::min(endInFrames(clip), longestFrames);
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  const NodeSampler sampler(scene, clip, nodes);
+  const NodeSampler sampler(scene, clip, jointsAndEnd(limb));
   FrameState sampled;
   const auto reachAt = [&](double frame) {
     sampler.sample(frame / clip.framesPerSecond, sampled);

@@ -17,20 +17,26 @@ inline constexpr double longestFrames = 100000.0;
 /// Null when there is none, or one without a joint.
 [[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
 
+/// Nodes whose keys say when a limb has one.
+[[nodiscard]] std::vector<NodeIndex> jointsAndEnd(const Limb& limb);
+
 /// Nodes that sampling the path of a limb looks at.
 [[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
 
+/// `used`: settings whose range lies within the clip.
+[[nodiscard]] PathKey pathKeyOf(const std::string& limb, const TrailSettings& used);
+
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
-/// bends. `frames`: of pathNodes at least.
-void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved);
+/// bends. `frames`: of pathNodes at least. Of `input` it looks at the ground alone, not at the trails.
+[[nodiscard]] OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKey& key,
+                                      FrameSource& frames);
 
 /// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.
 void solveTipOf(SolvedTrail& solved);
 void explainTip(SolvedTrail& solved, double framesPerSecond);
 
-/// Frames of the control spheres: the user's, those of `samePathBefore` (the same path, solved before; null:
-/// none), or chosen.
-void setControlFrames(const MotionInput& input, SolvedTrail& solved, const SolvedTrail* samePathBefore);
+/// Frames of the control spheres: the user's, or chosen.
+void setControlFrames(SolvedTrail& solved);
 
 /// Release and window. The keys of the limb's joints and its end say how long a release lasts that the user
 /// left open.
