@@ -17,6 +17,7 @@
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
 #include "app/evaluate/pops.h"
+#include "app/evaluate/prop_flips.h"
 #include "app/recipe/offset_table.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
@@ -76,6 +77,9 @@ void addMotionReports(const Document& document, int clip, Json& report) {
   const rig::MotionState motion = prepareMotion(document, clip);
   for (const LimbPop& pop : limbPops(document, motion)) {
     report["warnings"].push_back(popWarning(pop));
+  }
+  for (const PropFlip& flip : propFlips(document, motion)) {
+    report["warnings"].push_back(flipWarning(flip));
   }
   report["holds"] = Json::array();
   for (const HoldReport& hold : holdReports(document, motion)) {

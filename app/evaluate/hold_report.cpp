@@ -21,8 +21,9 @@ HoldReport& reportOf(std::vector<HoldReport>& reports, const rig::HeldGoal& goal
                                 : reports.emplace_back(HoldReport{goal.kind, goal.index, limb, 0.0, {}});
 }
 
-// The frames and half frames over which anything is held.
-std::vector<double> framesToLookAt(const rig::MotionState& motion) {
+} // namespace
+
+std::vector<double> halfFramesOf(const rig::MotionState& motion) {
   constexpr double most = 20000.0;
   const double last = std::min(motion.endSeconds * motion.framesPerSecond, most);
   std::vector<double> frames;
@@ -32,8 +33,6 @@ std::vector<double> framesToLookAt(const rig::MotionState& motion) {
   return frames;
 }
 
-} // namespace
-
 std::vector<HoldReport> holdReports(const Document& document, const rig::MotionState& motion) {
   constexpr double seen = 1e-3; // of the height
   std::vector<HoldReport> reports;
@@ -41,7 +40,7 @@ std::vector<HoldReport> holdReports(const Document& document, const rig::MotionS
     return reports;
   }
   const Clip& clip = clipOf(document, motion.clip);
-  for (const double frame : framesToLookAt(motion)) {
+  for (const double frame : halfFramesOf(motion)) {
     const FrameState source = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
     FrameState state = source;
     rig::applyTrails(*document.scene, motion, source, state);

@@ -18,6 +18,9 @@ struct HoldReport {
   std::vector<double> framesFallShort; ///< Frames at which it is farther than a thousandth of the height.
 };
 
+/// Frames and half frames of the clip, at most some twenty thousand frames: where holds are looked at.
+[[nodiscard]] std::vector<double> halfFramesOf(const rig::MotionState& motion);
+
 /// One for each limb that a hold of the clip fully holds at any time. `motion`: of the clip, with its holds.
 [[nodiscard]] std::vector<HoldReport> holdReports(const Document& document, const rig::MotionState& motion);
 

@@ -239,6 +239,35 @@ TEST_CASE("two hands stay on a prop until one lets go, and the other then has it
   }
 }
 
+TEST_CASE("A prop between hands that turn against each other by half a turn is told with the frame, and by "
+          "less is not") {
+  const test::TemporaryFolder folder;
+  const std::string character = characterWithStick(folder);
+  const auto flipsOf = [&](double degrees) {
+    Json recipe = heldRecipe("props", {{"node", "Stick"},
+                                       {"bound_at", 0},
+                                       {"hands", {{"right-arm", oneHand(1.0)}, {"left-arm", oneHand(1.0)}}}});
+    recipe["adjustments"] = Json::array({{{"controller", "left-hand"},
+                                          {"keys",
+                                           {{{"frame", 0}, {"turn", {0, 0, 0}}, {"interpolation", "linear"}},
+                                            {{"frame", 24}, {"turn", {0, 0, degrees}}}}}}});
+    const Posed posed = pose(folder, recipe, {"--clean"}, character);
+    REQUIRE(posed.answer.exitCode == 0);
+    std::vector<std::string> told;
+    const Json report = Json::parse(posed.answer.output);
+    for (const Json& warning : report["warnings"]) {
+      if (warning.get<std::string>().find("turns over") != std::string::npos) {
+        told.push_back(warning.get<std::string>());
+      }
+    }
+    return told;
+  };
+  const std::vector<std::string> told = flipsOf(340.0);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].starts_with("the prop \"Stick\" turns over by "));
+  CHECK(flipsOf(90.0).empty());
+}
+
 TEST_CASE("a hand with two keys stays firm on a prop until shortly before the second") {
   const test::TemporaryFolder folder;
   const std::string character = characterWithStick(folder);
