@@ -294,8 +294,7 @@ TEST_CASE("Packed data that name the same bytes over and over are refused before
   glb.binary.insert(glb.binary.end(), zeros.begin(), zeros.end());
   glb.json["buffers"][1]["byteLength"] = 8192 * blocks;
   CHECK(test::loadBytes(glb.bytes()).ok());
-  const int copies = GENERATE(20, 100); // more than so small a file may ask for, and than any file may
-  for (int i = 0; i < copies; ++i) {
+  for (int i = 0; i < 100; ++i) {
     glb.json["bufferViews"].push_back({{"buffer", 1},
                                        {"byteLength", 8192 * blocks},
                                        {"extensions",

@@ -178,6 +178,25 @@ TEST_CASE("Strided accessors are read with their stride") {
   CHECK(warnsOf(file, "strided"));
 }
 
+TEST_CASE(
+    "Primitives of a small file that share one list of vertices are refused before they fill the memory") {
+  const auto [primitives, isTaken] = GENERATE(table<std::size_t, bool>({{100, true}, {600, false}}));
+  GlbBuilder glb;
+  glb.json = {{"asset", {{"version", "2.0"}}}, {"nodes", {{{"mesh", 0}}}}};
+  std::vector<float> places(29997, 0.5F);
+  const int accessor = glb.floats(places, "VEC3", 3);
+  glb.json["accessors"][static_cast<std::size_t>(accessor)]["min"] = {0.5, 0.5, 0.5};
+  glb.json["accessors"][static_cast<std::size_t>(accessor)]["max"] = {0.5, 0.5, 0.5};
+  for (std::size_t i = 0; i < primitives; ++i) {
+    glb.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", accessor}}}});
+  }
+  const auto file = test::loadBytes(glb.bytes());
+  CHECK(file.ok() == isTaken);
+  if (!isTaken) {
+    CHECK_THAT(file.error().line(), Catch::Contains("more data than the program takes into memory"));
+  }
+}
+
 TEST_CASE("Keys at one time are moved apart, keys that go back are refused") {
   GlbBuilder glb = armBuilder();
   SECTION("equal") {
