@@ -7,6 +7,7 @@
 #include "app/commands/table/keymap.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/exaggerate.h"
+#include "core/anim/frames.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;
