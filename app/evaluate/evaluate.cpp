@@ -1,40 +1,16 @@
 #include "app/evaluate/evaluate.h"
 
-#include <utility>
-
+#include "app/evaluate/cache.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {
 
-namespace {
-
-WeightMotion weightOn(const EvaluationInput& input, const rig::MotionState& trails) {
-  const WeightInput weight = weightInput(input);
-  LimbSizes sizes;
-  return activeWeights(weight).empty() ? WeightMotion{}
-                                       : weightMotion(weight, sampleClip(weight, trails), sizes);
-}
-
-} // namespace
-
 rig::MotionState prepareMotion(const Document& document, int clip) {
-  const EvaluationInput input = evaluationInput(document, clip);
-  rig::MotionState motion = solveTrails(input, {});
-  addHolds(input, motion);
-  if (std::vector<rig::LimbWeight> weights = weightOn(input, motion).weights; !weights.empty()) {
-    addWeight(input, std::move(weights), motion);
-  }
-  return motion;
+  return *EvaluationCache().motion(document, clip);
 }
 
 std::vector<WeightReport> weightReports(const Document& document, int clip) {
-  const EvaluationInput input = evaluationInput(document, clip);
-  rig::MotionState motion = solveTrails(input, {});
-  addHolds(input, motion);
-  WeightMotion made = weightOn(input, motion);
-  addWeight(input, std::move(made.weights), motion);
-  measureLengths(weightInput(input), motion, made.reports);
-  return std::move(made.reports);
+  return EvaluationCache().weightReports(document, clip);
 }
 
 FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds) {

@@ -43,8 +43,8 @@ struct EvaluationInput {
 [[nodiscard]] const Clip& clipOrStill(const std::vector<Clip>& clips, int clip);
 [[nodiscard]] const Clip& clipOf(const EvaluationGround& ground);
 
-// Stages that are made of an EvaluationInput before a time is known, one stage after the other. At a time the
-// stages are those of rig/motion/evaluate.h.
+// Stages that are made of an EvaluationInput before a time is known: EvaluationCache alone says in which
+// order. At a time the stages are those of rig/motion/evaluate.h.
 
 /// Body that adjustments of the clip are solved on; the same for every one of them.
 [[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);

@@ -41,10 +41,8 @@ std::vector<HoldReport> holdReports(const Document& document, const rig::MotionS
   }
   const Clip& clip = clipOf(document, motion.clip);
   for (const double frame : halfFramesOf(motion)) {
-    const FrameState source = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
-    FrameState state = source;
-    rig::applyTrails(*document.scene, motion, source, state);
-    for (const rig::HeldGoal& goal : rig::applyHolds(*document.scene, motion, source, state)) {
+    FrameState state = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
+    for (const rig::HeldGoal& goal : rig::applyTrailsAndHolds(*document.scene, motion, state)) {
       if (goal.strength < 1.0) {
         continue;
       }

@@ -8,7 +8,6 @@
 
 #include "core/anim/frames.h"
 #include "rig/limb.h"
-#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {
@@ -94,15 +93,13 @@ void measureAt(const WeightInput& input, const rig::MotionState& motion, double 
                std::vector<Measured>& all) {
   const double seconds = frame / input.clip->framesPerSecond;
   FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
-  const FrameState source = pose;
-  rig::applyTrails(*input.scene, motion, source, pose);
-  rig::applyHolds(*input.scene, motion, source, pose);
+  rig::applyTrailsAndHolds(*input.scene, motion, pose);
   std::vector<std::vector<double>> before;
   before.reserve(all.size());
   for (const Measured& one : all) {
     before.push_back(boneLengths(one.solved->limb, pose));
   }
-  rig::applyWeight(*input.scene, motion.weights, motion.hips, motion.outline, pose);
+  rig::applyAfterHolds(*input.scene, motion, pose);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const rig::LimbWeight& weight = all[i].solved->weight;
     constexpr double rounding = 1e-6;

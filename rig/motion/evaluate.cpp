@@ -11,7 +11,6 @@
 #include "rig/adjust/apply_adjustments.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
-#include "rig/motion/apply_holds.h"
 #include "rig/motion/range_offset.h"
 #include "rig/reach/limb_deform.h"
 
@@ -195,19 +194,23 @@ FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState
   return frame;
 }
 
-void applyTrails(const Scene& scene, const MotionState& motion, const FrameState& source, FrameState& frame) {
+std::vector<HeldGoal> applyTrailsAndHolds(const Scene& scene, const MotionState& motion, FrameState& frame) {
+  const FrameState source = frame;
   for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
     if (motion.trails[trail].active) {
       applyTrail(scene, motion, trail, source, frame);
     }
   }
+  return applyHolds(scene, motion, source, frame);
+}
+
+void applyAfterHolds(const Scene& scene, const MotionState& motion, FrameState& frame) {
+  applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
 }
 
 void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame) {
-  const FrameState source = frame;
-  applyTrails(scene, motion, source, frame);
-  applyHolds(scene, motion, source, frame);
-  applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
+  applyTrailsAndHolds(scene, motion, frame);
+  applyAfterHolds(scene, motion, frame);
 }
 
 FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,

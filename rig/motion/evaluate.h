@@ -1,13 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::rig {
+
+// The stages of a frame are named here and in evaluate.cpp alone, in the order in which they act: the clip,
+// adjustments, trails, holds, weight.
 
 /// The clip at a time, past its last key held: every track is, and so is what trails and weight make of it.
 [[nodiscard]] FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds);
@@ -16,11 +21,14 @@ namespace stretch::rig {
 [[nodiscard]] FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState& motion,
                                        double timeSeconds);
 
-/// Brings every active trail onto an adjusted frame, from the root outwards. `source`: that frame.
-void applyTrails(const Scene& scene, const MotionState& motion, const FrameState& source, FrameState& frame);
+/// Brings the trails onto an adjusted frame, every active one from the root outwards, and then the holds.
+/// Answers what is held.
+std::vector<HeldGoal> applyTrailsAndHolds(const Scene& scene, const MotionState& motion, FrameState& frame);
 
-/// Brings everything that acts on an adjusted frame onto it: trails, holds (applyHolds), weight
-/// (applyWeight).
+/// Brings what acts after the holds onto a frame: the weight of limbs.
+void applyAfterHolds(const Scene& scene, const MotionState& motion, FrameState& frame);
+
+/// Brings everything that acts on an adjusted frame onto it: these two, one after the other.
 void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame);
 
 /// The character at one time: the clip sampled and adjusted, and its motion (applyMotion) applied. Each stage

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "rig/adjust/frame_table.h"
-#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/order.h"
 
@@ -172,10 +171,8 @@ void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motio
   FrameSource frames(scene, clip, motion.adjustments, nodesOfAll(motion, held), motion.adjustedFrames.get());
   const Scene& skeleton = frames.skeleton();
   for (const double frameNumber : framesOfAll(held)) {
-    const FrameState& source = frames.at(insideLoop(motion, frameNumber / motion.framesPerSecond));
-    FrameState frame = source;
-    applyTrails(skeleton, motion, source, frame);
-    for (const HeldGoal& goal : applyHolds(skeleton, motion, source, frame)) {
+    FrameState frame = frames.at(insideLoop(motion, frameNumber / motion.framesPerSecond));
+    for (const HeldGoal& goal : applyTrailsAndHolds(skeleton, motion, frame)) {
       const Limb& limb = motion.holds.limbs[goal.limb].limb;
       for (std::size_t i = 0; i < requests.size(); ++i) {
         const SolvedTrail& solved = motion.trails[requests[i].trail];
