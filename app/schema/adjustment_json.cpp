@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "app/schema/schema_json.h"
+#include "app/schema/entry_schema.h"
 
 namespace stretch::app {
 
@@ -18,99 +18,81 @@ using rig::OffsetKey;
 // In the order of the enumeration.
 constexpr std::array interpolationNames{"auto", "flat", "linear", "stepped", "free"};
 
-Json offsetKeyToJson(const OffsetKey& key, bool isAttribute, const AdjustmentUnits& units) {
-  const bool isFree = key.interpolation == KeyInterpolation::free;
-  Json json{{"frame", key.frame},
-            {"interpolation", interpolationNames.at(static_cast<std::size_t>(key.interpolation))}};
+EntryMember<OffsetKey> interpolationMember() {
+  return {"interpolation",
+          [](const OffsetKey& key) {
+            return Json(interpolationNames.at(static_cast<std::size_t>(key.interpolation)));
+          },
+          [](const Json& json, OffsetKey& key) -> Status {
+            const auto* const found =
+                std::ranges::find_if(interpolationNames, [&](const char* name) { return json == name; });
+            if (found == interpolationNames.end()) {
+              return Error{json.dump() + " is no interpolation", "interpolation",
+                           "give auto, flat, linear, stepped or free"};
+            }
+            key.interpolation = static_cast<KeyInterpolation>(found - interpolationNames.begin());
+            return Success{};
+          }};
+}
+
+EntrySchema<OffsetKey> offsetKeySchema(bool isAttribute, const AdjustmentUnits& units) {
+  const auto ofFree = [](EntryMember<OffsetKey> slope) {
+    return writtenWhere([](const OffsetKey& key) { return key.interpolation == KeyInterpolation::free; },
+                        std::move(slope));
+  };
   if (isAttribute) {
-    json["value"] = key.value;
-  } else {
-    json["move"] = vectorToJson(key.move / units.length);
-    json["turn"] = vectorToJson(key.turn / units.angle);
+    return {entryMember("frame", 1.0, &OffsetKey::frame), interpolationMember(),
+            entryMember("value", 1.0, &OffsetKey::value),
+            ofFree(entryMember("value_slope", 1.0, &OffsetKey::valueSlope))};
   }
-  if (isFree && isAttribute) {
-    json["value_slope"] = key.valueSlope;
-  } else if (isFree) {
-    json["move_slope"] = vectorToJson(key.moveSlope / units.length);
-    json["turn_slope"] = vectorToJson(key.turnSlope / units.angle);
-  }
-  return json;
+  return {entryMember("frame", 1.0, &OffsetKey::frame),
+          interpolationMember(),
+          entryMember("move", units.length, &OffsetKey::move),
+          entryMember("turn", units.angle, &OffsetKey::turn),
+          ofFree(entryMember("move_slope", units.length, &OffsetKey::moveSlope)),
+          ofFree(entryMember("turn_slope", units.angle, &OffsetKey::turnSlope))};
 }
 
-Status readNumber(const Json& json, const std::string& key, double& number) {
-  if (!json.is_number()) {
-    return Error{json.dump() + " is not a number", key, "give a number"};
-  }
-  number = json.get<double>();
-  return Success{};
-}
-
-Status readVector(const Json& json, const std::string& key, double unit, Vec3& vector) {
-  const Result<Vec3> read = vectorFromJson(json, key);
-  if (!read) {
-    return read.error();
-  }
-  vector = *read * unit;
-  return Success{};
-}
-
-Status readInterpolation(const Json& json, KeyInterpolation& interpolation) {
-  const auto* const found =
-      std::ranges::find_if(interpolationNames, [&](const char* name) { return json == name; });
-  if (found == interpolationNames.end()) {
-    return Error{json.dump() + " is no interpolation", "interpolation",
-                 "give auto, flat, linear, stepped or free"};
-  }
-  interpolation = static_cast<KeyInterpolation>(found - interpolationNames.begin());
-  return Success{};
-}
-
-Status readMember(const std::string& key, const Json& value, bool isAttribute, const AdjustmentUnits& units,
-                  OffsetKey& offset) {
-  if (key == "frame") {
-    return readNumber(value, key, offset.frame);
-  }
-  if (key == "interpolation") {
-    return readInterpolation(value, offset.interpolation);
-  }
-  if (isAttribute && (key == "value" || key == "value_slope")) {
-    return readNumber(value, key, key == "value" ? offset.value : offset.valueSlope);
-  }
-  if (!isAttribute && (key == "move" || key == "move_slope")) {
-    return readVector(value, key, units.length, key == "move" ? offset.move : offset.moveSlope);
-  }
-  if (!isAttribute && (key == "turn" || key == "turn_slope")) {
-    return readVector(value, key, units.angle, key == "turn" ? offset.turn : offset.turnSlope);
-  }
-  return Error{isAttribute ? "is not a part of an attribute's key" : "is not a part of a controller's key",
-               key,
-               isAttribute ? "give frame, value, interpolation" : "give frame, move, turn, interpolation"};
-}
-
-Result<OffsetKey> offsetKeyOf(const Json& json, bool isAttribute, const AdjustmentUnits& units) {
+Result<OffsetKey> offsetKeyOf(const Json& json, bool isAttribute, const EntrySchema<OffsetKey>& schema) {
   const bool hasValue = json.is_object() && (!isAttribute || json.contains("value"));
   if (!json.is_object() || !json.contains("frame") || !hasValue) {
     return Error{json.dump() + " is not a key", "",
                  isAttribute ? R"(give {"frame": number, "value": number})"
                              : R"(give {"frame": number, "move": [x, y, z], "turn": [x, y, z]})"};
   }
+  const auto unknown = [&](const std::string& key) -> Status {
+    return Error{isAttribute ? "is not a part of an attribute's key" : "is not a part of a controller's key",
+                 key,
+                 isAttribute ? "give frame, value, interpolation" : "give frame, move, turn, interpolation"};
+  };
   OffsetKey offset;
-  for (const auto& [key, value] : json.items()) {
-    if (const Status read = readMember(key, value, isAttribute, units, offset); !read) {
-      return read.error();
-    }
-  }
-  return offset;
+  const Status read = readEntry(json, schema, unknown, offset);
+  return read ? Result<OffsetKey>(offset) : Result<OffsetKey>(read.error());
 }
 
-Status readOffsetRange(const Json& json, rig::Adjustment& adjustment) {
-  const bool isRange = json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
-  if (!isRange) {
-    return Error{json.dump() + " is not a range", "range",
-                 "give the first and the last frame, such as [0, 12]"};
-  }
-  adjustment.rangeFrames = Vec2(json[0].get<double>(), json[1].get<double>());
-  return Success{};
+EntrySchema<rig::Adjustment> adjustmentSchema(bool isAttribute, const AdjustmentUnits& units) {
+  return {entryMember(isAttribute ? "attribute" : "controller", 1.0, &rig::Adjustment::controller),
+          {"range",
+           [](const rig::Adjustment& adjustment) { return entryValue(*adjustment.rangeFrames, 1.0); },
+           [](const Json& json, rig::Adjustment& adjustment) -> Status {
+             Vec2 range;
+             if (!readValue(json, "range", 1.0, range)) {
+               return Error{json.dump() + " is not a range", "range",
+                            "give the first and the last frame, such as [0, 12]"};
+             }
+             adjustment.rangeFrames = range;
+             return Success{};
+           },
+           false, [](const rig::Adjustment& adjustment) { return adjustment.rangeFrames.has_value(); }},
+          {"keys",
+           [=](const rig::Adjustment& adjustment) {
+             return offsetKeysToJson(adjustment.keys, isAttribute, units);
+           },
+           [=](const Json& json, rig::Adjustment& adjustment) {
+             Result<std::vector<OffsetKey>> keys = offsetKeysFromJson(json, isAttribute, units);
+             adjustment.keys = keys ? std::move(*keys) : std::vector<OffsetKey>{};
+             return keys ? Status(Success{}) : Status(keys.error());
+           }}};
 }
 
 } // namespace
@@ -127,9 +109,10 @@ Result<AdjustedName> adjustedName(const Json& json) {
 }
 
 Json offsetKeysToJson(const std::vector<OffsetKey>& keys, bool isAttribute, const AdjustmentUnits& units) {
+  const EntrySchema<OffsetKey> schema = offsetKeySchema(isAttribute, units);
   Json list = Json::array();
   for (const OffsetKey& key : keys) {
-    list.push_back(offsetKeyToJson(key, isAttribute, units));
+    list.push_back(writeEntry(schema, key));
   }
   return list;
 }
@@ -139,9 +122,10 @@ Result<std::vector<OffsetKey>> offsetKeysFromJson(const Json& json, bool isAttri
   if (!json.is_array()) {
     return Error{"is not a list", "keys", "give a list of keys"};
   }
+  const EntrySchema<OffsetKey> schema = offsetKeySchema(isAttribute, units);
   std::vector<OffsetKey> keys;
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const Result<OffsetKey> key = offsetKeyOf(json[i], isAttribute, units);
+    const Result<OffsetKey> key = offsetKeyOf(json[i], isAttribute, schema);
     if (!key) {
       const std::string inside = key.error().where.empty() ? "" : "." + key.error().where;
       return Error{key.error().what, fmt::format("keys[{}]{}", i, inside), key.error().remedy};
@@ -153,12 +137,7 @@ Result<std::vector<OffsetKey>> offsetKeysFromJson(const Json& json, bool isAttri
 }
 
 Json adjustmentToJson(const rig::Adjustment& adjustment, bool isAttribute, const AdjustmentUnits& units) {
-  Json json{{isAttribute ? "attribute" : "controller", adjustment.controller}};
-  if (adjustment.rangeFrames) {
-    json["range"] = Json::array({adjustment.rangeFrames->x, adjustment.rangeFrames->y});
-  }
-  json["keys"] = offsetKeysToJson(adjustment.keys, isAttribute, units);
-  return json;
+  return writeEntry(adjustmentSchema(isAttribute, units), adjustment);
 }
 
 Result<rig::Adjustment> adjustmentFromJson(const Json& json, const AdjustmentUnits& units,
@@ -167,25 +146,15 @@ Result<rig::Adjustment> adjustmentFromJson(const Json& json, const AdjustmentUni
   if (!name) {
     return name.error();
   }
+  const auto unknown = [&](const std::string& key) {
+    const bool isKnown =
+        key == "controller" || key == "attribute" || std::ranges::find(allowed, key) != allowed.end();
+    return isKnown ? Status(Success{})
+                   : Status(Error{"is not a part of an adjustment", key, "remove it, or correct its name"});
+  };
   rig::Adjustment adjustment;
-  adjustment.controller = name->id;
-  for (const auto& [key, value] : json.items()) {
-    Status read = Success{};
-    if (key == "keys") {
-      Result<std::vector<OffsetKey>> keys = offsetKeysFromJson(value, name->isAttribute, units);
-      read = keys ? Status(Success{}) : Status(keys.error());
-      adjustment.keys = keys ? std::move(*keys) : std::vector<OffsetKey>{};
-    } else if (key == "range") {
-      read = readOffsetRange(value, adjustment);
-    } else if (key != "controller" && key != "attribute" &&
-               std::ranges::find(allowed, key) == allowed.end()) {
-      read = Error{"is not a part of an adjustment", key, "remove it, or correct its name"};
-    }
-    if (!read) {
-      return read.error();
-    }
-  }
-  return adjustment;
+  const Status read = readEntry(json, adjustmentSchema(name->isAttribute, units), unknown, adjustment);
+  return read ? Result<rig::Adjustment>(std::move(adjustment)) : Result<rig::Adjustment>(read.error());
 }
 
 } // namespace stretch::app

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
-#include "app/schema/schema_json.h"
+#include "app/schema/entry_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/source/json_text.h"
 #include "core/math/finite.h"
@@ -32,67 +32,65 @@ Result<std::string> locatorName(const Json& json, const std::string& where) {
   return name;
 }
 
-Status checkLocatorKeys(const Json& json, const std::string& where) {
-  for (const auto& [key, value] : json.items()) {
-    if (key != "name" && key != "position" && key != "orientation" && key != "confidence") {
-      return Error{"'" + key + "' is not a part of a locator", where,
-                   "give name, position, orientation, confidence"};
-    }
+Status readPosition(const Json& json, Vec3& position) {
+  if (Status read = readValue(json, "position", 1.0, position); !read) {
+    return read;
   }
-  return Success{};
+  const bool canBeHeld = isFinite(position) && glm::length(position) <= farthestPlace;
+  return canBeHeld ? Status(Success{})
+                   : Status(Error{"has a coordinate that no file can hold", "position",
+                                  "give finite numbers up to 1e9"});
 }
 
-Status readConfidence(const Json& json, const std::string& where, double& confidence) {
-  if (!json.is_number() || !(json.get<double>() >= 0.0 && json.get<double>() <= 1.0)) {
-    return Error{json.dump() + " is not a confidence", where + ".confidence", "give a number from 0 to 1"};
+Status readTurn(const Json& json, Quat& turn) {
+  if (Status read = readValue(json, "orientation", 1.0, turn); !read) {
+    return read;
   }
-  confidence = json.get<double>();
-  return Success{};
-}
-
-Status readTurn(const Json& json, const std::string& where, Quat& turn) {
-  const Result<Quat> read = quaternionFromJson(json, where + ".orientation");
-  if (!read) {
-    return read.error();
-  }
-  const double length = glm::length(*read);
+  const double length = glm::length(turn);
   constexpr double shortest = 1e-6;
   if (!std::isfinite(length) || length < shortest) {
-    return Error{"the four numbers are no turn", where + ".orientation",
+    return Error{"the four numbers are no turn", "orientation",
                  "give a unit quaternion x, y, z, w, or leave it out"};
   }
   constexpr double asWritten = 1e-9; // what is written reads back the same, to the last digit
-  turn = std::abs(length - 1.0) < asWritten ? *read : *read / length;
+  turn = std::abs(length - 1.0) < asWritten ? turn : turn / length;
   return Success{};
 }
 
+Status readConfidence(const Json& json, double& confidence) {
+  if (!readValue(json, "confidence", 1.0, confidence) || !(confidence >= 0.0 && confidence <= 1.0)) {
+    return Error{json.dump() + " is not a confidence", "confidence", "give a number from 0 to 1"};
+  }
+  return Success{};
+}
+
+EntrySchema<rig::Locator> locatorSchema() {
+  EntrySchema<rig::Locator> schema{entryMember("name", 1.0, &rig::Locator::name),
+                                   entryMember("position", 1.0, &rig::Locator::position),
+                                   entryMember("orientation", 1.0, &rig::Locator::orientation),
+                                   entryMember("confidence", 1.0, &rig::Locator::confidence)};
+  schema[1].read = [](const Json& json, rig::Locator& one) { return readPosition(json, one.position); };
+  schema[2].read = [](const Json& json, rig::Locator& one) { return readTurn(json, one.orientation); };
+  schema[3].read = [](const Json& json, rig::Locator& one) { return readConfidence(json, one.confidence); };
+  return schema;
+}
+
+// `place`: the entry's in its list, for one without a name.
 Result<rig::Locator> locatorFromJson(const Json& json, const std::string& place) {
   const Result<std::string> name = locatorName(json, place);
   if (!name) {
     return name.error();
   }
-  rig::Locator locator{.name = *name};
-  if (Status keys = checkLocatorKeys(json, *name); !keys) {
-    return keys.error();
-  }
-  const Result<Vec3> position = vectorFromJson(json.value("position", Json()), *name + ".position");
-  if (!position) {
-    return position.error();
-  }
-  locator.position = *position;
-  if (!isFinite(*position) || glm::length(*position) > farthestPlace) {
-    return Error{"has a coordinate that no file can hold", *name + ".position",
-                 "give finite numbers up to 1e9"};
-  }
-  if (json.contains("orientation")) {
-    if (Status read = readTurn(json["orientation"], *name, locator.orientation); !read) {
-      return read.error();
-    }
-  }
-  if (json.contains("confidence")) {
-    if (Status read = readConfidence(json["confidence"], *name, locator.confidence); !read) {
-      return read.error();
-    }
+  const auto unknown = [](const std::string& key) -> Status {
+    return Error{"'" + key + "' is not a part of a locator", "",
+                 "give name, position, orientation, confidence"};
+  };
+  rig::Locator locator;
+  Json entry = json;
+  entry["position"] = json.value("position", Json()); // one without is no vector
+  if (const Status read = readEntry(entry, locatorSchema(), unknown, locator); !read) {
+    const Error& error = read.error();
+    return Error{error.what, *name + (error.where.empty() ? "" : "." + error.where), error.remedy};
   }
   return locator;
 }
@@ -132,10 +130,7 @@ Status checkWhole(const rig::Locators& locators) {
 Json locatorsToJson(const rig::Locators& locators) {
   Json json{{"plan", locators.plan}, {"locators", Json::array()}};
   for (const rig::Locator& locator : locators.list) {
-    json["locators"].push_back({{"name", locator.name},
-                                {"position", vectorToJson(locator.position)},
-                                {"orientation", quaternionToJson(locator.orientation)},
-                                {"confidence", locator.confidence}});
+    json["locators"].push_back(writeEntry(locatorSchema(), locator));
   }
   return json;
 }
