@@ -55,11 +55,11 @@ std::vector<PropFlip> propFlips(const Document& document, const rig::MotionState
   const bool anyInTwo =
       std::ranges::any_of(props, [](const auto& prop) { return prop && prop->hands.size() > 1; });
   const Clip& clip = clipOf(document, motion.clip);
+  rig::MotionState free = motion;
+  free.holds = {};
   for (const double frame : anyInTwo ? halfFramesOf(motion) : std::vector<double>{}) {
     const double seconds = frame / clip.framesPerSecond;
-    const FrameState source = rig::adjustedFrame(*document.scene, clip, motion, seconds);
-    FrameState unheld = source;
-    rig::applyTrails(*document.scene, motion, source, unheld);
+    const FrameState unheld = rig::evaluateMotion(*document.scene, clip, free, seconds);
     const FrameState state = rig::evaluateMotion(*document.scene, clip, motion, seconds);
     for (std::size_t i = 0; i < props.size(); ++i) {
       if (!props[i] || props[i]->hands.size() < 2) {
