@@ -67,32 +67,30 @@ private:
     return accessor;
   }
 
-  // Every channel with this target: a file may name it twice.
+  // A file that names a target twice in one animation is not opened.
   void point(const Pointer& animation, const Track& track, std::size_t sampler) {
     const std::string path = nameOf(track.channel);
     const Target target{track.node.value, path};
-    ChannelsOfTargets& known = channelsOf(animation);
+    ChannelOfTarget& known = channelsOf(animation);
     if (const auto driving = known.find(target); driving != known.end()) {
-      for (const std::size_t channel : driving->second) {
-        journal_.set(animation / "channels" / channel / "sampler", sampler);
-      }
+      journal_.set(animation / "channels" / driving->second / "sampler", sampler);
     } else {
       Json channel = {{"sampler", sampler}, {"target", {{"node", track.node.value}, {"path", path}}}};
-      known[target] = {journal_.append(animation / "channels", std::move(channel))};
+      known[target] = journal_.append(animation / "channels", std::move(channel));
     }
   }
 
   using Target = std::pair<int, std::string>;
-  using ChannelsOfTargets = std::map<Target, std::vector<std::size_t>>;
+  using ChannelOfTarget = std::map<Target, std::size_t>;
 
   // The channels of an animation by what they drive, told once: a clip may have thousands.
-  ChannelsOfTargets& channelsOf(const Pointer& animation) {
+  ChannelOfTarget& channelsOf(const Pointer& animation) {
     const auto [known, isNew] = channels_.try_emplace(animation.to_string());
     if (isNew) {
       const Json& json = journal_.json().at(animation);
       for (std::size_t i = 0; i < sizeOf(json, "channels"); ++i) {
         const AnimationTarget driven = animationTarget(*find(element(json, "channels", i), "target"));
-        known->second[{driven.node.value, driven.path}].push_back(i);
+        known->second[{driven.node.value, driven.path}] = i;
       }
     }
     return known->second;
@@ -101,7 +99,7 @@ private:
   Journal& journal_;
   AppendedData& data_;
   std::map<std::vector<float>, std::size_t> inputs_;
-  std::map<std::string, ChannelsOfTargets> channels_; // by the animation's place
+  std::map<std::string, ChannelOfTarget> channels_; // by the animation's place
 };
 
 // Extras that are no object are someone else's: they stay as they are.
