@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <optional>
 
 namespace stretch::app {
 
@@ -16,12 +14,5 @@ struct BundledClip {
 };
 
 [[nodiscard]] const std::array<BundledClip, 3>& bundledClips();
-
-/// The folder of the bundled clips as seen from a program's own folder: that of an installation, or that of
-/// the sources it was built from. Nothing where there is neither.
-[[nodiscard]] std::optional<std::filesystem::path> bundledFolder(const std::filesystem::path& programFolder);
-
-/// Folder of the program that runs.
-[[nodiscard]] std::optional<std::filesystem::path> bundledFolder();
 
 } // namespace stretch::app

@@ -8,7 +8,9 @@
 #include "app/edits/keys/rate_edits.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/sphere_edits.h"
+#include "app/files/bundled_folder.h"
 #include "app/files/save.h"
+#include "app/files/user_files.h"
 #include "app/locators/locator_edits.h"
 #include "app/things/time_map.h"
 #include "core/anim/frames.h"
@@ -150,9 +152,10 @@ std::filesystem::path Session::proposedSavePath() const {
   if (!savePath_.empty()) {
     return savePath_;
   }
-  std::filesystem::path proposed = document().source->path;
-  proposed.replace_filename(proposed.stem().string() + "-stretched.glb");
-  return proposed;
+  const std::filesystem::path& source = document().source->path;
+  const std::string name = source.stem().string() + "-stretched.glb";
+  const bool besideSource = !isBundled(source) && isWritableFolder(source.parent_path());
+  return (besideSource ? source.parent_path() : documentsFolder()) / name;
 }
 
 Status Session::save(const std::filesystem::path& path, bool clean) {

@@ -94,6 +94,8 @@ public:
   /// Returns where the next plain save goes: back to a file that carries our work; else empty until the user
   /// saved once, so that the source is never overwritten by the first save.
   [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
+  /// That, or another name beside the source; in the user's documents for a bundled clip and for one whose
+  /// folder cannot be written.
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);
 

@@ -1,6 +1,10 @@
 #include "app/files/user_files.h"
 
+#include <unistd.h>
+
 #include <cstdlib>
+#include <fstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -25,6 +29,26 @@ fs::path userFolder(const char* variable, const char* belowHome) {
   return fs::temp_directory_path(ignored) / "stretch-engine";
 }
 
+fs::path homeOrNone() {
+  const char* const home = std::getenv("HOME");
+  return home != nullptr && home[0] == '/' ? fs::path(home) : fs::path();
+}
+
+/// The folder in a line XDG_DOCUMENTS_DIR="$HOME/Dokumente" of the desktop's file; empty where there is none.
+fs::path namedDocuments(const fs::path& home) {
+  constexpr std::string_view begin = "XDG_DOCUMENTS_DIR=\"";
+  constexpr std::string_view below = "$HOME/";
+  std::ifstream file(configFolder().parent_path() / "user-dirs.dirs");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(begin) || line.back() != '"') {
+      continue;
+    }
+    const std::string named = line.substr(begin.size(), line.size() - begin.size() - 1);
+    return named.starts_with(below) ? home / named.substr(below.size()) : fs::path(named);
+  }
+  return {};
+}
+
 } // namespace
 
 fs::path configFolder() {
@@ -32,6 +56,23 @@ fs::path configFolder() {
 }
 fs::path stateFolder() {
   return userFolder("XDG_STATE_HOME", ".local/state");
+}
+
+fs::path documentsFolder() {
+  const fs::path home = homeOrNone();
+  for (const fs::path& folder : {namedDocuments(home), home / "Documents", home}) {
+    if (folder.is_absolute() && isWritableFolder(folder)) {
+      return folder;
+    }
+  }
+  std::error_code ignored;
+  return fs::temp_directory_path(ignored);
+}
+
+bool isWritableFolder(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path named = folder.empty() ? fs::path(".") : folder;
+  return fs::is_directory(named, ignored) && ::access(named.c_str(), W_OK | X_OK) == 0;
 }
 
 std::string nameFor(const fs::path& path) {

@@ -11,6 +11,12 @@ namespace stretch::app {
 [[nodiscard]] std::filesystem::path configFolder();
 [[nodiscard]] std::filesystem::path stateFolder();
 
+/// The user's documents: the folder that the desktop names (`XDG_DOCUMENTS_DIR` in user-dirs.dirs), else
+/// Documents below the home folder, else the home folder; the temporary folder where none can be written.
+[[nodiscard]] std::filesystem::path documentsFolder();
+/// Whether the folder is there and this user may make files in it. An empty path is the current folder.
+[[nodiscard]] bool isWritableFolder(const std::filesystem::path& folder);
+
 /// A short name for a path that is the same at every start: "punch-1f03a9c2".
 [[nodiscard]] std::string nameFor(const std::filesystem::path& path);
 

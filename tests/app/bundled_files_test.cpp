@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/bundled_files.h"
+#include "app/files/bundled_folder.h"
 #include "app/files/save.h"
 #include "app/open_document.h"
 #include "tests/support/temporary_folder.h"

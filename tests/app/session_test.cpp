@@ -1,8 +1,16 @@
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
+#include "app/files/user_files.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
@@ -11,6 +19,8 @@ using namespace stretch;
 using namespace stretch::app;
 
 namespace {
+
+namespace fs = std::filesystem;
 
 Document withTrail(const Document& document, double scale) {
   NewTrail trail;
@@ -30,6 +40,36 @@ Document scaled(const Document& document, double scale) {
   const Result<Document> changed = setTrailSettings(document, document.trails.front().id, settings);
   REQUIRE(changed);
   return *changed;
+}
+
+/// Another home folder while it lives, without settings of a desktop elsewhere.
+class HomeFolder {
+public:
+  explicit HomeFolder(const fs::path& folder) {
+    for (const char* const name : {"HOME", "XDG_CONFIG_HOME"}) {
+      const char* const before = std::getenv(name);
+      before_.emplace_back(name, before == nullptr ? std::nullopt : std::optional<std::string>(before));
+    }
+    setenv("HOME", folder.c_str(), 1);
+    unsetenv("XDG_CONFIG_HOME");
+  }
+  ~HomeFolder() {
+    for (const auto& [name, before] : before_) {
+      static_cast<void>(before ? setenv(name, before->c_str(), 1) : unsetenv(name));
+    }
+  }
+  HomeFolder(const HomeFolder&) = delete;
+  HomeFolder& operator=(const HomeFolder&) = delete;
+
+private:
+  std::vector<std::pair<const char*, std::optional<std::string>>> before_;
+};
+
+/// First name that is proposed for a clip opened from this file.
+fs::path proposedFor(const fs::path& file) {
+  const Result<Document> opened = openDocument(file);
+  REQUIRE(opened);
+  return Session(*opened).proposedSavePath();
 }
 
 } // namespace
@@ -121,6 +161,27 @@ TEST_CASE("The first save proposes another name, a clean export does not count a
   REQUIRE(session.save(folder / "work.glb", false));
   CHECK(session.history().isSaved());
   CHECK(session.proposedSavePath() == folder / "work.glb");
+}
+
+TEST_CASE("A first save is proposed beside the source, that of a bundled clip in the user's documents") {
+  const test::TemporaryFolder home;
+  const HomeFolder living(home.path());
+  fs::create_directories(home / "Documents");
+  const fs::path bundled = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  CHECK(proposedFor(bundled) == home / "Documents/dummy-stretched.glb");
+  fs::copy_file(bundled, home / "own.glb");
+  CHECK(proposedFor(home / "own.glb") == home / "own-stretched.glb");
+}
+
+TEST_CASE("The documents are the folder that the desktop names") {
+  const test::TemporaryFolder home;
+  const HomeFolder living(home.path());
+  CHECK(documentsFolder() == home.path());
+  fs::create_directories(home / "Dokumente");
+  fs::create_directories(home / ".config");
+  home.write(".config/user-dirs.dirs", "# Folders\nXDG_DOCUMENTS_DIR=\"$HOME/Dokumente\"\n");
+  CHECK(documentsFolder() == home / "Dokumente");
+  CHECK_FALSE(isWritableFolder(home / "gone"));
 }
 
 TEST_CASE("A file that carries our work is saved back to itself") {

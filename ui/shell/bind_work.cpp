@@ -62,7 +62,7 @@ Status bindOrStop(Shell& shell) {
 std::string replacedText(const Shell& shell) {
   const std::vector<app::Chord> chords = shell.keymap.chordsOf(command::undo);
   return fmt::format(". The weights that were there are replaced: Undo{} brings them back",
-                     chords.empty() ? "" : " (" + shownChord(chords.front()) + ")");
+                     chords.empty() ? "" : " (" + shell.keyboard.chordText(chords.front()) + ")");
 }
 
 void takeUp(Shell& shell, const app::BoundMeshes& bound) {

@@ -126,10 +126,17 @@ bool widgetsTakeKeys(const Shell& shell) {
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
+/// Follows the operating system's layout, which may change at any time. Answers whether it did.
+bool updateKeyboard(Shell& shell) {
+  app::KeyboardLayout now = currentKeyboard();
+  return std::exchange(shell.keyboard, now) != now;
+}
+
 void takeKeys(Editor& editor) {
   Shell& shell = editor.shell;
   shell.pressedKey.clear();
-  for (const KeyInput& input : editor.window.input().keys) {
+  for (KeyInput input : editor.window.input().keys) {
+    input.press.chord.key = shell.keyboard.keyAt(input.press.chord.key);
     if (input.down) {
       hideTooltip();
     }
@@ -257,8 +264,9 @@ bool update(Editor& editor) {
   const bool wasLoading = isBusy(shell);
   updateFileWork(shell, input, now);
   takeAnswers(editor);
+  const bool otherKeyboard = updateKeyboard(shell);
   takeKeys(editor);
-  const bool happened = input.anything || wasLoading || shell.ui.time.timeline.playing ||
+  const bool happened = otherKeyboard || input.anything || wasLoading || shell.ui.time.timeline.playing ||
                         !shell.ui.toasts.empty() || isRunning(shell.tool) ||
                         shell.viewport.tipWatch.secondsLeft > 0.0F || editor.hand != nullptr;
   input.clear();

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "app/bundled_files.h"
 #include "app/commands/pose/hold.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/hand_place.h"
+#include "app/files/bundled_folder.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"

@@ -185,17 +185,16 @@ Key fromGlfwKey(int glfwKey) {
   return printable ? static_cast<Key>(glfwKey) : Key::none;
 }
 
-std::string shownChord(const app::Chord& chord) {
-  std::string plain = app::chordText(chord);
-  const int code = static_cast<int>(chord.key);
-  const char letter = code < 128 && chord.key != Key::space ? layoutLetter(code, 0) : '\0';
-  const char shown = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-  if (letter == 0 || shown == static_cast<char>(code)) {
-    return plain;
+app::KeyboardLayout currentKeyboard() {
+  app::PrintedKeys printed;
+  for (int code = 1; code < 128; ++code) {
+    const Key place = fromGlfwKey(code);
+    const char* const text = place == Key::none ? nullptr : glfwGetKeyName(code, 0);
+    if (text != nullptr && text[0] != '\0') {
+      printed[place] = text;
+    }
   }
-  app::Chord bare = chord;
-  bare.key = Key::none;
-  return app::chordText(bare) + shown;
+  return app::KeyboardLayout(printed);
 }
 
 } // namespace stretch::ui

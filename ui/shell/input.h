@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/commands/table/key.h"
+#include "app/commands/table/keyboard_layout.h"
 
 struct GLFWwindow;
 
@@ -47,8 +48,7 @@ void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepo
 /// Our key of one of GLFW's; none for keys that nothing is bound to. Modifier keys are none.
 [[nodiscard]] app::Key fromGlfwKey(int glfwKey);
 
-/// The chord as the user's keyboard layout labels it: "Ctrl+W" for the key in position Z of a French
-/// keyboard.
-[[nodiscard]] std::string shownChord(const app::Chord& chord);
+/// The keyboard layout that the operating system has chosen now.
+[[nodiscard]] app::KeyboardLayout currentKeyboard();
 
 } // namespace stretch::ui

@@ -213,7 +213,7 @@ std::string keyTextOf(const Shell& shell, const app::Command<Shell>& command) {
       chords = shell.keymap.chordsOf(other.id);
     }
   }
-  return chords.empty() ? std::string() : shownChord(chords.front());
+  return chords.empty() ? std::string() : shell.keyboard.chordText(chords.front());
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/commands/table/command.h"
+#include "app/commands/table/keyboard_layout.h"
 #include "app/commands/table/keymap.h"
 #include "app/edits/keys/import_clip.h"
 #include "app/file_work.h"
@@ -44,6 +45,7 @@ struct Shell {
   ClipImport clipImport;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
+  app::KeyboardLayout keyboard; ///< The operating system's, as of this frame.
   std::vector<CommandInfo> commandInfos;
   std::vector<std::string> requested; ///< Command ids, run after the panels.
   app::Key heldKey = app::Key::none;

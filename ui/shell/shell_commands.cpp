@@ -181,7 +181,7 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   if (standsStill(session, tool)) {
     refuse(shell, stillNews(session, tool, [&](const std::string& id) {
              const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
-             return chords.empty() ? std::string() : shownChord(chords.front());
+             return chords.empty() ? std::string() : shell.keyboard.chordText(chords.front());
            }));
     finishTool(session, shell.tool, false);
     return Success{};

@@ -111,7 +111,7 @@ std::string keyOf(const Shell& shell, const TourStep& step) {
     return step.key;
   }
   const std::vector<app::Chord> chords = shell.keymap.chordsOf(step.commandId);
-  return chords.empty() ? std::string() : shownChord(chords.front());
+  return chords.empty() ? std::string() : shell.keyboard.chordText(chords.front());
 }
 
 } // namespace

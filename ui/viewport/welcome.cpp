@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/files/bundled_folder.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/files/welcome_entries.h"
 #include "ui/render/gl/picture_texture.h"

@@ -6,8 +6,9 @@
 
 namespace stretch::app {
 
-/// A key by its position on the keyboard, named as a US keyboard labels it. Printable keys have the value of
-/// their character (letters in capitals): Key{'Z'} is one without a name of its own here.
+/// A key by what a US keyboard prints on it: a place as the window reports it, or what `KeyboardLayout` makes
+/// of that place. Printable keys have the value of their character (letters in capitals): Key{'Z'} is one
+/// without a name of its own here.
 enum class Key : int {
   none = 0,
   space = ' ',
@@ -53,8 +54,7 @@ struct Chord {
 struct KeyPress {
   Chord chord;
   /// Letter that the user's layout prints for the key without modifiers, in lower case; 0 when it prints
-  /// nothing or is not known. Keys that are typed for what they say (x, y, z) are read by this, commands by
-  /// position.
+  /// nothing or is not known. Keys that are typed for what they say (x, y, z) are read by this.
   char letter = 0;
 };
 
