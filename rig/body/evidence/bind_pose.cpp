@@ -72,6 +72,19 @@ struct Placer {
     }
     return below;
   }
+
+  // Where all nodes stand, at once: a chain of many is walked once.
+  [[nodiscard]] std::vector<Mat4> worlds() const {
+    std::vector<Mat4> all(scene.nodes.size(), Mat4(1.0));
+    for (const NodeIndex node : order) {
+      const auto index = at(node);
+      const NodeIndex parent = scene.nodes[index].parent;
+      all[index] = bound[index]      ? *bound[index]
+                   : parent.exists() ? all[at(parent)] * locals[index]
+                                     : locals[index];
+    }
+    return all;
+  }
 };
 
 // Model-space bind matrices of a skin's joints, per node; empty where the file's matrix cannot be one.
@@ -90,6 +103,7 @@ Binds modelBinds(const Scene& scene, const Skin& skin) {
 // exporters write them for helper joints between those that move vertices.
 bool areFalseIdentities(const Placer& placer, const Binds& binds) {
   constexpr double samePlace = 0.01; // of how far the skin's joints reach
+  const std::vector<Mat4> worlds = placer.worlds();
   Bounds all;
   Bounds identities;
   bool isOnlyIdentities = true;
@@ -97,7 +111,7 @@ bool areFalseIdentities(const Placer& placer, const Binds& binds) {
     if (!binds[node]) {
       continue;
     }
-    const Vec3 place = positionOf(placer.world(NodeIndex(node)));
+    const Vec3 place = positionOf(worlds[node]);
     all.add(place);
     if (isNearIdentity(*binds[node])) {
       identities.add(place);
@@ -229,14 +243,7 @@ BindPose placeBindPose(const Scene& scene) {
   for (const std::size_t skin : largestFirst) {
     pose.placements[skin] = placeSkin(placer, scene.skins[skin]);
   }
-  pose.worlds.resize(scene.nodes.size(), Mat4(1.0));
-  for (const NodeIndex node : placer.order) {
-    const auto index = at(node);
-    const NodeIndex parent = scene.nodes[index].parent;
-    pose.worlds[index] = placer.bound[index] ? *placer.bound[index]
-                         : !parent.exists()  ? placer.locals[index]
-                                             : pose.worlds[at(parent)] * placer.locals[index];
-  }
+  pose.worlds = placer.worlds();
   return pose;
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std::vector<Mat4>& worlds) {
   std::vector<Vec3> points;
+  points.reserve(joints.size() + 1);
   for (const NodeIndex joint : joints) {
     points.push_back(positionOf(worlds[at(joint)]));
   }
