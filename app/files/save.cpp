@@ -1,7 +1,10 @@
 #include "app/files/save.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -77,6 +80,46 @@ void noteRates(const Document& document, gltf::Edits& edits) {
   }
 }
 
+// The four influences that are kept of a vertex in a file: the strongest.
+VertexInfluences strongestOf(const VertexInfluences& vertex) {
+  std::array<std::size_t, VertexInfluences::capacity> slots{};
+  std::iota(slots.begin(), slots.end(), std::size_t{0});
+  std::ranges::stable_sort(slots, std::ranges::greater(),
+                           [&](std::size_t slot) { return vertex.weights[slot]; });
+  VertexInfluences kept;
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < 4; ++i) {
+    kept.joints[i] = vertex.joints[slots[i]];
+    kept.weights[i] = vertex.weights[slots[i]];
+    sum += kept.weights[i];
+  }
+  for (float& weight : kept.weights) {
+    weight /= sum;
+  }
+  return kept;
+}
+
+// Weights that are no numbers look different in every viewer; those that stand in their place are what is
+// seen here.
+void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const Node& shown = scene.nodes[node];
+    if (shown.mesh < 0 || shown.skin < 0) {
+      continue;
+    }
+    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(shown.mesh)].primitives;
+    if (std::ranges::none_of(primitives, &Primitive::areInfluencesMended)) {
+      continue;
+    }
+    gltf::BoundMesh bound{NodeIndex(node), shown.skin, {}};
+    for (const Primitive& primitive : primitives) {
+      std::ranges::transform(primitive.influences, std::back_inserter(bound.influences.emplace_back()),
+                             strongestOf);
+    }
+    edits.boundMeshes.push_back(std::move(bound));
+  }
+}
+
 } // namespace
 
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
@@ -100,6 +143,7 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
     rig::addBindLeaves(*seen.scene, stretches, edits);
   }
   noteRates(document, edits);
+  writeMendedInfluences(*document.scene, edits);
   if (!options.clean) {
     edits.work = workOf(document);
   }

@@ -65,6 +65,7 @@ struct Primitive {
                                             ///< that is another one.
   std::vector<glm::vec4> colors;            ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
+  bool areInfluencesMended = false;         ///< Some weights of the file are no numbers: saving writes these.
   std::vector<std::uint32_t> indices;       ///< Three for each triangle.
   std::vector<MorphTarget> morphTargets;
   int material = -1;

@@ -256,8 +256,9 @@ std::set<int> weightAccessors(const Json& json) {
 
 // What an accessor is used for changes what its values may be.
 struct AccessorUse {
-  bool isRounded = false; // by compression: min and max are those of before
-  bool holdsWeights = false;
+  bool isRounded = false;      // by compression: min and max are those of before
+  bool needsNoNumbers = false; // weights, which the mesh tells; what nothing shows, as weights before they
+                               // were mended
 };
 
 void validateValues(const Source& source, std::size_t index, const AccessorShape& shape,
@@ -265,7 +266,7 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
   const Json& json = element(source.json, "accessors", index);
   const std::vector<float> values = readFloats(source, static_cast<int>(index));
   if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
-    if (use.holdsWeights) {
+    if (use.needsNoNumbers) {
       return;
     }
     problems.violation(at("accessors", index), "holds values that are no finite numbers");
@@ -299,8 +300,8 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
     }
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
     if (compared.take(shape.count * static_cast<std::size_t>(shape.width))) {
-      validateValues(source, i, shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
-                     problems);
+      validateValues(source, i, shape,
+                     {rounded.contains(i), !used[i] || weights.contains(static_cast<int>(i))}, problems);
     }
   }
 }

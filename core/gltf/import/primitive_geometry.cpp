@@ -101,6 +101,7 @@ void PrimitiveParts::spreadInfluences(Primitive& made) {
                     fmt::format("{} {} no numbers for weights; such vertices follow their neighbours",
                                 unweighted_.size(),
                                 unweighted_.size() == 1 ? "vertex has" : "vertices have"));
+  made.areInfluencesMended = true;
   std::vector<bool> isOpen(made.positions.size(), false);
   for (const std::uint32_t vertex : unweighted_) {
     isOpen[vertex] = true;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
@@ -9,6 +10,7 @@
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/core/glb_builder.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -67,4 +69,40 @@ TEST_CASE("Saving keys every frame where that is asked for, else as few as it ne
     return most;
   };
   CHECK(mostKeys(true) > mostKeys(false));
+}
+
+TEST_CASE("Weights that are no numbers are saved as those that are seen in their place, once for each node "
+          "that shows them") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  test::GlbBuilder file = test::armBuilder();
+  gltf::Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["WEIGHTS_0"] = file.floats(
+      {1, 0, 0, 0, nan, nan, nan, nan, .5F, .5F, 0, 0, .125F, .5F, .25F, .03125F, .5F, .5F, 0, 0, 1, 0, 0, 0},
+      "VEC4", 4);
+  attributes["JOINTS_1"] = file.accessor(std::vector<std::uint8_t>(24, 2), 5121, "VEC4", 4);
+  std::vector<float> further(24, 0.0F);
+  further[12] = 0.09375F;
+  attributes["WEIGHTS_1"] = file.floats(further, "VEC4", 4);
+  const test::TemporaryFolder folder;
+  file.write(folder.path() / "arm.glb");
+  const Result<Document> opened = openDocument(folder.path() / "arm.glb");
+  REQUIRE(opened);
+  REQUIRE(saveDocument(*opened, folder.path() / "saved.glb", {.clean = true}));
+  const Result<Document> saved = openDocument(folder.path() / "saved.glb");
+  INFO((saved ? std::string() : saved.error().line()));
+  REQUIRE(saved);
+  CHECK(std::ranges::none_of(saved->warnings,
+                             [](const std::string& line) { return line.find("weights") != line.npos; }));
+  const auto& seen = opened->scene->meshes[0].primitives[0].influences;
+  const auto& written = saved->scene->meshes[0].primitives[0].influences;
+  REQUIRE(written.size() == seen.size());
+  for (const std::size_t vertex : {0, 1, 2, 4, 5}) {
+    CHECK(written[vertex].weights == seen[vertex].weights);
+    CHECK(written[vertex].weights[0] > 0.0F);
+  }
+  // Of five influences the four strongest, which sum to 1 again.
+  const auto& kept = written[3].weights;
+  CHECK(kept[0] == Approx(0.5F / 0.96875F));
+  CHECK(kept[3] == Approx(0.09375F / 0.96875F));
+  CHECK(kept[4] == 0.0F);
 }
