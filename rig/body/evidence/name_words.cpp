@@ -213,7 +213,8 @@ constexpr std::array entries = std::to_array<Entry>({
     {"character", Word::noise}, {"mixamorig", Word::noise}, {"valve", Word::noise}, {"cc", Word::noise},
     {"base", Word::noise}, {"root", Word::noise}, {"bend", Word::noise}, {"share", Word::noise},
     {"mesh", Word::noise}, {"geo", Word::noise}, {"grp", Word::noise}, {"group", Word::noise},
-    {"node", Word::noise}, {"object", Word::noise},
+    {"node", Word::noise}, {"object", Word::noise}, {"back", Word::noise},
+    {"hind", Word::noise}, {"rear", Word::noise},
 });
 // clang-format on
 
@@ -239,29 +240,14 @@ bool isSegment(std::string_view text, std::size_t from, std::size_t length) {
   return length > 2 || piece == "up" || piece == "lo" || piece == "ik" || piece == "fk";
 }
 
-// Covers text with as few dictionary words as possible; empty when it cannot be covered.
+// Those of a run-together text; none where it cannot be covered.
 std::vector<Word> segment(std::string_view text) {
-  if (text.empty() || text.size() > longestSegmented) {
-    return {};
+  std::vector<Word> words;
+  for (const std::string_view piece :
+       cutIntoWords(text, [](std::string_view word) { return lookUpWord(word).has_value(); })) {
+    words.push_back(*lookUpWord(piece));
   }
-  std::vector<std::optional<std::vector<Word>>> best(text.size() + 1);
-  best[0] = std::vector<Word>{};
-  for (std::size_t from = 0; from < text.size(); ++from) {
-    if (!best[from]) {
-      continue;
-    }
-    for (std::size_t length = 1; from + length <= text.size(); ++length) {
-      const std::optional<Word> word = lookUpWord(text.substr(from, length));
-      const auto& known = best[from + length];
-      if (!word || !isSegment(text, from, length) || (known && known->size() <= best[from]->size() + 1)) {
-        continue;
-      }
-      std::vector<Word> words = *best[from];
-      words.push_back(*word);
-      best[from + length] = std::move(words);
-    }
-  }
-  return best[text.size()].value_or(std::vector<Word>{});
+  return words;
 }
 
 bool startsIdeograph(std::string_view text) {
@@ -290,6 +276,31 @@ std::vector<Word> greedyWords(std::string_view text) {
 std::optional<Word> lookUpWord(std::string_view word) {
   const auto* const found = std::ranges::lower_bound(sortedEntries, word, {}, &Entry::word);
   return found != sortedEntries.end() && found->word == word ? std::optional(found->meaning) : std::nullopt;
+}
+
+std::vector<std::string_view> cutIntoWords(std::string_view text, const KnowsWord& knows) {
+  if (text.empty() || text.size() > longestSegmented) {
+    return {};
+  }
+  std::vector<std::optional<std::vector<std::string_view>>> best(text.size() + 1);
+  best[0] = std::vector<std::string_view>{};
+  for (std::size_t from = 0; from < text.size(); ++from) {
+    if (!best[from]) {
+      continue;
+    }
+    for (std::size_t length = 1; from + length <= text.size(); ++length) {
+      const std::string_view piece = text.substr(from, length);
+      const auto& known = best[from + length];
+      if (!isSegment(text, from, length) || (known && known->size() <= best[from]->size() + 1) ||
+          !knows(piece)) {
+        continue;
+      }
+      std::vector<std::string_view> words = *best[from];
+      words.push_back(piece);
+      best[from + length] = std::move(words);
+    }
+  }
+  return best[text.size()].value_or(std::vector<std::string_view>{});
 }
 
 std::vector<Word> chunkWords(const NameChunk& chunk) {

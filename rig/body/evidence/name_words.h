@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,12 @@ enum class Word {
 
 /// The meaning of a folded word, if the dictionary has it.
 [[nodiscard]] std::optional<Word> lookUpWord(std::string_view word);
+
+using KnowsWord = std::function<bool(std::string_view)>;
+
+/// Cuts a text that is written without gaps into as few known words as can be ("leftupleg" into left, up,
+/// leg). A side's letter counts at the ends only. Empty where known words do not cover it.
+[[nodiscard]] std::vector<std::string_view> cutIntoWords(std::string_view text, const KnowsWord& knows);
 
 /// The known words of a chunk: the whole chunk as a row of dictionary words ("leftupleg", "lThigh") where
 /// that works, else part by part; parts that no word covers are left out.

@@ -9,6 +9,7 @@
 
 #include "core/math/finite.h"
 #include "rig/body/evidence/name_text.h"
+#include "rig/body/evidence/name_words.h"
 
 namespace stretch::rig::body {
 
@@ -172,8 +173,9 @@ private:
   }
 
   [[nodiscard]] bool isFeather(int joint) const {
-    const std::string& name = scene_.nodes[at(view_.nodes[index(joint)])].name;
-    return name.find("feather") != std::string::npos || name.find("Feather") != std::string::npos;
+    const std::vector<NameChunk> chunks = nameChunks(scene_.nodes[at(view_.nodes[index(joint)])].name);
+    return std::ranges::any_of(
+        chunks, [](const NameChunk& chunk) { return chunk.whole.find("feather") != std::string::npos; });
   }
 
   // Anchors: joints in the middle of the body, or with hardly a bone of their own.
@@ -257,9 +259,8 @@ private:
     for (const Vec3& point : view_.points[index(joint)]) {
       extremity.lowest = std::min(extremity.lowest, heightOf(point));
     }
-    const std::string& name = scene_.nodes[at(view_.nodes[index(joint)])].name;
-    for (std::size_t word = 0; word < partWordCount; ++word) {
-      extremity.words[word] += saysPart(name, static_cast<PartWord>(word)) ? 1.0 : 0.0;
+    for (const PartWord word : partWords(scene_.nodes[at(view_.nodes[index(joint)])].name)) {
+      extremity.words[static_cast<std::size_t>(word)] += 1.0;
     }
   }
 
@@ -413,17 +414,27 @@ Extremities takeApart(const Scene& scene, const BindPose& bindPose, const BodyVi
   return Dissection(scene, bindPose, view, plane, up).run();
 }
 
-bool saysPart(std::string_view name, PartWord word) {
+std::set<PartWord> partWords(std::string_view name) {
+  std::set<PartWord> words;
+  const auto add = [&](std::string_view text) {
+    const auto* const found = std::ranges::find(partEntries, text, &PartEntry::text);
+    if (found != partEntries.end()) {
+      words.insert(found->word);
+    }
+    return found != partEntries.end();
+  };
+  const auto knows = [](std::string_view text) {
+    return lookUpWord(text) || std::ranges::find(partEntries, text, &PartEntry::text) != partEntries.end();
+  };
   for (const NameChunk& chunk : nameChunks(name)) {
-    const auto is = [&](std::string_view text) {
-      return std::ranges::any_of(
-          partEntries, [&](const PartEntry& entry) { return entry.word == word && entry.text == text; });
-    };
-    if (is(chunk.whole) || std::ranges::any_of(chunk.parts, is)) {
-      return true;
+    add(chunk.whole);
+    for (const std::string& part : chunk.parts) {
+      if (!add(part)) {
+        std::ranges::for_each(cutIntoWords(part, knows), add);
+      }
     }
   }
-  return false;
+  return words;
 }
 
 } // namespace stretch::rig::body

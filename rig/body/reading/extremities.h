@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -56,7 +57,7 @@ struct Extremities {
 [[nodiscard]] Extremities takeApart(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                                     const MirrorPlane& plane, const Vec3& up);
 
-/// Whether the name says this.
-[[nodiscard]] bool saysPart(std::string_view name, PartWord word);
+/// What the name says: of its words, also of those that are written without gaps ("frontleg", "LEFTWING").
+[[nodiscard]] std::set<PartWord> partWords(std::string_view name);
 
 } // namespace stretch::rig::body

@@ -384,7 +384,7 @@ private:
         rest.length += glm::distance(rest.points[i - 1], rest.points[i]);
       }
       const bool named = std::ranges::any_of(rest.path, [&](int joint) {
-        return saysPart(scene_.nodes[at(view_.nodes[index(joint)])].name, PartWord::tail);
+        return partWords(scene_.nodes[at(view_.nodes[index(joint)])].name).contains(PartWord::tail);
       });
       const bool back = glm::dot(rest.points.back() - rest.points.front(), parts_.axis.forward) < 0.0;
       const bool isOrnament = rest.word(PartWord::ornament) > 0.0;

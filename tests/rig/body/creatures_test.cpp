@@ -88,6 +88,21 @@ TEST_CASE("A bird has wings, and its legs stand on their toes") {
   CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
 }
 
+TEST_CASE("A wing ends at its tip, not at a longer feather that hangs from it, however it is spelt") {
+  const auto* const feather = GENERATE("wing_feather_1", "WINGFEATHER1", "WingFeather1");
+  SyntheticBiped body = makeBird();
+  nameByKeys(body);
+  for (const auto& [side, sign] : {std::pair(".l", 1.0), std::pair(".r", -1.0)}) {
+    const std::string key = std::string("feather") + side;
+    body.joints.push_back({key, std::string("wing2") + side, {sign * 1.0, 0.2, 0.1}});
+    body.names[key] = feather + std::string(side);
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::left}) == "wing0.l wing1.l wing2.l -> wing3.l");
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::right}) == "wing0.r wing1.r wing2.r -> wing3.r");
+}
+
 TEST_CASE("A body that lies or stands upside down in its bind pose is told, and read all the same") {
   SyntheticBiped body = makeHorse();
   const BuiltBiped upright = build(body);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cctype>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/extremities.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"
@@ -214,7 +217,17 @@ TEST_CASE("Front legs of an upright body are its arms, and their collar bones ar
   CHECK(findLimb(read, biped::leftArm)->confidence > 0.8);
 }
 
-TEST_CASE("The legs of a beast are counted from those that are called front ones") {
+TEST_CASE("The legs of a beast are counted from those that are called front ones, however they are spelt") {
+  const auto spell = GENERATE(
+      as<std::function<std::string(std::string)>>{}, [](std::string name) { return name; },
+      [](std::string name) {
+        std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+        return name;
+      },
+      [](std::string name) {
+        std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+        return name;
+      });
   SyntheticBiped body = makeManyLegged(4);
   nameByKeys(body);
   const BuiltBiped plain = build(body);
@@ -228,7 +241,7 @@ TEST_CASE("The legs of a beast are counted from those that are called front ones
     REQUIRE(limb != nullptr);
     for (const NodeIndex joint : limb->joints) {
       scene.nodes[at(joint)].name =
-          word + "Leg" + std::to_string(joint.value) + (place.side == LimbSide::left ? ".R" : ".L");
+          spell(word + "Leg" + std::to_string(joint.value) + (place.side == LimbSide::left ? ".R" : ".L"));
     }
   };
   for (const LimbSide side : {LimbSide::left, LimbSide::right}) {
@@ -238,11 +251,31 @@ TEST_CASE("The legs of a beast are counted from those that are called front ones
     rename({LimbKind::leg, side, 4}, "Front");
   }
   for (Node& node : scene.nodes) {
-    node.name = node.name.find("Leg") == std::string::npos ? "" : node.name;
+    node.name = node.name.find(spell("Leg")) == std::string::npos ? "" : node.name;
   }
   const Body after = detectBody(scene);
   CHECK(after.plan == before.plan);
   const Limb* const front = findLimb(after, {LimbKind::leg, LimbSide::left, 1});
   REQUIRE(front != nullptr);
-  CHECK(scene.nodes[at(front->joints.front())].name.starts_with("Front"));
+  CHECK(scene.nodes[at(front->joints.front())].name.starts_with(spell("Front")));
+}
+
+TEST_CASE("A part is read from a name with gaps, without gaps and in capitals") {
+  using body::PartWord;
+  using Words = std::set<PartWord>;
+  for (const char* const name :
+       {"front_leg.L", "FrontLeg.L", "frontleg_l", "FRONTLEGL", "LeftFrontLeg", "leftfrontleg"}) {
+    INFO(name);
+    CHECK(body::partWords(name) == Words{PartWord::leg, PartWord::front});
+  }
+  for (const char* const name : {"wing_L", "LeftWing", "LEFTWING2", "leftwing"}) {
+    INFO(name);
+    CHECK(body::partWords(name) == Words{PartWord::wing});
+  }
+  CHECK(body::partWords("hindpaw") == Words{PartWord::leg, PartWord::back});
+  // Words that only begin or end as a part does.
+  for (const char* const name : {"tailor", "warm", "pinear", "legato", "Bone.003", ""}) {
+    INFO(name);
+    CHECK(body::partWords(name).empty());
+  }
 }
