@@ -32,11 +32,8 @@ bool movesValue(const KeysModal& modal) {
 
 ModalOutcome pressKey(KeysModal& modal, const KeyPress& press) {
   const Chord& chord = press.chord;
-  if (chord.key == Key::enter || chord.key == Key::numpadEnter) {
-    return ModalOutcome::keep;
-  }
-  if (chord.key == Key::escape) {
-    return ModalOutcome::restore;
+  if (const std::optional<ModalOutcome> end = endBy(chord)) {
+    return *end;
   }
   if (!chord.ctrl && !chord.alt && typeNumber(modal.typed, chord)) {
     return ModalOutcome::running;

@@ -29,11 +29,8 @@ GrabModal beginGrab(const Mat3& viewAxes, double arrowUnits) {
 
 ModalOutcome pressKey(GrabModal& modal, const KeyPress& press) {
   const Chord& chord = press.chord;
-  if (chord.key == Key::enter || chord.key == Key::numpadEnter) {
-    return ModalOutcome::keep;
-  }
-  if (chord.key == Key::escape) {
-    return ModalOutcome::restore;
+  if (const std::optional<ModalOutcome> end = endBy(chord)) {
+    return *end;
   }
   const bool plain = !chord.ctrl && !chord.alt;
   if (plain && typeNumber(modal.typed, chord)) {

@@ -46,6 +46,13 @@ std::optional<int> axisOf(char letter) {
   return letter >= 'x' && letter <= 'z' ? std::optional(letter - 'x') : std::nullopt;
 }
 
+std::optional<ModalOutcome> endBy(const Chord& chord) {
+  const bool keeps = chord.key == Key::enter || chord.key == Key::numpadEnter;
+  return keeps                      ? std::optional(ModalOutcome::keep)
+         : chord.key == Key::escape ? std::optional(ModalOutcome::restore)
+                                    : std::nullopt;
+}
+
 Vec3 axisVector(int axis) {
   Vec3 vector(0.0);
   vector[static_cast<std::size_t>(axis)] = 1.0;

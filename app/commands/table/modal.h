@@ -31,6 +31,9 @@ struct TypedNumber {
   [[nodiscard]] double value() const;
 };
 
+/// How a key ends a modal tool: Enter keeps, Esc restores; nothing for every other key.
+[[nodiscard]] std::optional<ModalOutcome> endBy(const Chord& chord);
+
 /// Takes a digit, a separator, minus (turns the sign) or Backspace into a number that is typed. False for a
 /// key that types none of it.
 bool typeNumber(TypedNumber& number, const Chord& chord);

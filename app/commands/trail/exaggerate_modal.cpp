@@ -248,11 +248,8 @@ ExaggerateModal beginExaggerate(const rig::TrailSettings& settings, double defau
 }
 
 ModalOutcome pressKey(ExaggerateModal& modal, const KeyPress& press) {
-  if (press.chord.key == Key::enter || press.chord.key == Key::numpadEnter) {
-    return ModalOutcome::keep;
-  }
-  if (press.chord.key == Key::escape) {
-    return ModalOutcome::restore;
+  if (const std::optional<ModalOutcome> end = endBy(press.chord)) {
+    return *end;
   }
   if (typeNumber(modal, press.chord)) {
     return ModalOutcome::running;

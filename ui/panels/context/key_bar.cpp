@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -21,6 +20,32 @@
 
 namespace stretch::ui {
 
+void editPicked(PanelContext& context, const EditPhase& phase, const std::string& verb,
+                const PickedChange& change) {
+  app::Session& session = context.character();
+  GraphState& graph = context.ui.time.graph;
+  if (!phase.changed && !phase.ended) {
+    return;
+  }
+  if (!session.isDragging()) {
+    graph.heldKeys = app::pickedKeys(session);
+  }
+  app::KeySelection picked = graph.heldKeys;
+  const std::string label = verb + " " + app::selectionTitle(session.document(), graph.heldKeys);
+  editThrough(context, {phase.changed && !graph.heldKeys.empty(), phase.ended}, label,
+              [&](const app::Document& start) -> Result<app::Document> {
+                Result<app::EditedKeys> edited = change(start, graph.heldKeys);
+                if (!edited) {
+                  return edited.error();
+                }
+                picked = std::move(edited->picked);
+                return std::move(edited->document);
+              });
+  if (phase.changed && !picked.empty()) {
+    app::pickKeys(session, picked, false);
+  }
+}
+
 namespace {
 
 /// Where the first picked key of the selection stands, and its first picked value.
@@ -38,34 +63,6 @@ FirstKey firstKey(const app::Session& session, const app::KeySelection& picked) 
   }
   const app::RowKey& stored = read.keys[at(key.key)];
   return {stored.frame, stored.values[component]};
-}
-
-using PickedChange = std::function<Result<app::EditedKeys>(const app::Document&, const app::KeySelection&)>;
-
-/// One frame of a gesture on the picked keys, as they were when it began.
-void editPicked(PanelContext& context, const EditPhase& phase, const std::string& verb,
-                const PickedChange& change) {
-  app::Session& session = context.character();
-  GraphState& graph = context.ui.time.graph;
-  if (!phase.changed && !phase.ended) {
-    return;
-  }
-  if (!session.isDragging()) {
-    graph.heldKeys = app::pickedKeys(session);
-  }
-  app::KeySelection picked = graph.heldKeys;
-  const std::string label = verb + " " + app::selectionTitle(session.document(), graph.heldKeys);
-  editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
-    Result<app::EditedKeys> edited = change(start, graph.heldKeys);
-    if (!edited) {
-      return edited.error();
-    }
-    picked = std::move(edited->picked);
-    return std::move(edited->document);
-  });
-  if (phase.changed) {
-    app::pickKeys(session, picked, false);
-  }
 }
 
 void keyNumbers(PanelContext& context, bool isNarrow) {

@@ -7,6 +7,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/group_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
 #include "ui/panels/menus/context_menu.h"
@@ -177,33 +178,15 @@ app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
 /// Picking and dragging keys in the dope sheet.
 void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
-  GraphState& graph = context.ui.time.graph;
   if (outcome.keysPicked) {
     app::pickKeys(session, keysIn(context, *outcome.keysPicked), outcome.keysPicked->add);
   } else if (outcome.clickedBesideKeys) {
     app::pickKeys(session, {}, false);
   }
-  if (!outcome.keysDragged && !outcome.gestureEnded) {
-    return;
-  }
-  if (!session.isDragging()) {
-    graph.heldKeys = app::pickedKeys(session);
-  }
-  const EditPhase phase{outcome.keysDragged && !graph.heldKeys.empty(), outcome.gestureEnded};
-  app::KeySelection picked = graph.heldKeys;
-  editThrough(context, phase, "Move " + app::selectionTitle(session.document(), graph.heldKeys),
-              [&](const app::Document& start) -> Result<app::Document> {
-                Result<app::EditedKeys> edited =
-                    app::moveKeys(start, session.view().clip, graph.heldKeys, {outcome.keyFrames, 0.0});
-                if (!edited) {
-                  return edited.error();
-                }
-                picked = std::move(edited->picked);
-                return std::move(edited->document);
-              });
-  if (phase.changed) {
-    app::pickKeys(session, picked, false);
-  }
+  editPicked(context, {outcome.keysDragged, outcome.gestureEnded}, "Move",
+             [&](const app::Document& start, const app::KeySelection& held) {
+               return app::moveKeys(start, session.view().clip, held, {outcome.keyFrames, 0.0});
+             });
 }
 
 /// The dope sheet owns the keys of the keyboard while the mouse is over it.
