@@ -131,10 +131,6 @@ std::optional<std::size_t> partAt(const Rect& box, const std::vector<DiagramPart
   return std::nullopt;
 }
 
-ImVec2 partCentre(const Rect& box, const DiagramPart& part) {
-  return centreOf(figureIn(box), part);
-}
-
 namespace {
 
 /// The controller whose mark lies under the mouse; null where none does.

@@ -62,7 +62,4 @@ struct DiagramClick {
 [[nodiscard]] std::optional<std::size_t> partAt(const Rect& box, const std::vector<DiagramPart>& parts,
                                                 const ImVec2& point);
 
-/// A point well inside the part, for a diagram in this box.
-[[nodiscard]] ImVec2 partCentre(const Rect& box, const DiagramPart& part);
-
 } // namespace stretch::ui

@@ -92,10 +92,6 @@ Quat turnAlong(const Vec3& bone, const Vec3& facing) {
 
 } // namespace
 
-std::span<const LocatorJoint> bipedJoints() {
-  return joints;
-}
-
 const LocatorJoint* findBipedJoint(std::string_view name) {
   const auto* const found = std::ranges::find(joints, name, &LocatorJoint::name);
   return found == joints.end() ? nullptr : found;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +10,7 @@ namespace stretch::rig {
 
 /// Place where one joint of a body plan is to stand, and its turn.
 struct Locator {
-  std::string name;   ///< Name of the joint: one of bipedJoints().
+  std::string name;   ///< Name of the joint: one that findBipedJoint() knows.
   Vec3 position{0.0}; ///< World, in the pose that the mesh has without a skeleton.
   /// World. +Y along the bone, +Z where the body faces (alongBones); unit length.
   Quat orientation{1.0, 0.0, 0.0, 0.0};
@@ -20,7 +19,7 @@ struct Locator {
   friend bool operator==(const Locator&, const Locator&) = default;
 };
 
-/// The locators of a body, in the order of bipedJoints().
+/// The locators of a body, parents before their children.
 struct Locators {
   std::string plan = "biped";
   std::vector<Locator> list;
@@ -35,9 +34,6 @@ struct LocatorJoint {
   std::string_view parent; ///< Empty for the hips.
   bool isNeeded = true;    ///< A body may lack the others: its bones go on to the next joint.
 };
-
-/// Parents before their children.
-[[nodiscard]] std::span<const LocatorJoint> bipedJoints();
 
 /// Null when the name is no joint of the plan.
 [[nodiscard]] const LocatorJoint* findBipedJoint(std::string_view name);
@@ -58,7 +54,7 @@ enum class BodySide { centre, left, right };
 /// "leftHand" for "rightHand" and the other way round; the name itself where it has no side.
 [[nodiscard]] std::string mirroredLocator(std::string_view name);
 
-/// Puts the list into the order of bipedJoints().
+/// Puts the list into the order of the plan: parents before their children.
 [[nodiscard]] Locators inOrder(Locators locators);
 
 /// Turns every locator: +Y along its bone to the next joint (that of a last joint goes on as the bone before
