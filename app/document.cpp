@@ -10,8 +10,8 @@ namespace {
 
 template <typename Trails>
 auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
-  const auto found = std::find_if(trails.begin(), trails.end(),
-                                  [&](const rig::Trail& trail) { return trail.id == trailId; });
+  const auto found =
+      std::ranges::find_if(trails, [&](const rig::Trail& trail) { return trail.id == trailId; });
   return found == trails.end() ? nullptr : &*found;
 }
 
@@ -71,27 +71,24 @@ const Clip& sourceClipOf(const Document& document, int clip) {
 }
 
 bool isLooping(const Document& document, int clip) {
-  return std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
-         document.loopingClips.end();
+  return std::ranges::find(document.loopingClips, clip) != document.loopingClips.end();
 }
 
 const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip) {
-  const auto found =
-      std::find_if(document.weights.begin(), document.weights.end(),
-                   [&](const WeightedLimb& entry) { return entry.limb == limb && entry.clip == clip; });
+  const auto found = std::ranges::find_if(
+      document.weights, [&](const WeightedLimb& entry) { return entry.limb == limb && entry.clip == clip; });
   return found == document.weights.end() ? nullptr : &*found;
 }
 
 bool hasWeight(const Document& document, int clip) {
-  return std::any_of(document.weights.begin(), document.weights.end(), [&](const WeightedLimb& entry) {
+  return std::ranges::any_of(document.weights, [&](const WeightedLimb& entry) {
     return entry.on && entry.clip == clip && findLimb(document, entry.limb) != nullptr;
   });
 }
 
 std::size_t disconnectedTrails(const Document& document) {
-  return static_cast<std::size_t>(
-      std::count_if(document.trails.begin(), document.trails.end(),
-                    [](const rig::Trail& trail) { return trail.exaggerated && !trail.connected; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      document.trails, [](const rig::Trail& trail) { return trail.exaggerated && !trail.connected; }));
 }
 
 } // namespace stretch::app

@@ -104,7 +104,7 @@ bool isSound(const Track& track) {
   return !track.times.empty() && ordered && track.times.front() >= 0.0F &&
          track.times.back() <= longestSeconds &&
          track.values.size() == track.times.size() * numbersOfKey(track) &&
-         std::all_of(track.values.begin(), track.values.end(), [](float v) { return std::isfinite(v); });
+         std::ranges::all_of(track.values, [](float v) { return std::isfinite(v); });
 }
 
 Result<Track> trackFromJson(const Json& json, int clip, const Document& document) {

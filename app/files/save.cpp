@@ -14,6 +14,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
+#include "app/things/thing.h"
 #include "core/gltf/json/json.h"
 #include "rig/rekey/bind_leaves.h"
 #include "rig/rekey/rekey.h"
@@ -22,38 +23,24 @@ namespace stretch::app {
 
 namespace {
 
-// What is seen, and so what is keyed: the trails that the character follows.
-Document connectedOnly(Document document) {
+// What is seen, and so what is keyed: the trails that the character follows, and weight that is on.
+Document seenOnly(Document document) {
   std::erase_if(document.trails, [](const rig::Trail& trail) { return !trail.connected; });
+  std::erase_if(document.weights, [](const WeightedLimb& weight) { return !weight.on; });
   return document;
 }
 
 std::set<int> clipsToKey(const Document& document) {
   std::set<int> clips;
-  for (const WeightedLimb& entry : document.weights) {
-    if (hasWeight(document, entry.clip)) {
-      clips.insert(entry.clip);
+  eachList(document, [&](const auto& list) {
+    for (const auto& thing : list) {
+      clips.insert(thing.clip);
     }
-  }
-  for (const rig::Trail& trail : document.trails) {
-    clips.insert(trail.clip);
-  }
-  for (const rig::Adjustment& adjustment : document.adjustments) {
-    clips.insert(adjustment.clip);
-  }
+  });
   for (int clip = 0; hasEditedKeys(document) && clip < static_cast<int>(document.clips->size()); ++clip) {
     if (!editedTracks(document, clip).empty()) {
       clips.insert(clip);
     }
-  }
-  for (const rig::Pin& pin : document.holds.pins) {
-    clips.insert(pin.clip);
-  }
-  for (const rig::Grip& grip : document.holds.grips) {
-    clips.insert(grip.clip);
-  }
-  for (const rig::Prop& prop : document.holds.props) {
-    clips.insert(prop.clip);
   }
   return clips;
 }
@@ -61,7 +48,7 @@ std::set<int> clipsToKey(const Document& document) {
 // The tracks that the user edited and those that the motion re-keys, which come from them.
 std::vector<Track> joinedTracks(std::vector<Track> edited, std::vector<Track> rekeyed) {
   std::erase_if(edited, [&](const Track& track) {
-    return std::any_of(rekeyed.begin(), rekeyed.end(), [&](const Track& other) {
+    return std::ranges::any_of(rekeyed, [&](const Track& other) {
       return other.node == track.node && other.channel == track.channel;
     });
   });
@@ -125,7 +112,7 @@ void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
   gltf::Edits edits;
   edits.addedFiles = document.addedFiles;
-  const Document seen = connectedOnly(document);
+  const Document seen = seenOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions = keyingOptions(document);
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;

@@ -194,7 +194,7 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   limb.confidence = json.at("confidence").get<double>();
   limb.ledByFirst = json.value("led_by_first", false);
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
-  const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
+  const bool hasNodes = !limb.joints.empty() && std::ranges::all_of(limb.joints, exists) &&
                         !hasRepeats(limb.joints) && (limb.endNode == NodeIndex::none || exists(limb.endNode));
   if (!offset || !hasNodes || !place || !(limb.restLength > 0.0)) {
     return malformed("limbs");
@@ -222,10 +222,9 @@ Result<WeightedLimb> weightedLimbFromJson(const Json& json, const Document& docu
   entry.clip = gltf::integerOf(json.at("clip"));
   entry.on = json.at("on").get<bool>();
   const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
-  const bool isRepeated =
-      std::any_of(document.weights.begin(), document.weights.end(), [&](const WeightedLimb& other) {
-        return other.limb == entry.limb && other.clip == entry.clip;
-      });
+  const bool isRepeated = std::ranges::any_of(document.weights, [&](const WeightedLimb& other) {
+    return other.limb == entry.limb && other.clip == entry.clip;
+  });
   if (!clipExists || isRepeated) {
     return malformed("elastic");
   }
@@ -317,8 +316,8 @@ Status restoreRates(const Json& rates, Document& document) {
   for (const Json& json : rates) {
     const ClipRate rate{gltf::integerOf(json.at("clip")), json.at("frames_per_second").get<double>(), 0.0};
     const bool known = rate.clip >= 0 && static_cast<std::size_t>(rate.clip) < document.clips->size();
-    const bool repeated = std::any_of(document.rates.begin(), document.rates.end(),
-                                      [&](const ClipRate& other) { return other.clip == rate.clip; });
+    const bool repeated =
+        std::ranges::any_of(document.rates, [&](const ClipRate& other) { return other.clip == rate.clip; });
     if (!known || repeated || !(rate.framesPerSecond > 0.0 && rate.framesPerSecond <= fastestRate)) {
       return malformed("rates");
     }

@@ -39,8 +39,8 @@ std::optional<BindChain> chainAt(Scene& scene, NodeIndex leaf) {
 
 bool hasMorphTargets(const Scene& scene, int mesh) {
   const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
-  return std::any_of(primitives.begin(), primitives.end(),
-                     [](const Primitive& primitive) { return !primitive.morphTargets.empty(); });
+  return std::ranges::any_of(primitives,
+                             [](const Primitive& primitive) { return !primitive.morphTargets.empty(); });
 }
 
 // A clip moves the morph weights of the node that holds the mesh: then it has to stay where it is.
@@ -111,8 +111,8 @@ void foldBindLeaves(Scene& scene) {
 }
 
 const BindChain* findBindChain(const Scene& scene, NodeIndex joint) {
-  const auto found = std::find_if(scene.bindChains.begin(), scene.bindChains.end(),
-                                  [&](const BindChain& chain) { return chain.joint == joint; });
+  const auto found =
+      std::ranges::find_if(scene.bindChains, [&](const BindChain& chain) { return chain.joint == joint; });
   return found == scene.bindChains.end() ? nullptr : &*found;
 }
 

@@ -40,14 +40,13 @@ std::vector<OffsetKey> withEnds(const Adjustment& adjustment, double standard) {
     return keys;
   }
   for (const double end : {adjustment.rangeFrames->x, adjustment.rangeFrames->y}) {
-    const bool stands = std::any_of(keys.begin(), keys.end(),
-                                    [&](const OffsetKey& key) { return sameFrame(key.frame, end); });
+    const bool stands =
+        std::ranges::any_of(keys, [&](const OffsetKey& key) { return sameFrame(key.frame, end); });
     if (!stands) {
       keys.push_back(restingKey(end, standard));
     }
   }
-  std::sort(keys.begin(), keys.end(),
-            [](const OffsetKey& a, const OffsetKey& b) { return a.frame < b.frame; });
+  std::ranges::sort(keys, [](const OffsetKey& a, const OffsetKey& b) { return a.frame < b.frame; });
   return keys;
 }
 

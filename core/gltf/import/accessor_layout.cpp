@@ -25,8 +25,8 @@ constexpr std::array<ElementType, 7> elementTypes{{{"SCALAR", 1, 1},
                                                    {"MAT4", 4, 4}}};
 
 const ElementType* elementType(std::string_view name) {
-  const auto* const found = std::find_if(elementTypes.begin(), elementTypes.end(),
-                                         [&](const ElementType& type) { return type.name == name; });
+  const auto* const found =
+      std::ranges::find_if(elementTypes, [&](const ElementType& type) { return type.name == name; });
   return found == elementTypes.end() ? nullptr : found;
 }
 

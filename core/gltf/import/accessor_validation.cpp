@@ -239,34 +239,18 @@ bool agrees(const std::vector<double>& said, const std::vector<float>& found, co
   return true;
 }
 
-// Accessors of weights: values that are no numbers are told where the mesh is read, which can do without.
-std::set<int> weightAccessors(const Json& json) {
-  std::set<int> accessors;
-  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
-    const Json& mesh = element(json, "meshes", i);
-    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
-      const Json* const attributes = find(element(mesh, "primitives", k), "attributes");
-      for (int set = 0; attributes != nullptr && set < 2; ++set) {
-        accessors.insert(indexOr(*attributes, fmt::format("WEIGHTS_{}", set)));
-      }
-    }
-  }
-  return accessors;
-}
-
 // What an accessor is used for changes what its values may be.
 struct AccessorUse {
-  bool isRounded = false;      // by compression: min and max are those of before
-  bool needsNoNumbers = false; // weights, which the mesh tells; what nothing shows, as weights before they
-                               // were mended
+  bool isRounded = false; // by compression: min and max are those of before
+  bool holdsWeights = false;
 };
 
 void validateValues(const Source& source, std::size_t index, const AccessorShape& shape,
                     const AccessorUse& use, Problems& problems) {
   const Json& json = element(source.json, "accessors", index);
   const std::vector<float> values = readFloats(source, static_cast<int>(index));
-  if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
-    if (use.needsNoNumbers) {
+  if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) {
+    if (use.holdsWeights) {
       return;
     }
     problems.violation(at("accessors", index), "holds values that are no finite numbers");
@@ -283,6 +267,21 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
 
 } // namespace
 
+std::set<int> weightAccessors(const Json& json) {
+  std::set<int> accessors;
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      const Json* const attributes = find(element(mesh, "primitives", k), "attributes");
+      for (int set = 0; attributes != nullptr && set < 2; ++set) {
+        accessors.insert(indexOr(*attributes, fmt::format("WEIGHTS_{}", set)));
+      }
+    }
+  }
+  accessors.erase(-1);
+  return accessors;
+}
+
 void validateAccessors(const Source& source, const std::set<std::size_t>& rounded, Problems& problems) {
   for (std::size_t i = 0; i < sizeOf(source.json, "bufferViews"); ++i) {
     validateBufferView(source, i, problems);
@@ -292,6 +291,7 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
   }
   validateSharedViews(source.json, problems);
   const std::vector<bool> used = usedAccessors(source.json);
+  // Weights that are no numbers are told where the mesh is read, which can do without.
   const std::set<int> weights = weightAccessors(source.json);
   DecodeBudget compared(source);
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
@@ -300,8 +300,8 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
     }
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
     if (compared.take(shape.count * static_cast<std::size_t>(shape.width))) {
-      validateValues(source, i, shape,
-                     {rounded.contains(i), !used[i] || weights.contains(static_cast<int>(i))}, problems);
+      validateValues(source, i, shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
+                     problems);
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/gltf/source/problems.h"
@@ -44,6 +45,9 @@ private:
 
 /// Whether a primitive of "meshes" becomes one of Mesh::primitives: it has positions, and triangles.
 [[nodiscard]] bool holdsTriangles(const Json& primitive);
+
+/// The accessors that primitives name as WEIGHTS_0 and WEIGHTS_1.
+[[nodiscard]] std::set<int> weightAccessors(const Json& json);
 
 /// Index of the TEXCOORD set that a texture of the material uses; nothing without that texture.
 [[nodiscard]] std::optional<int> baseColorTexCoord(const Source& source, int material);

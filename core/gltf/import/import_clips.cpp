@@ -121,8 +121,7 @@ private:
     }
     track.times = readFloats(source_, input);
     track.values = readFloats(source_, output);
-    if (!std::all_of(track.values.begin(), track.values.end(),
-                     [](float value) { return std::isfinite(value); })) {
+    if (!std::ranges::all_of(track.values, [](float value) { return std::isfinite(value); })) {
       problems_.error(place + ".output", "holds values that are no finite numbers");
       return false;
     }
@@ -187,8 +186,7 @@ private:
 
   // Keys at one time are moved apart by the smallest step, so that the value still jumps there.
   bool repairTimes(std::vector<float>& times, int input, const std::string& place) {
-    const bool isFinite =
-        std::all_of(times.begin(), times.end(), [](float time) { return std::isfinite(time); });
+    const bool isFinite = std::ranges::all_of(times, [](float time) { return std::isfinite(time); });
     if (!isFinite || !std::is_sorted(times.begin(), times.end())) {
       problems_.error(place + ".input", "its key times go backwards or are no numbers");
       return false;

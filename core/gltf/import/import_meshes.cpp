@@ -112,8 +112,8 @@ void checkSkinnedNodes(const Scene& scene, const std::vector<Mesh>& meshes, Prob
       continue;
     }
     const std::vector<Primitive>& primitives = meshes[static_cast<std::size_t>(node.mesh)].primitives;
-    const bool isSkinnable = std::any_of(primitives.begin(), primitives.end(),
-                                         [](const Primitive& one) { return !one.influences.empty(); });
+    const bool isSkinnable =
+        std::ranges::any_of(primitives, [](const Primitive& one) { return !one.influences.empty(); });
     if (node.skin >= 0 && !isSkinnable && !primitives.empty()) {
       problems.warning(at("nodes", i), "has a skin, but its mesh has no joints and weights");
     }

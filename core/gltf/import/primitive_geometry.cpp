@@ -42,8 +42,7 @@ std::vector<glm::vec3> areaWeightedNormals(const Primitive& primitive) {
 } // namespace
 
 void PrimitiveParts::completeNormals(Primitive& made) {
-  const bool isComplete =
-      !made.normals.empty() && std::all_of(made.normals.begin(), made.normals.end(), isNormal);
+  const bool isComplete = !made.normals.empty() && std::ranges::all_of(made.normals, isNormal);
   const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
   const bool hasOwn = !made.normals.empty();
   float worst = 0.0F;

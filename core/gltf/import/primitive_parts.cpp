@@ -17,7 +17,7 @@ namespace stretch::gltf {
 namespace {
 
 bool allFinite(const std::vector<glm::vec3>& vectors) {
-  return std::all_of(vectors.begin(), vectors.end(), [](const glm::vec3& one) {
+  return std::ranges::all_of(vectors, [](const glm::vec3& one) {
     return std::isfinite(one.x) && std::isfinite(one.y) && std::isfinite(one.z);
   });
 }
@@ -199,9 +199,8 @@ void PrimitiveParts::checkOtherAttributes() {
     const std::string place = fmt::format("{}.attributes.{}", where_, name.substr(0, 100));
     const std::optional<AccessorShape> shape =
         shapeOf(source_, static_cast<int>(*wholeNumber(attribute.value())));
-    const bool isStandard =
-        std::any_of(standardNames.begin(), standardNames.end(),
-                    [&](std::string_view standard) { return name.starts_with(standard); });
+    const bool isStandard = std::ranges::any_of(
+        standardNames, [&](std::string_view standard) { return name.starts_with(standard); });
     if (!isStandard && !name.starts_with('_')) {
       problems_.violation(place, "is not an attribute that glTF knows");
     } else if (!shape || shape->component == ComponentType::uint32 || shape->count != vertexCount_) {
@@ -270,7 +269,7 @@ void PrimitiveParts::readInfluences(std::optional<std::size_t> jointCount, Primi
   if (normalizeWeights(made.influences)) {
     problems_.warning(where_ + ".attributes.WEIGHTS_0", "weights do not sum to 1; they are normalised");
   }
-  if (std::any_of(made.influences.begin(), made.influences.end(), repeatsJoint)) {
+  if (std::ranges::any_of(made.influences, repeatsJoint)) {
     problems_.warning(where_ + ".attributes.JOINTS_0", "a vertex names the same joint twice");
   }
 }

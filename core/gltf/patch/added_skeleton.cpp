@@ -30,8 +30,8 @@ bool isSimilarity(const Mat4& matrix) {
 }
 
 bool isAboveAll(const Scene& scene, NodeIndex node, const std::vector<NodeIndex>& meshNodes) {
-  return std::all_of(meshNodes.begin(), meshNodes.end(),
-                     [&](NodeIndex mesh) { return mesh != node && isAncestorOrSelf(scene, node, mesh); });
+  return std::ranges::all_of(
+      meshNodes, [&](NodeIndex mesh) { return mesh != node && isAncestorOrSelf(scene, node, mesh); });
 }
 
 Mat4 worldOf(const Scene& scene, NodeIndex carrier) {

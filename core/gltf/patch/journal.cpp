@@ -106,7 +106,7 @@ bool takeBack(Json& json, const Json& undo) {
     return false;
   }
   try {
-    return std::all_of(undo.begin(), undo.end(), [&](const Json& step) { return takeBackStep(json, step); });
+    return std::ranges::all_of(undo, [&](const Json& step) { return takeBackStep(json, step); });
   } catch (const Json::exception&) {
     return false;
   }

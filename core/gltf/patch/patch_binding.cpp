@@ -157,6 +157,20 @@ private:
 
 } // namespace
 
+// Weights that nothing follows any more are emptied, so that no reader finds fault with them: zeros, without
+// data.
+void emptyUnusedWeights(const std::set<int>& before, Journal& journal) {
+  const std::set<int> used = weightAccessors(journal.json());
+  for (const int accessor : before) {
+    const Pointer place = Pointer("/accessors") / static_cast<std::size_t>(accessor);
+    for (const char* const name : {"bufferView", "byteOffset", "sparse", "min", "max"}) {
+      if (!used.contains(accessor) && journal.json().at(place).contains(name)) {
+        journal.erase(place / name);
+      }
+    }
+  }
+}
+
 void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
   for (const AddedSkin& skin : edits.addedSkins) {
     appendSkin(skin, journal, data);
@@ -164,10 +178,12 @@ void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
   if (edits.boundMeshes.empty()) {
     return;
   }
+  const std::set<int> before = weightAccessors(journal.json());
   MeshBinding binding(edits.boundMeshes, journal, data);
   for (const BoundMesh& bound : edits.boundMeshes) {
     binding.bind(bound);
   }
+  emptyUnusedWeights(before, journal);
 }
 
 } // namespace stretch::gltf

@@ -25,7 +25,7 @@ bool hasFiniteNumbers(const Transform& rest) {
 }
 
 bool allFinite(const std::vector<float>& values) {
-  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+  return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
 }
 
 bool isIndex(int index, std::size_t count) {
@@ -71,11 +71,10 @@ Status validateMoved(const Json& json, const Edits& edits) {
 Status validateSkins(const Json& json, const Edits& edits) {
   const std::size_t nodes = sizeOf(json, "nodes") + edits.addedNodes.size();
   for (const AddedSkin& skin : edits.addedSkins) {
-    const bool isSound = !skin.joints.empty() && skin.joints.size() == skin.inverseBind.size() &&
-                         std::all_of(skin.joints.begin(), skin.joints.end(),
-                                     [&](NodeIndex joint) { return isIndex(joint.value, nodes); }) &&
-                         std::all_of(skin.inverseBind.begin(), skin.inverseBind.end(),
-                                     [](const Mat4& matrix) { return isFinite(matrix); });
+    const bool isSound =
+        !skin.joints.empty() && skin.joints.size() == skin.inverseBind.size() &&
+        std::ranges::all_of(skin.joints, [&](NodeIndex joint) { return isIndex(joint.value, nodes); }) &&
+        std::ranges::all_of(skin.inverseBind, [](const Mat4& matrix) { return isFinite(matrix); });
     if (!isSound) {
       return unfit(fmt::format("added skin '{}'", skin.name));
     }
@@ -91,11 +90,9 @@ std::size_t jointCount(const Json& json, const Edits& edits, int skin) {
 }
 
 bool nameJoints(const std::vector<VertexInfluences>& vertices, std::size_t joints) {
-  return std::all_of(vertices.begin(), vertices.end(), [&](const VertexInfluences& vertex) {
-    return std::all_of(vertex.joints.begin(), vertex.joints.end(),
-                       [&](std::uint16_t joint) { return joint < joints; }) &&
-           std::all_of(vertex.weights.begin(), vertex.weights.end(),
-                       [](float weight) { return std::isfinite(weight); });
+  return std::ranges::all_of(vertices, [&](const VertexInfluences& vertex) {
+    return std::ranges::all_of(vertex.joints, [&](std::uint16_t joint) { return joint < joints; }) &&
+           std::ranges::all_of(vertex.weights, [](float weight) { return std::isfinite(weight); });
   });
 }
 

@@ -115,9 +115,9 @@ private:
 
   // The BIN chunk takes the first buffer; a chunk that was there without a buffer of its own keeps its place.
   [[nodiscard]] bool hasRoomInBinary() const {
-    return isBinary_ &&
-           std::none_of(source_.otherChunks.begin(), source_.otherChunks.end(),
-                        [](const GlbChunk& chunk) { return chunk.type == GlbChunk::binaryType; });
+    return isBinary_ && std::ranges::none_of(source_.otherChunks, [](const GlbChunk& chunk) {
+             return chunk.type == GlbChunk::binaryType;
+           });
   }
 
   [[nodiscard]] Bytes withinLength(std::size_t buffer) const {
@@ -166,9 +166,9 @@ private:
       fs::path name = path_;
       name.replace_extension();
       name += number == 0 ? ".bin" : fmt::format("_{}.bin", number);
-      const bool isTaken =
-          refersTo(name) || std::any_of(files_.begin(), files_.end(),
-                                        [&](const OutputFile& file) { return file.path == name; });
+      const bool isTaken = refersTo(name) || std::ranges::any_of(files_, [&](const OutputFile& file) {
+                             return file.path == name;
+                           });
       if (!isTaken) {
         return name;
       }
@@ -239,8 +239,7 @@ private:
   }
 
   [[nodiscard]] bool isPlanned(const fs::path& path) const {
-    return std::any_of(files_.begin(), files_.end(),
-                       [&](const OutputFile& file) { return file.path == path; });
+    return std::ranges::any_of(files_, [&](const OutputFile& file) { return file.path == path; });
   }
 
   [[nodiscard]] Result<std::string> jsonText(int indent) const {

@@ -36,9 +36,8 @@ constexpr auto knownExtensions = std::to_array<KnownExtension>({
 } // namespace
 
 ExtensionSupport supportOf(std::string_view extension) {
-  const auto* const found =
-      std::find_if(knownExtensions.begin(), knownExtensions.end(),
-                   [&](const KnownExtension& known) { return known.name == extension; });
+  const auto* const found = std::ranges::find_if(
+      knownExtensions, [&](const KnownExtension& known) { return known.name == extension; });
   return found == knownExtensions.end() ? ExtensionSupport::ignored : found->support;
 }
 
@@ -47,7 +46,7 @@ std::vector<ExtensionUse> extensionsOf(const Json& json) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     for (std::size_t i = 0; i < sizeOf(json, list); ++i) {
       const Json& name = element(json, list, i);
-      const bool isNew = name.is_string() && std::none_of(uses.begin(), uses.end(), [&](const auto& use) {
+      const bool isNew = name.is_string() && std::ranges::none_of(uses, [&](const auto& use) {
                            return use.name == name.get_ref<const std::string&>();
                          });
       if (isNew) {

@@ -96,7 +96,7 @@ void validateTransforms(const Json& json, Problems& problems) {
 bool isAncestorOfAll(const std::vector<int>& parents, int ancestor, const std::vector<int>& joints) {
   std::vector<bool> isBelow(parents.size(), false);
   isBelow[static_cast<std::size_t>(ancestor)] = true;
-  return std::all_of(joints.begin(), joints.end(), [&](int joint) {
+  return std::ranges::all_of(joints, [&](int joint) {
     int above = joint;
     while (above >= 0 && !isBelow[static_cast<std::size_t>(above)]) {
       above = parents[static_cast<std::size_t>(above)];

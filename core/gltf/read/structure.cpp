@@ -142,8 +142,8 @@ private:
   }
 
   void numbers(const Json& value, const Property& property, const Place& place) {
-    const bool areNumbers = value.is_array() && std::all_of(value.begin(), value.end(),
-                                                            [](const Json& one) { return one.is_number(); });
+    const bool areNumbers =
+        value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
     const bool fits =
         areNumbers && (property.count == 0 || value.size() == static_cast<std::size_t>(property.count));
     expect(fits,

@@ -54,14 +54,14 @@ void Problems::add(const Problems& others) {
 }
 
 bool Problems::hasViolations() const {
-  return std::any_of(list_.begin(), list_.end(),
-                     [](const Problem& problem) { return problem.severity == Severity::violation; });
+  return std::ranges::any_of(list_,
+                             [](const Problem& problem) { return problem.severity == Severity::violation; });
 }
 
 Error Problems::firstError() const {
   const Severity worst = hasErrors_ ? Severity::error : Severity::violation;
-  const auto found = std::find_if(list_.begin(), list_.end(),
-                                  [&](const Problem& problem) { return problem.severity == worst; });
+  const auto found =
+      std::ranges::find_if(list_, [&](const Problem& problem) { return problem.severity == worst; });
   check(found != list_.end(), "a failed reading has an error");
   if (worst == Severity::violation) {
     return {found->what, found->where,
