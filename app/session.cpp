@@ -172,8 +172,7 @@ Status Session::save(const std::filesystem::path& path, bool clean) {
 const Session::Strokes& Session::knownStrokes(const rig::Limb& limb) const {
   constexpr double longestSeconds = 0.5;
   const Document& shown = document();
-  auto found = std::find_if(strokes_.begin(), strokes_.end(),
-                            [&](const Strokes& known) { return known.limb.id == limb.id; });
+  auto found = std::ranges::find_if(strokes_, [&](const Strokes& known) { return known.limb.id == limb.id; });
   const bool fits = found != strokes_.end() && found->clips == shown.clips && found->clip == view_.clip &&
                     found->limb == limb;
   if (!fits) {

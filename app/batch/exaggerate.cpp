@@ -47,6 +47,9 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (arguments.recipe.empty() && requests.empty()) {
     return Error{"no limb was named", "--limb", "name one, such as --limb left-arm, or give a --recipe"};
   }
+  if (!arguments.recipe.empty() && !requests.empty()) {
+    return Error{"stands beside --recipe", "--limb", "give all trails by --limb, or all in the recipe"};
+  }
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
     return apart;
   }

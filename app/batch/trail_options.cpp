@@ -32,8 +32,8 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   if (!limb) {
     return limb.error();
   }
-  const bool namesScale = std::any_of(request.settings.begin(), request.settings.end(),
-                                      [](const auto& named) { return named.first == "--scale"; });
+  const bool namesScale =
+      std::ranges::any_of(request.settings, [](const auto& named) { return named.first == "--scale"; });
   if (!namesScale) {
     return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
   }

@@ -81,8 +81,8 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   rig::MotionState motion = prepareMotion(document, clip);
   motion.weights.clear(); // What the trails do by themselves.
   for (const int id : ids) {
-    const auto solved = std::find_if(motion.trails.begin(), motion.trails.end(),
-                                     [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
+    const auto solved = std::ranges::find_if(
+        motion.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
     if (solved != motion.trails.end()) {
       report["trails"].push_back(trailReport(document, motion, *solved));
     }

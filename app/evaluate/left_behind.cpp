@@ -107,9 +107,9 @@ private:
     const double distance = glm::distance(centre, end_);
     const double fromTrunk = glm::distance(centre, positionOf(places_.worlds[at(part.hangsOn)]));
     return distance < near && part.bounds.largestExtent() < 3.0 * near &&
-           distance < farFromTrunk * fromTrunk &&
-           std::all_of(otherEnds_.begin(), otherEnds_.end(),
-                       [&](const Vec3& other) { return glm::distance(centre, other) > distance; });
+           distance < farFromTrunk * fromTrunk && std::ranges::all_of(otherEnds_, [&](const Vec3& other) {
+             return glm::distance(centre, other) > distance;
+           });
   }
 
   const Scene& scene_;

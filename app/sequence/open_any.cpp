@@ -12,9 +12,9 @@ namespace {
 
 bool movesMorphTargetsOnly(const Document& document) {
   const auto onlyWeights = [](const Clip& clip) {
-    return !clip.tracks.empty() &&
-           std::all_of(clip.tracks.begin(), clip.tracks.end(),
-                       [](const CopyOnWrite<Track>& track) { return track->channel == Channel::weights; });
+    return !clip.tracks.empty() && std::ranges::all_of(clip.tracks, [](const CopyOnWrite<Track>& track) {
+      return track->channel == Channel::weights;
+    });
   };
   const std::vector<Clip>& clips = *document.clips;
   return document.scene->skins.empty() && !clips.empty() &&

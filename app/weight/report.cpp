@@ -79,9 +79,8 @@ struct Measured {
 std::vector<Measured> measuredOf(const rig::MotionState& motion, std::vector<WeightReport>& reports) {
   std::vector<Measured> all;
   for (WeightReport& report : reports) {
-    const auto solved =
-        std::find_if(motion.weights.begin(), motion.weights.end(),
-                     [&](const rig::SolvedWeight& one) { return one.limb.id == report.limb; });
+    const auto solved = std::ranges::find_if(
+        motion.weights, [&](const rig::SolvedWeight& one) { return one.limb.id == report.limb; });
     if (solved != motion.weights.end()) {
       all.push_back({&*solved, &report, {}});
     }

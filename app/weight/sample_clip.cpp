@@ -40,9 +40,9 @@ void collectSubtree(const Scene& scene, NodeIndex node, std::vector<NodeIndex>& 
 // Whether a limb has weight, or is a leg: what stands carries what does not.
 bool isSampled(const WeightInput& input, const rig::Limb& limb) {
   const std::vector<std::size_t> active = activeWeights(input);
-  return !limb.joints.empty() &&
-         (isLeg(limb) || std::any_of(active.begin(), active.end(),
-                                     [&](std::size_t i) { return input.weights[i].limb == limb.id; }));
+  return !limb.joints.empty() && (isLeg(limb) || std::ranges::any_of(active, [&](std::size_t i) {
+                                    return input.weights[i].limb == limb.id;
+                                  }));
 }
 
 // Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.

@@ -17,8 +17,8 @@ namespace {
 constexpr double earthGravity = 9.81;
 
 const SampledClip::OfLimb* limbIn(const SampledClip& sampled, const std::string& id) {
-  const auto found = std::find_if(sampled.limbs.begin(), sampled.limbs.end(),
-                                  [&](const SampledClip::OfLimb& one) { return one.limb.id == id; });
+  const auto found =
+      std::ranges::find_if(sampled.limbs, [&](const SampledClip::OfLimb& one) { return one.limb.id == id; });
   return found == sampled.limbs.end() ? nullptr : &*found;
 }
 
@@ -183,8 +183,7 @@ void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::
 }
 
 bool hasWeight(const std::vector<rig::LimbWeight>& weights, const std::string& limb) {
-  return std::any_of(weights.begin(), weights.end(),
-                     [&](const rig::LimbWeight& one) { return one.limb == limb; });
+  return std::ranges::any_of(weights, [&](const rig::LimbWeight& one) { return one.limb == limb; });
 }
 
 // Legs without weight of their own do not give way, but know where their feet touch the ground while the
@@ -244,8 +243,8 @@ std::vector<std::size_t> activeWeights(const WeightInput& input) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < input.weights.size(); ++i) {
     const WeightedLimb& entry = input.weights[i];
-    const bool isThere = std::any_of(input.limbs.begin(), input.limbs.end(),
-                                     [&](const rig::Limb& limb) { return limb.id == entry.limb; });
+    const bool isThere =
+        std::ranges::any_of(input.limbs, [&](const rig::Limb& limb) { return limb.id == entry.limb; });
     if (entry.on && isThere) {
       active.push_back(i);
     }

@@ -5,8 +5,8 @@
 namespace stretch::rig {
 
 std::optional<std::size_t> placeOfTrail(const MotionState& motion, int trailId) {
-  const auto found = std::find_if(motion.trails.begin(), motion.trails.end(),
-                                  [&](const SolvedTrail& solved) { return solved.trail.id == trailId; });
+  const auto found = std::ranges::find_if(
+      motion.trails, [&](const SolvedTrail& solved) { return solved.trail.id == trailId; });
   return found == motion.trails.end() ? std::nullopt
                                       : std::optional<std::size_t>(found - motion.trails.begin());
 }

@@ -191,8 +191,8 @@ void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motio
 } // namespace
 
 bool isHeldLimb(const MotionState& motion, const std::string& limb) {
-  return std::any_of(motion.holds.limbs.begin(), motion.holds.limbs.end(),
-                     [&](const ReachingLimb& held) { return held.limb.id == limb; });
+  return std::ranges::any_of(motion.holds.limbs,
+                             [&](const ReachingLimb& held) { return held.limb.id == limb; });
 }
 
 bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner, std::size_t outer) {

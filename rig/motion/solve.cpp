@@ -82,8 +82,8 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& plac
       return (*own)->topology;
     }
   }
-  const auto known = std::find_if(body->limbs.begin(), body->limbs.end(),
-                                  [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
+  const auto known =
+      std::ranges::find_if(body->limbs, [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
   return known != body->limbs.end() ? known->topology
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
 }

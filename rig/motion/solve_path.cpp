@@ -47,8 +47,8 @@ void keepPulledSpheres(SolvedTrail& solved) {
   for (const SphereOffset& sphere : solved.settings.spheres) {
     const bool inRange =
         sphere.frame >= solved.settings.startFrame && sphere.frame <= solved.settings.endFrame;
-    const bool known = std::any_of(frames.begin(), frames.end(),
-                                   [&](double frame) { return sameFrame(frame, sphere.frame); });
+    const bool known =
+        std::ranges::any_of(frames, [&](double frame) { return sameFrame(frame, sphere.frame); });
     if (inRange && !known) {
       frames.push_back(sphere.frame);
     }

@@ -14,8 +14,9 @@ namespace stretch::rig {
 namespace {
 
 bool fits(const LimbWeight& weight, const Limb& limb) {
-  return std::all_of(weight.samples.begin(), weight.samples.end(),
-                     [&](const WeightSample& sample) { return sample.strains.size() == limb.joints.size(); });
+  return std::ranges::all_of(weight.samples, [&](const WeightSample& sample) {
+    return sample.strains.size() == limb.joints.size();
+  });
 }
 
 void append(const std::vector<NodeIndex>& some, std::vector<NodeIndex>& nodes) {
@@ -69,8 +70,8 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
   const auto has = [&](const std::string& id) {
     return std::any_of(weights.begin(), weights.end(), [&](const LimbWeight& one) { return one.limb == id; });
   };
-  const bool anyLeg = std::any_of(weights.begin(), weights.end(),
-                                  [&](const LimbWeight& one) { return isLeg(*limbOf(input, one.limb)); });
+  const bool anyLeg =
+      std::ranges::any_of(weights, [&](const LimbWeight& one) { return isLeg(*limbOf(input, one.limb)); });
   for (const Limb& limb : input.limbs) {
     if (anyLeg && isLeg(limb) && !limb.joints.empty() && !has(limb.id)) {
       weights.push_back({limb.id, {}, 0.0, 0.0, 0.0, 0.0});

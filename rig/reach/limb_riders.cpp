@@ -94,8 +94,8 @@ public:
       found.push_back(master);
     }
     for (const NodeIndex node : parentsFirst(scene_)) {
-      const bool below = std::any_of(found.begin(), found.end(),
-                                     [&](NodeIndex above) { return isAncestorOrSelf(scene_, above, node); });
+      const bool below =
+          std::ranges::any_of(found, [&](NodeIndex above) { return isAncestorOrSelf(scene_, above, node); });
       if (!below && !places_.meshes[at(node)].empty() && isApart(node) && standsAtEnd(node)) {
         found.push_back(node);
       }
@@ -128,16 +128,17 @@ private:
         return false;
       }
     }
-    return std::none_of(body_.begin(), body_.end(),
-                        [&](NodeIndex joint) { return isAncestorOrSelf(scene_, node, joint); });
+    return std::ranges::none_of(body_,
+                                [&](NodeIndex joint) { return isAncestorOrSelf(scene_, node, joint); });
   }
 
   [[nodiscard]] bool standsAtEnd(NodeIndex node) const {
     return everyMesh(scene_, places_, node, [&](const Bounds& mesh) {
       const double distance = glm::distance(centreOf(mesh), end_);
       return distance < near_ && mesh.largestExtent() < 3.0 * near_ &&
-             std::all_of(otherEnds_.begin(), otherEnds_.end(),
-                         [&](const Vec3& other) { return glm::distance(centreOf(mesh), other) > distance; });
+             std::ranges::all_of(otherEnds_, [&](const Vec3& other) {
+               return glm::distance(centreOf(mesh), other) > distance;
+             });
     });
   }
 
@@ -159,8 +160,8 @@ Riders::Riders(const Scene& scene, const Limb& limb, const BindPlaces& places,
       skinned_(skinJoints(scene)), points_(limbPoints(limb, places.worlds)) {}
 
 bool Riders::holdsOthers(NodeIndex node) const {
-  return std::any_of(othersJoints_.begin(), othersJoints_.end(),
-                     [&](NodeIndex joint) { return isAncestorOrSelf(scene_, node, joint); });
+  return std::ranges::any_of(othersJoints_,
+                             [&](NodeIndex joint) { return isAncestorOrSelf(scene_, node, joint); });
 }
 
 bool Riders::isRigidPart(NodeIndex node) const {

@@ -29,8 +29,7 @@ bool contains(const std::vector<NodeIndex>& nodes, NodeIndex node) {
 }
 
 bool subtreeHolds(const Scene& scene, NodeIndex root, const std::set<NodeIndex>& nodes) {
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [&](NodeIndex node) { return isAncestorOrSelf(scene, root, node); });
+  return std::ranges::any_of(nodes, [&](NodeIndex node) { return isAncestorOrSelf(scene, root, node); });
 }
 
 // Joints of all limbs other than `limb`, ends included: what is theirs is no twist joint of ours.

@@ -39,8 +39,8 @@ Leaf newLeaf(const Scene& scene, const StretchKeys& stretch) {
 // Across the axis all directions are scaled alike: turning A about it changes nothing.
 bool hasOneAxis(const StretchKeys& stretch) {
   constexpr double negligible = 1e-6;
-  return std::all_of(stretch.scales.begin(), stretch.scales.end(),
-                     [](const Vec3& scale) { return std::abs(scale.y - scale.z) < negligible; });
+  return std::ranges::all_of(stretch.scales,
+                             [](const Vec3& scale) { return std::abs(scale.y - scale.z) < negligible; });
 }
 
 // Whether the stretch can be told in these axes as well as in its own fixed ones.
@@ -164,8 +164,8 @@ void addTracks(const Leaf& leaf, const StretchKeys& stretch, std::vector<Track>&
 }
 
 std::vector<Track>& tracksOf(int clip, gltf::Edits& edits) {
-  const auto found = std::find_if(edits.clips.begin(), edits.clips.end(),
-                                  [&](const gltf::ClipTracks& c) { return c.clip == clip; });
+  const auto found =
+      std::ranges::find_if(edits.clips, [&](const gltf::ClipTracks& c) { return c.clip == clip; });
   if (found != edits.clips.end()) {
     return found->tracks;
   }

@@ -102,8 +102,8 @@ StretchFrames::StretchFrames(NodeIndex node, std::vector<double> times, const st
   }
   constexpr double unseen = 1e-5;
   const Quat main = axes_[strongest];
-  if (std::all_of(stretches.begin(), stretches.end(),
-                  [&](const Mat3& stretch) { return offDiagonal(seenFrom(main, stretch)) < unseen; })) {
+  if (std::ranges::all_of(
+          stretches, [&](const Mat3& stretch) { return offDiagonal(seenFrom(main, stretch)) < unseen; })) {
     axes_ = {main};
   }
 }

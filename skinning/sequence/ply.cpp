@@ -59,8 +59,8 @@ std::optional<Number> numberType(std::string_view word) {
                                                 {"float32", Number::float32},
                                                 {"double", Number::float64},
                                                 {"float64", Number::float64}}};
-  const auto* const found = std::find_if(spellings.begin(), spellings.end(),
-                                         [&](const Spelling& spelling) { return spelling.word == word; });
+  const auto* const found =
+      std::ranges::find_if(spellings, [&](const Spelling& spelling) { return spelling.word == word; });
   return found == spellings.end() ? std::nullopt : std::optional(found->type);
 }
 

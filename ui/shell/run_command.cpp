@@ -23,8 +23,8 @@ namespace stretch::ui {
 namespace {
 
 const app::Command<Shell>* findCommandOf(const Shell& shell, std::string_view id) {
-  const auto found = std::find_if(shell.commands.begin(), shell.commands.end(),
-                                  [&](const app::Command<Shell>& command) { return command.id == id; });
+  const auto found = std::ranges::find_if(
+      shell.commands, [&](const app::Command<Shell>& command) { return command.id == id; });
   return found == shell.commands.end() ? nullptr : &*found;
 }
 

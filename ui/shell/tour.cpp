@@ -31,8 +31,8 @@ const app::Session& sessionOf(const Shell& shell) {
 
 const rig::Trail* punchTrail(const Shell& shell) {
   const auto& trails = sessionOf(shell).document().trails;
-  const auto found = std::find_if(trails.begin(), trails.end(),
-                                  [](const rig::Trail& trail) { return trail.limb == tourLimb; });
+  const auto found =
+      std::ranges::find_if(trails, [](const rig::Trail& trail) { return trail.limb == tourLimb; });
   return found == trails.end() ? nullptr : &*found;
 }
 

@@ -51,8 +51,8 @@ void updateShownTrails(app::Session& session, ShownTrails& shown) {
 }
 
 const ShownTrail* findShown(const ShownTrails& shown, int trailId) {
-  const auto found = std::find_if(shown.trails.begin(), shown.trails.end(),
-                                  [&](const ShownTrail& trail) { return trail.id == trailId; });
+  const auto found =
+      std::ranges::find_if(shown.trails, [&](const ShownTrail& trail) { return trail.id == trailId; });
   return found == shown.trails.end() ? nullptr : &*found;
 }
 

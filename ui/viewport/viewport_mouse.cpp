@@ -237,8 +237,8 @@ void selectInBox(ViewportContext& context) {
     const auto place = projectToPixels(viewport.view, sphere.positionWorld);
     const bool inside = place && place->pixels.x >= low.x && place->pixels.x <= high.x &&
                         place->pixels.y >= low.y && place->pixels.y <= high.y;
-    const bool known = std::any_of(selected.begin(), selected.end(),
-                                   [&](double frame) { return sameFrame(frame, sphere.frame); });
+    const bool known =
+        std::ranges::any_of(selected, [&](double frame) { return sameFrame(frame, sphere.frame); });
     if (inside && !known) {
       selected.push_back(sphere.frame);
     }

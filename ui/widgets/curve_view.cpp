@@ -290,8 +290,8 @@ Vec2 draggedBy(const Plot& plot, const CurveViewModel& model, const CurveGesture
 void dragTangent(const Plot& plot, const CurveViewModel& model, const CurveGesture& gesture,
                  const ImVec2& mouse, CurveViewOutcome& outcome) {
   const Curve& curve = model.curves[gesture.curve];
-  const auto key = std::find_if(curve.keys.begin(), curve.keys.end(),
-                                [&](const CurveKey& one) { return one.key == gesture.key; });
+  const auto key =
+      std::ranges::find_if(curve.keys, [&](const CurveKey& one) { return one.key == gesture.key; });
   if (key == curve.keys.end()) {
     return;
   }

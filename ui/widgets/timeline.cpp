@@ -100,8 +100,8 @@ bool differs(const Span& a, const Span& b) {
 void dragBar(const TimelineModel& model, const TimelineGesture& gesture, double frame,
              TimelineOutcome& outcome) {
   outcome.editedBar = gesture.bar;
-  const auto bar = std::find_if(model.bars.begin(), model.bars.end(),
-                                [&](const TimelineBar& b) { return b.id == gesture.bar; });
+  const auto bar =
+      std::ranges::find_if(model.bars, [&](const TimelineBar& b) { return b.id == gesture.bar; });
   if (bar == model.bars.end()) {
     return;
   }

@@ -28,8 +28,8 @@ bool isOn(const Session& session, const std::string& limb) {
 
 bool allTargetsHaveWeightOn(const Session& session) {
   const std::vector<std::string> limbs = targetLimbs(session);
-  return hasTargets(session) && std::all_of(limbs.begin(), limbs.end(),
-                                            [&](const std::string& limb) { return isOn(session, limb); });
+  return hasTargets(session) &&
+         std::ranges::all_of(limbs, [&](const std::string& limb) { return isOn(session, limb); });
 }
 
 Status toggleWeight(Session& session) {

@@ -41,8 +41,8 @@ Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
   const std::vector<double> frames = framesToGoTo(session);
   if (next) {
-    const auto found = std::find_if(frames.begin(), frames.end(),
-                                    [&](double frame) { return frame > view.frame + frameTolerance; });
+    const auto found =
+        std::ranges::find_if(frames, [&](double frame) { return frame > view.frame + frameTolerance; });
     return found == frames.end() ? Status(Success{}) : goTo(session, *found);
   }
   const auto found = std::find_if(frames.rbegin(), frames.rend(),

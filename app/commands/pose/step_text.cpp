@@ -225,9 +225,8 @@ std::string stepText(const std::string& label, const Document& before, const Doc
   if (changes.names.empty()) {
     return joinedStep(label, holdChangeText(before, after));
   }
-  const bool sameValue =
-      std::all_of(changes.values.begin(), changes.values.end(),
-                  [&](const std::string& value) { return value == changes.values.front(); });
+  const bool sameValue = std::ranges::all_of(
+      changes.values, [&](const std::string& value) { return value == changes.values.front(); });
   const std::string names = changes.names.size() > 3
                                 ? fmt::format("{} {}", changes.names.size(), changes.noun)
                                 : listed(changes.names);

@@ -76,8 +76,8 @@ std::optional<Key> parseKey(std::string_view text) {
     return isPrintableKey(upper) ? std::optional(static_cast<Key>(upper)) : std::nullopt;
   }
   const std::string wanted = folded(text);
-  const auto* const found = std::find_if(namedKeys.begin(), namedKeys.end(),
-                                         [&](const auto& entry) { return folded(entry.second) == wanted; });
+  const auto* const found =
+      std::ranges::find_if(namedKeys, [&](const auto& entry) { return folded(entry.second) == wanted; });
   if (found != namedKeys.end()) {
     return found->first;
   }

@@ -45,8 +45,8 @@ Result<std::vector<Chord>> readChords(const std::string& commandId, const Json& 
 Keymap::Keymap(std::vector<KeyedCommand> commands) : commands_(std::move(commands)) {}
 
 const KeyedCommand* Keymap::find(std::string_view commandId) const {
-  const auto found = std::find_if(commands_.begin(), commands_.end(),
-                                  [&](const KeyedCommand& command) { return command.id == commandId; });
+  const auto found =
+      std::ranges::find_if(commands_, [&](const KeyedCommand& command) { return command.id == commandId; });
   return found == commands_.end() ? nullptr : &*found;
 }
 

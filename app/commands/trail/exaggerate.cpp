@@ -176,15 +176,14 @@ Status joinOtherLimbs(const Session& session, const rig::Trail& selected, Exagge
 
 /// Whether every target was made just now.
 bool areNew(const Document& before, const ExaggerateTargets& targets) {
-  return std::none_of(targets.trailIds.begin(), targets.trailIds.end(),
-                      [&](int id) { return findTrail(before, id) != nullptr; });
+  return std::ranges::none_of(targets.trailIds, [&](int id) { return findTrail(before, id) != nullptr; });
 }
 
 /// The first trail of a clip says how it is meant; what is marked or not after it stays so. Weight that is
 /// there already would move otherwise on a loop.
 void loopWhereItHelps(const Document& before, int clip, ExaggerateTargets& targets) {
-  const bool isFirst = std::none_of(before.trails.begin(), before.trails.end(),
-                                    [&](const rig::Trail& trail) { return trail.clip == clip; });
+  const bool isFirst =
+      std::ranges::none_of(before.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
   const auto hasNoRoom = [&](int id) {
     const rig::TrailSettings& settings = findTrail(targets.document, id)->settings;
     return lastFrame(before, clip) - settings.endFrame < settings.endFrame - settings.startFrame;

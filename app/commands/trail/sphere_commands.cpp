@@ -80,8 +80,8 @@ bool anySelected(const Session& session, Counts&& counts) {
   }
   const std::vector<double>& selected = session.view().selection.spheres();
   return std::any_of(trail->settings.spheres.begin(), trail->settings.spheres.end(), [&](const auto& sphere) {
-    return counts(sphere) && std::any_of(selected.begin(), selected.end(),
-                                         [&](double frame) { return sameFrame(frame, sphere.frame); });
+    return counts(sphere) &&
+           std::ranges::any_of(selected, [&](double frame) { return sameFrame(frame, sphere.frame); });
   });
 }
 
@@ -146,8 +146,8 @@ Status nudgeAlong(Session& session, double direction) {
   std::vector<SphereMove> moves;
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const auto& selected = session.view().selection.spheres();
-    const bool isSelected = std::any_of(selected.begin(), selected.end(),
-                                        [&](double frame) { return sameFrame(frame, spheres[i].frame); });
+    const bool isSelected =
+        std::ranges::any_of(selected, [&](double frame) { return sameFrame(frame, spheres[i].frame); });
     if (isSelected) {
       moves.push_back({spheres[i].frame, toTrailAxes(trail->settings, step * pathDirection(spheres, i))});
     }

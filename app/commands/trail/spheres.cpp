@@ -38,8 +38,8 @@ Status addSphere(Session& session, double frame) {
   if (frame < frames.front() || frame > frames.back()) {
     return Error{"the frame lies outside the trail's range", "", "move the playhead into the range"};
   }
-  const auto near = std::find_if(frames.begin(), frames.end(),
-                                 [&](double other) { return std::abs(other - frame) < leastGapFrames; });
+  const auto near =
+      std::ranges::find_if(frames, [&](double other) { return std::abs(other - frame) < leastGapFrames; });
   if (near != frames.end()) {
     session.view().selection.editTrails().spheres = {*near};
     return Success{};

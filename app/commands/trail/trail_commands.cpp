@@ -49,8 +49,7 @@ Status editTargets(Session& session, const char* label, Edit&& edit) {
 template <typename Predicate>
 bool allTargets(const Session& session, Predicate&& predicate) {
   const std::vector<int> targets = targetTrails(session);
-  return std::all_of(targets.begin(), targets.end(),
-                     [&](int id) { return predicate(*findTrail(session.document(), id)); });
+  return std::ranges::all_of(targets, [&](int id) { return predicate(*findTrail(session.document(), id)); });
 }
 
 Status finishNew(Session& session, Result<ExaggerateTargets> made, const char* label) {

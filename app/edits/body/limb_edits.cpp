@@ -15,8 +15,8 @@ namespace {
 
 Status validateJoints(const Document& document, const rig::Limb& limb) {
   const NodeIndex past(document.scene->nodes.size());
-  const bool known = std::all_of(limb.joints.begin(), limb.joints.end(),
-                                 [&](NodeIndex joint) { return joint.exists() && joint < past; });
+  const bool known =
+      std::ranges::all_of(limb.joints, [&](NodeIndex joint) { return joint.exists() && joint < past; });
   if (limb.joints.empty() || !known || limb.endNode >= past) {
     return Error{"the limb names joints that the character does not have", limb.id, "pick its joints again"};
   }

@@ -381,8 +381,7 @@ int partAt(const KeyedRow& row, double frame) {
 }
 
 bool hasKeyAt(const HeldRow& held, double frame) {
-  return std::any_of(held.keys.begin(), held.keys.end(),
-                     [&](const HeldKey& key) { return sameFrame(key.key.frame, frame); });
+  return std::ranges::any_of(held.keys, [&](const HeldKey& key) { return sameFrame(key.key.frame, frame); });
 }
 
 // A key on the curve: the curve stays as it is where its track can say so.

@@ -22,8 +22,8 @@ void setRate(Document& document, int clip, double framesPerSecond) {
 } // namespace
 
 double ownRate(const Document& document, int clip) {
-  const auto chosen = std::find_if(document.rates.begin(), document.rates.end(),
-                                   [&](const ClipRate& rate) { return rate.clip == clip; });
+  const auto chosen =
+      std::ranges::find_if(document.rates, [&](const ClipRate& rate) { return rate.clip == clip; });
   return chosen == document.rates.end() ? clipOf(document, clip).framesPerSecond : chosen->own;
 }
 

@@ -17,8 +17,8 @@ namespace {
 using Spheres = std::vector<rig::SphereOffset>;
 
 Spheres::iterator findSphere(Spheres& spheres, double frame) {
-  return std::find_if(spheres.begin(), spheres.end(),
-                      [&](const rig::SphereOffset& sphere) { return sameFrame(sphere.frame, frame); });
+  return std::ranges::find_if(
+      spheres, [&](const rig::SphereOffset& sphere) { return sameFrame(sphere.frame, frame); });
 }
 
 void dropUnmoved(Spheres& spheres) {
@@ -37,8 +37,8 @@ void addOffset(Spheres& spheres, double frame, const Vec3& delta) {
     found->offset += delta;
     return;
   }
-  const auto after = std::find_if(spheres.begin(), spheres.end(),
-                                  [&](const rig::SphereOffset& sphere) { return sphere.frame > frame; });
+  const auto after =
+      std::ranges::find_if(spheres, [&](const rig::SphereOffset& sphere) { return sphere.frame > frame; });
   spheres.insert(after, {frame, delta, std::nullopt});
 }
 

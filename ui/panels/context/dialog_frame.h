@@ -23,6 +23,8 @@ void endDialog();
 
 /// Whether a key went down in this frame (or repeats).
 [[nodiscard]] bool keyPressed(int imguiKey, bool repeat = false);
+/// Whether Enter went down in this frame, that of the keypad or the other one.
+[[nodiscard]] bool enterPressed();
 
 /// Moves a highlighted row with the arrow keys; stays in [0, count).
 void moveHighlight(int& highlighted, int count);

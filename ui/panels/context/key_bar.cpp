@@ -276,8 +276,7 @@ void drawRetimeDialog(PanelContext& context) {
   retimeRows(context);
   lookAhead(context);
   aheadRows(context);
-  const bool entered =
-      (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) && !ImGui::GetIO().WantTextInput;
+  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
   const int clicked =
       dialogButtons(context, "retime", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Retime"}});
   if (entered || clicked == 1) {

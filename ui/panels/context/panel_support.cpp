@@ -64,8 +64,7 @@ void carry(PanelContext& context, app::Editing<Document>& session, const EditPha
 } // namespace
 
 const CommandInfo* findCommand(const PanelContext& context, std::string_view id) {
-  const auto found = std::find_if(context.commands.begin(), context.commands.end(),
-                                  [&](const CommandInfo& c) { return c.id == id; });
+  const auto found = std::ranges::find_if(context.commands, [&](const CommandInfo& c) { return c.id == id; });
   return found == context.commands.end() ? nullptr : &*found;
 }
 

@@ -170,6 +170,10 @@ bool keyPressed(int imguiKey, bool repeat) {
   return ImGui::IsKeyPressed(ImGui::GetKeyIndex(imguiKey), repeat);
 }
 
+bool enterPressed() {
+  return keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+}
+
 void moveHighlight(int& highlighted, int count) {
   if (keyPressed(ImGuiKey_DownArrow, true)) {
     ++highlighted;
@@ -184,11 +188,12 @@ int dialogButtons(PanelContext& context, const std::string& id, const std::vecto
   const WidgetContext widgets = widgetsOf(context);
   endContent();
   verticalSpace(widgets, 8.0F);
-  const float width = context.theme.px(116.0F);
   const float gap = context.theme.unit();
+  const float room = ImGui::GetContentRegionAvail().x;
   const auto count = static_cast<float>(buttons.size());
-  const float total = width * count + gap * (count - 1.0F);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - total));
+  const float gaps = gap * (count - 1.0F);
+  const float width = std::min(context.theme.px(116.0F), std::floor((room - gaps) / count));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width * count - gaps);
   int clicked = -1;
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     if (i > 0) {

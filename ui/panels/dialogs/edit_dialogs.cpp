@@ -71,7 +71,7 @@ int historyRows(PanelContext& context, const std::vector<std::string>& texts, st
   }
   const int before = state.highlighted;
   moveHighlight(state.highlighted, static_cast<int>(texts.size()));
-  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  const bool entered = enterPressed();
   int chosen = entered ? state.highlighted : -1;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const bool isHighlighted = static_cast<int>(i) == state.highlighted;
@@ -104,7 +104,7 @@ void drawRenameDialog(PanelContext& context) {
   static_cast<void>(editText(widgetsOf(context), "rename/name",
                              state.ofGroup ? "The limbs' names" : "The limb's name", state.typed, 0.0F,
                              opening || ImGui::IsWindowAppearing(), true));
-  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  const bool entered = enterPressed();
   const int clicked =
       dialogButtons(context, "rename", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Rename"}});
   if (entered || clicked == 1) {

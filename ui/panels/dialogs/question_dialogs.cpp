@@ -17,7 +17,7 @@ void paragraph(const std::string& text) {
 
 /// The button that was clicked, or the one that Enter stands for.
 int orEnter(int clicked, int entered) {
-  const bool pressed = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  const bool pressed = enterPressed();
   return clicked < 0 && pressed ? entered : clicked;
 }
 
@@ -234,8 +234,7 @@ void drawNavigationQuestion(PanelContext& context) {
                             {"Middle: orbit", "Shift + middle: pan", "Wheel: zoom"}, width);
   verticalSpace(widgetsOf(context), 8.0F);
   note(widgetsOf(context), "Enter or Escape: as in Maya. Settings change it at any time.");
-  const bool answered =
-      keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter) || keyPressed(ImGuiKey_Escape);
+  const bool answered = enterPressed() || keyPressed(ImGuiKey_Escape);
   if (maya || blender || answered) {
     ui.navigation = blender ? NavigationStyle::blender : NavigationStyle::maya;
     ui.answers.navigation = ui.navigation;

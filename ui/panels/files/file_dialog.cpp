@@ -367,7 +367,7 @@ void typeAhead(FileDialogState& dialog) {
 void keyboard(PanelContext& context) {
   FileDialogState& dialog = context.ui.dialogs.file;
   if (dialog.newFolder) {
-    if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) {
+    if (enterPressed()) {
       makeFolder(dialog);
     }
     return;
@@ -381,7 +381,7 @@ void keyboard(PanelContext& context) {
   if (keyPressed(ImGuiKey_DownArrow, true) || keyPressed(ImGuiKey_UpArrow, true)) {
     moveHighlight(dialog.highlighted, count);
   }
-  if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) {
+  if (enterPressed()) {
     acceptHighlightedOrTyped(context);
   }
 }

@@ -65,9 +65,6 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
       keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)}, key);
     }
   }
-  if (highlighted && ImGui::IsWindowAppearing()) {
-    ImGui::SetScrollHereY();
-  }
   return row.clicked;
 }
 
@@ -81,7 +78,7 @@ void results(PanelContext& context) {
   PaletteState& palette = context.ui.dialogs.palette;
   const std::vector<Match> matches = matchesOf(context);
   moveHighlight(palette.highlighted, static_cast<int>(matches.size()));
-  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  const bool entered = enterPressed();
   ImGui::BeginChild("palette/list", {0.0F, ImGui::GetContentRegionAvail().y});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
   for (std::size_t i = 0; i < matches.size(); ++i) {

@@ -55,8 +55,8 @@ bool movesIn(app::Session& session) {
   const bool adjusted = std::any_of(adjustments.begin(), adjustments.end(), [&](const auto& adjustment) {
     return adjustment.clip == session.view().clip;
   });
-  return adjusted || std::any_of(motion.trails.begin(), motion.trails.end(),
-                                 [](const rig::SolvedTrail& trail) { return trail.active; });
+  return adjusted ||
+         std::ranges::any_of(motion.trails, [](const rig::SolvedTrail& trail) { return trail.active; });
 }
 
 /// The components of a row that the graph shows.

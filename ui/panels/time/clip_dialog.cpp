@@ -106,7 +106,7 @@ void drawClipDialog(PanelContext& context) {
   const int before = pick.highlighted;
   moveHighlight(pick.highlighted, static_cast<int>(listed.size()));
   const std::optional<std::size_t> row = clipRows(context, listed, pick.highlighted != before);
-  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  const bool entered = enterPressed();
   const int clicked = dialogButtons(context, "clips",
                                     {{.id = "", .text = "Cancel"},
                                      {.id = "", .text = "All"},

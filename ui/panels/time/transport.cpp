@@ -195,8 +195,8 @@ std::string clipName(const Clip& clip, std::size_t index) {
 
 /// ", 2 trails": the work in a clip; empty without any.
 std::string workText(const app::Document& document, int clip) {
-  const auto trails = std::count_if(document.trails.begin(), document.trails.end(),
-                                    [&](const rig::Trail& trail) { return trail.clip == clip; });
+  const auto trails =
+      std::ranges::count_if(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
   std::string text = trails == 0 ? "" : trails == 1 ? ", 1 trail" : ", " + std::to_string(trails) + " trails";
   return text + (app::hasWeight(document, clip) ? ", weight" : "");
 }

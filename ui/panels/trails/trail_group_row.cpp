@@ -23,8 +23,7 @@ const rig::Trail& trailOf(const PanelContext& context, int id) {
 std::string groupDetail(const PanelContext& context, const std::vector<int>& members) {
   const rig::TrailSettings& first = trailOf(context, members.front()).settings;
   const auto shared = [&](auto&& same) {
-    return std::all_of(members.begin(), members.end(),
-                       [&](int id) { return same(trailOf(context, id).settings); });
+    return std::ranges::all_of(members, [&](int id) { return same(trailOf(context, id).settings); });
   };
   std::string text = std::to_string(members.size()) + " trails";
   if (shared([&](const rig::TrailSettings& s) {
@@ -49,8 +48,8 @@ void editMembers(PanelContext& context, const std::vector<int>& members, const c
 }
 
 void groupButtons(PanelContext& context, const std::string& id, const std::vector<int>& members) {
-  const bool visible = std::all_of(members.begin(), members.end(),
-                                   [&](int member) { return trailOf(context, member).visible; });
+  const bool visible =
+      std::ranges::all_of(members, [&](int member) { return trailOf(context, member).visible; });
   if (rowButton(context, id + "/visible", visible ? icon::visible : icon::hidden, visible ? "o" : "-", false,
                 {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
     editMembers(context, members, visible ? "Hide the trails" : "Show the trails",

@@ -25,8 +25,8 @@ double releaseFrames(const rig::SolvedTrail* solved, double framesPerSecond) {
 
 void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double frame) {
   const WidgetContext widgets = widgetsOf(context);
-  const auto found = std::find_if(trail.settings.spheres.begin(), trail.settings.spheres.end(),
-                                  [&](const rig::SphereOffset& s) { return sameFrame(s.frame, frame); });
+  const auto found = std::ranges::find_if(
+      trail.settings.spheres, [&](const rig::SphereOffset& s) { return sameFrame(s.frame, frame); });
   rig::SphereOffset sphere =
       found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
   const double reach = context.character().document().body.height * 2.0;

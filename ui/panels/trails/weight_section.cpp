@@ -138,8 +138,8 @@ void rangeRow(PanelContext& context, const WeightSettings& settings) {
 
 const app::WeightReport* reportOf(PanelContext& context, const std::string& limbId) {
   const std::vector<app::WeightReport>& reports = context.character().weightReports();
-  const auto found = std::find_if(reports.begin(), reports.end(),
-                                  [&](const app::WeightReport& report) { return report.limb == limbId; });
+  const auto found =
+      std::ranges::find_if(reports, [&](const app::WeightReport& report) { return report.limb == limbId; });
   return found == reports.end() ? nullptr : &*found;
 }
 

@@ -33,8 +33,7 @@ JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
 }
 
 bool picksOut(const SceneStyle& style) {
-  return std::any_of(style.highlight.begin(), style.highlight.end(),
-                     [](float share) { return share > 0.0F; });
+  return std::ranges::any_of(style.highlight, [](float share) { return share > 0.0F; });
 }
 
 SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {

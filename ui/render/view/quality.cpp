@@ -1,7 +1,7 @@
 #include "ui/render/view/quality.h"
 
 #include <algorithm>
-#include <string_view>
+#include <array>
 
 #include <epoxy/gl.h>
 
@@ -20,15 +20,15 @@ Quality qualityOf(int level) {
   }
 }
 
+bool isSoftwareRenderer(std::string_view renderer) {
+  constexpr std::array<std::string_view, 5> names{"llvmpipe", "softpipe", "SWR", "swrast", "Software"};
+  return std::ranges::any_of(
+      names, [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
+
 bool drawsInSoftware() {
   const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view renderer = text == nullptr ? std::string_view{} : std::string_view(text);
-  for (const std::string_view name : {"llvmpipe", "softpipe", "SWR", "swrast", "Software"}) {
-    if (renderer.find(name) != std::string_view::npos) {
-      return true;
-    }
-  }
-  return false;
+  return text != nullptr && isSoftwareRenderer(text);
 }
 
 int startingQualityLevel() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace stretch::ui {
 
 /// Cost that a frame may have.
@@ -16,7 +18,10 @@ struct Quality {
 inline constexpr int highestQualityLevel = 3;
 [[nodiscard]] Quality qualityOf(int level);
 
-/// Whether the current context draws in software (Mesa's llvmpipe and the like).
+/// Whether a renderer, as OpenGL names it, is one that draws in software (Mesa's llvmpipe and the like).
+[[nodiscard]] bool isSoftwareRenderer(std::string_view renderer);
+
+/// Whether the current context draws in software; false without one.
 [[nodiscard]] bool drawsInSoftware();
 
 /// The level to start with: 3 on a graphics card, 1 in software.
