@@ -13,7 +13,7 @@
 #include "app/schema/trail_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/captured_stream.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
@@ -152,7 +152,7 @@ TEST_CASE("A wrong argument is told in one line") {
       {}};
   for (const std::vector<std::string>& words : wrong) {
     INFO((words.empty() ? "" : words.back()));
-    const test::CapturedErrors errors;
+    const test::CapturedStream errors(stderr);
     const int exitCode = test::exitCodeOf(words);
     const std::string told = errors.text();
     CHECK(exitCode == 2);
@@ -182,12 +182,12 @@ TEST_CASE("A range of weight that the clip has in part is cut, with a warning, o
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
   {
-    const test::CapturedErrors errors;
+    const test::CapturedStream errors(stderr);
     CHECK(test::exitCodeOf({"elastic", dummy, "-o", output, "--range", "900:990"}) == 1);
     CHECK_THAT(errors.text(), Catch::Contains("outside the clip") && Catch::Contains("0 to 60"));
     CHECK(folder.fileCount() == 0);
   }
-  const test::CapturedErrors errors;
+  const test::CapturedStream errors(stderr);
   CHECK(test::exitCodeOf({"elastic", dummy, "-o", output, "--range", "0:1000"}) == 0);
   CHECK_THAT(errors.text(), Catch::Contains("cut to the frames 0 to 60"));
 }
@@ -196,7 +196,7 @@ TEST_CASE("Moduli of bones that a limb does not have are refused") {
   const test::TemporaryFolder folder;
   const std::string moduli =
       folder.write("moduli.json", R"({"segments": [{"from": 0, "to": 7, "young": 5000}]})").string();
-  const test::CapturedErrors errors;
+  const test::CapturedStream errors(stderr);
   CHECK(test::exitCodeOf({"elastic", dummy, "-o", (folder / "out.glb").string(), "--moduli", moduli}) == 1);
   CHECK_THAT(errors.text(), Catch::Contains("names bone 7, and the last one is 1"));
   CHECK(folder.fileCount() == 1);
@@ -219,7 +219,7 @@ TEST_CASE("No verb writes over what it reads, under any name, unless that is ask
       INFO(verb.front());
       std::vector<std::string> words = verb;
       words.insert(words.end(), {"-o", output});
-      const test::CapturedErrors errors;
+      const test::CapturedStream errors(stderr);
       CHECK(test::exitCodeOf(words) == 1);
       CHECK_THAT(errors.text(), Catch::Contains("--in-place"));
       CHECK(readText(file).value() == before);

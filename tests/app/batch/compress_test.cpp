@@ -17,7 +17,7 @@
 #include "core/gltf/source/source.h"
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/captured_stream.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/two_sheets.h"
 #include "tests/support/rig/character_file.h"
@@ -201,7 +201,7 @@ TEST_CASE("a clip's bones can be given to another one, what cannot be given is t
   REQUIRE(written);
   CHECK(written->scene->skins[0].joints.size() == 5);
   const auto told = [&](const std::string& skeleton) {
-    const test::CapturedErrors errors;
+    const test::CapturedStream errors(stderr);
     CHECK(test::exitCodeOf({"compress", tube.frames(), "-o", tube.file("none.glb"), "--stretch", "measured",
                             "--skeleton", skeleton}) == 1);
     return errors.text();
@@ -235,7 +235,7 @@ TEST_CASE(
   std::ofstream(moduli) << R"({"segments": [{"from": 3, "to": 6, "young": 5000}]})";
   const auto told = [&](std::vector<std::string> words) {
     words.insert(words.end(), {"-o", output});
-    const test::CapturedErrors errors;
+    const test::CapturedStream errors(stderr);
     CHECK(test::exitCodeOf(words) == 1);
     return errors.text();
   };

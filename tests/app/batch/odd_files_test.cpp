@@ -6,7 +6,7 @@
 #include "app/document.h"
 #include "app/files/save.h"
 #include "core/gltf/json/json.h"
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/captured_stream.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/glb_builder.h"
 #include "tests/support/nodes.h"
@@ -107,7 +107,7 @@ TEST_CASE("What has no memory ends in one line") {
                 };
               }};
   const std::vector<const char*> arguments{"stretch-engine", "hungry"};
-  const CapturedErrors errors;
+  const CapturedStream errors(stderr);
   CHECK(runVerbs({hungry}, "stretch-engine under test", 2, arguments.data()) == 1);
   CHECK_THAT(errors.text(), Catch::Contains("not enough memory"));
 }

@@ -9,15 +9,18 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/batch/verb.h"
 #include "app/schema/locator_json.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
+#include "tests/support/app/file_text.h"
 #include "tests/support/app/mesh_file.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/core/two_sheets.h"
+#include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
 #include "tests/support/skinning/shapes.h"
@@ -94,7 +97,7 @@ struct Effect {
 std::string withoutSeconds(const std::string& output) {
   Json report = Json::parse(output, nullptr, false);
   if (report.is_discarded() || !report.is_object() || report.erase("seconds") == 0) {
-    return output;
+    return test::withoutClock(output);
   }
   return report.dump();
 }
@@ -136,6 +139,34 @@ std::string lineOf(const VerbTable& table, const OptionRow& row, const std::stri
   return line + ' ' + own;
 }
 
+/// The report a value a line, so that its numbers can be compared as numbers.
+std::string reportText(const std::string& output) {
+  const Json report = Json::parse(output, nullptr, false);
+  if (report.is_discarded() || !report.is_structured()) {
+    return output;
+  }
+  std::string text;
+  const Json flat = report.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    text += "  " + path + " " + value.dump() + "\n";
+  }
+  return text;
+}
+
+/// All that the command lines of a table lead to.
+std::string recordOf(const std::map<std::string, Effect>& known, const TemporaryFolder& inputs) {
+  std::string text;
+  for (const auto& [line, effect] : known) {
+    text += fmt::format("{}\n exit {}\n", line, effect.exitCode);
+    text += line.find("--json-line") == std::string::npos ? reportText(effect.output) : "";
+    text += effect.told;
+    for (const auto& [name, bytes] : effect.files) {
+      text += test::fileText(name, bytes);
+    }
+  }
+  return replaced(text, inputs.path().string(), "IN");
+}
+
 void checkTable(const VerbTable& table, const TemporaryFolder& inputs) {
   std::set<std::string> rows;
   std::map<std::string, Effect> known; // by the words of a line that several rows start from
@@ -160,6 +191,10 @@ void checkTable(const VerbTable& table, const TemporaryFolder& inputs) {
   CHECK(again.output == known[last].output);
   CHECK(again.files == known[last].files);
   CHECK(rows == optionsInHelp(table.verb));
+  const std::string difference =
+      test::differenceFromRecord("verb-" + table.verb, recordOf(known, inputs), 1e-3);
+  INFO(difference);
+  CHECK(difference.empty());
 }
 
 void copyWithViolation(const fs::path& from, const fs::path& to) {

@@ -1,9 +1,9 @@
 #include "tests/support/app/run_verb.h"
 
 #include <iostream>
-#include <sstream>
+#include <regex>
 
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/captured_stream.h"
 
 namespace stretch::test {
 
@@ -19,12 +19,16 @@ int exitCodeOf(const std::vector<std::string>& words, const std::vector<app::Ver
 }
 
 VerbAnswer runVerb(const std::vector<std::string>& words, const std::vector<app::Verb>& others) {
-  const CapturedErrors errors;
-  const std::ostringstream output;
-  std::streambuf* const original = std::cout.rdbuf(output.rdbuf());
+  const CapturedStream errors(stderr);
+  const CapturedStream output(stdout);
   const int exitCode = exitCodeOf(words, others);
-  std::cout.rdbuf(original);
-  return {exitCode, output.str(), errors.text()};
+  std::cout.flush();
+  return {exitCode, output.text(), errors.text()};
+}
+
+std::string withoutClock(const std::string& told) {
+  static const std::regex clock("; [0-9.]+ s, ");
+  return std::regex_replace(told, clock, "; ");
 }
 
 } // namespace stretch::test

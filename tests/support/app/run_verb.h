@@ -9,7 +9,7 @@ namespace stretch::test {
 
 struct VerbAnswer {
   int exitCode = 0;
-  std::string output; ///< On standard output, as far as it goes through std::cout.
+  std::string output; ///< On standard output.
   std::string told;   ///< On standard error.
 };
 
@@ -18,7 +18,10 @@ struct VerbAnswer {
 [[nodiscard]] VerbAnswer runVerb(const std::vector<std::string>& words,
                                  const std::vector<app::Verb>& others = {});
 
-/// The same, with what it says left where it goes.
+/// As runVerb, with what it says left where it goes.
 int exitCodeOf(const std::vector<std::string>& words, const std::vector<app::Verb>& others = {});
+
+/// A text without what the clock says of the work: "; 0.9 s, ".
+[[nodiscard]] std::string withoutClock(const std::string& told);
 
 } // namespace stretch::test

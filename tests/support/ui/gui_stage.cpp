@@ -109,16 +109,26 @@ void GuiStage::show(const Draw& draw) {
   }
 }
 
-float GuiStage::showPanel(void (*panel)(ui::PanelContext&), float height) {
-  float used = height;
-  show([&](ui::PanelContext& context) {
+GuiStage::Draw GuiStage::paneOf(void (*panel)(ui::PanelContext&), float height, float& used) const {
+  return [this, panel, height, &used](ui::PanelContext& context) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize({width_, height > 0.0F ? height : height_});
     ImGui::Begin("pane", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     panel(context);
     used = height > 0.0F ? height : std::min(height_, std::ceil(ImGui::GetCursorPosY() + theme.unit()));
     ImGui::End();
-  });
+  };
+}
+
+float GuiStage::showPanel(void (*panel)(ui::PanelContext&), float height) {
+  float used = height;
+  show(paneOf(panel, height, used));
+  return used;
+}
+
+float GuiStage::clickInPanel(const std::string& item, void (*panel)(ui::PanelContext&), float height) {
+  float used = height;
+  click(item, paneOf(panel, height, used));
   return used;
 }
 

@@ -53,6 +53,8 @@ public:
   void show(const Draw& draw);
   /// A panel in a pane of the stage's width; answers its height.
   float showPanel(void (*panel)(ui::PanelContext&), float height = 0.0F);
+  /// A click on a widget of the panel that is shown; answers its height then.
+  float clickInPanel(const std::string& item, void (*panel)(ui::PanelContext&), float height = 0.0F);
   void showDialogs();
   void showViewport();
   [[nodiscard]] Image picture(float height);
@@ -72,6 +74,8 @@ public:
 
 private:
   void frame(const Draw& draw);
+  /// Draws a panel in a pane of the stage's width, and tells in `used` how high it is.
+  [[nodiscard]] Draw paneOf(void (*panel)(ui::PanelContext&), float height, float& used) const;
 
   GuiPainter& painter_;
   ImGuiContext* gui_;

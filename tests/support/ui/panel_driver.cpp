@@ -44,8 +44,8 @@ PanelDriver::PanelDriver(std::optional<app::Document> document) : gui_(ImGui::Cr
   io.DisplaySize = {width, height};
   io.DeltaTime = 1.0F / 60.0F;
   io.MousePos = {1.0F, 1.0F};
-  for (const int key : {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow,
-                        ImGuiKey_Backspace, ImGuiKey_A}) {
+  for (const int key : {ImGuiKey_Enter, ImGuiKey_KeyPadEnter, ImGuiKey_Escape, ImGuiKey_DownArrow,
+                        ImGuiKey_UpArrow, ImGuiKey_Backspace, ImGuiKey_A}) {
     io.KeyMap[key] = key + 1;
   }
   theme = ui::makeTheme(ui::ThemeKind::dark, 1.0F);

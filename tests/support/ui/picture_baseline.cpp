@@ -9,6 +9,7 @@
 #include <stb_image.h>
 
 #include "ui/render/picture/image_edits.h"
+#include "ui/render/view/quality.h"
 
 namespace stretch::test {
 
@@ -63,7 +64,7 @@ int farPixelsOfTile(const Image& a, const Image& b, int left, int top) {
 
 } // namespace
 
-std::string differenceFromBaseline(const std::string& name, const Image& picture) {
+std::string differenceFromBaseline(const std::string& name, const Image& picture, PictureKind kind) {
   const std::filesystem::path path = baselinePath(name);
   const Image baseline = readPng(path);
   const std::string remedy = "look at it and, if it is right, copy it to " + path.string();
@@ -76,7 +77,7 @@ std::string differenceFromBaseline(const std::string& name, const Image& picture
                        keepForALook(name, picture).string(), remedy);
   }
   const PictureDifference difference = differenceBetween(baseline, picture);
-  if (!isVisible(difference)) {
+  if (!isVisible(difference, mostFarPixels(kind))) {
     return {};
   }
   return fmt::format(
@@ -104,10 +105,14 @@ PictureDifference differenceBetween(const Image& a, const Image& b) {
   return difference;
 }
 
-bool isVisible(const PictureDifference& difference) {
+int mostFarPixels(PictureKind kind) {
+  const int share = kind == PictureKind::panel ? 32 : ui::drawsInSoftware() ? 16 : 8;
+  return tileSide * tileSide / share;
+}
+
+bool isVisible(const PictureDifference& difference, int mostFar) {
   constexpr double largestMean = 1.0;
-  constexpr int mostFarPixels = tileSide * tileSide / 8;
-  return difference.mean > largestMean || difference.worstTile > mostFarPixels;
+  return difference.mean > largestMean || difference.worstTile > mostFar;
 }
 
 } // namespace stretch::test

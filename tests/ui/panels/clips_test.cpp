@@ -173,3 +173,49 @@ TEST_CASE("The history lists what was done and goes to any of it") {
   CHECK(session.document().trails.front().name.empty());
   CHECK_FALSE(session.history().canUndo());
 }
+
+TEST_CASE(
+    "The history is walked by the arrow keys, from where it stands, and Enter of either kind goes there") {
+  PanelDriver driver(withTrails(1));
+  app::Session& session = *driver.open.character();
+  const int id = session.document().trails.front().id;
+  for (const char* name : {"one", "two", "three"}) {
+    session.edit(*app::renameTrail(session.document(), id, name), std::string("Call it ") + name);
+  }
+  session.undo();
+  ui::HistoryState& history = driver.ui.dialogs.history;
+  history.open = true;
+  driver.frames(4);
+  CHECK(history.highlighted == 2);
+  driver.pressKey(ImGuiKey_UpArrow);
+  CHECK(history.highlighted == 1);
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(session.document().trails.front().name == "one");
+  driver.pressKey(ImGuiKey_DownArrow);
+  driver.pressKey(ImGuiKey_DownArrow);
+  driver.pressKey(ImGuiKey_DownArrow);
+  CHECK(history.highlighted == 3);
+  driver.pressKey(ImGuiKey_KeyPadEnter);
+  CHECK(session.document().trails.front().name == "three");
+  driver.pressKey(ImGuiKey_Escape);
+  CHECK_FALSE(history.open);
+}
+
+TEST_CASE("A trail is renamed by the keypad's Enter, and Esc leaves its name") {
+  PanelDriver driver(withTrails(1));
+  app::Session& session = *driver.open.character();
+  const int id = session.document().trails.front().id;
+  const auto rename = [&](const std::string& name, int key) {
+    driver.ui.trails.rename = {.open = true, .trail = id, .present = "Left arm", .typed = "Left arm"};
+    driver.frames(4);
+    driver.type(name); // In the place of the one that is there, which is selected.
+    driver.pressKey(key);
+    driver.frames(2);
+    CHECK_FALSE(driver.ui.trails.rename.open);
+    return session.document().trails.front().name;
+  };
+  CHECK(rename("jab", ImGuiKey_KeyPadEnter) == "jab");
+  CHECK(session.history().undoLabel() == "Rename the trail");
+  CHECK(rename("hook", ImGuiKey_Escape) == "jab");
+  CHECK(rename("hook", ImGuiKey_Enter) == "hook");
+}

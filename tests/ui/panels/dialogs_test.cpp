@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "core/math/euler.h"
 #include "tests/support/ui/panel_driver.h"
@@ -177,6 +178,34 @@ TEST_CASE("The palette runs what was typed with Enter") {
   driver.pressKey(ImGuiKey_Enter);
   CHECK(driver.requested == std::vector<std::string>{"limb.left-arm"});
   CHECK_FALSE(driver.ui.dialogs.palette.open);
+}
+
+TEST_CASE("The palette is walked by the arrow keys, runs nothing that is off, and begins anew when it opens "
+          "again") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  ui::PaletteState& palette = driver.ui.dialogs.palette;
+  palette.open = true;
+  driver.frames(3);
+  driver.type("select");
+  driver.frame();
+  driver.pressKey(ImGuiKey_DownArrow);
+  driver.pressKey(ImGuiKey_DownArrow);
+  CHECK(palette.highlighted == 2);
+  driver.pressKey(ImGuiKey_UpArrow);
+  CHECK(palette.highlighted == 1);
+  driver.pressKey(ImGuiKey_KeyPadEnter);
+  REQUIRE(driver.requested.size() == 1);
+  CHECK_FALSE(palette.open);
+  palette.typed.clear();
+  palette.highlighted = 5;
+  palette.open = true;
+  driver.frames(3);
+  CHECK(palette.highlighted == 0);
+  driver.requested.clear();
+  driver.type("undo"); // There is nothing to undo.
+  driver.frame();
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(std::ranges::find(driver.requested, app::command::undo) == driver.requested.end());
 }
 
 TEST_CASE("Unsaved changes: every way out gives an answer") {

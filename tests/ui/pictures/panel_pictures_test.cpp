@@ -165,8 +165,8 @@ void drawMenus(PanelContext& context) {
 
 /// Fails with where to look when the picture is another than its baseline.
 void compare(const std::string& name, ThemeKind kind, const Image& picture) {
-  const std::string difference =
-      test::differenceFromBaseline(name + (kind == ThemeKind::dark ? "-dark" : "-light"), picture);
+  const std::string difference = test::differenceFromBaseline(
+      name + (kind == ThemeKind::dark ? "-dark" : "-light"), picture, test::PictureKind::panel);
   INFO(difference);
   CHECK(difference.empty());
 }

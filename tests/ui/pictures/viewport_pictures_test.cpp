@@ -1,11 +1,17 @@
+#include <algorithm>
+#include <map>
+
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/commands/table/selection.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
+#include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_scene.h"
 
 using namespace stretch;
@@ -49,9 +55,22 @@ void openSequence(GuiStage& stage) {
   stage.open.sequence()->view().look = app::SequenceLook::compare;
 }
 
+/// The tool that E opens, running.
+void runExaggerate(GuiStage& stage) {
+  selectTrail(stage);
+  REQUIRE(startExaggerate(*stage.open.character(), stage.tool));
+}
+
+void changeTrail(GuiStage& stage, void (*change)(rig::Trail&)) {
+  app::Document document = stage.open.character()->document();
+  change(document.trails.front());
+  stage.open.character()->edit(std::move(document), "Change the trail");
+}
+
 struct Overlays {
   const char* name;
   void (*set)(GuiStage&);
+  bool isWide = false; ///< With room for legends and labels, in the dark theme alone.
 };
 
 const Overlays overlays[] = {
@@ -129,15 +148,178 @@ const Overlays overlays[] = {
        stage.ui.overlays.skeleton = true;
      }},
     {"empty", [](GuiStage& stage) { stage.open = {}; }},
+    {"controllers", [](GuiStage& stage) { stage.ui.overlays.controllers = true; }, true},
+    {"controllers-selected",
+     [](GuiStage& stage) {
+       app::selectControllers(*stage.open.character(), {"right-elbow", "left-hand"});
+     },
+     true},
+    {"controllers-of-joints",
+     [](GuiStage& stage) {
+       stage.ui.overlays.controllers = stage.ui.overlays.skeleton = true;
+       app::selectLimb(*stage.open.character(), "spine", false);
+     },
+     true},
+    {"skeleton-of-limb",
+     [](GuiStage& stage) {
+       stage.ui.overlays.skeleton = true;
+       app::selectLimb(*stage.open.character(), "left-leg", false);
+     },
+     true},
+    {"tip-while-exaggerating", runExaggerate, true},
+    {"path-only",
+     [](GuiStage& stage) { changeTrail(stage, [](rig::Trail& trail) { trail.settings.scale = 1.0; }); },
+     true},
+    {"trail-applied",
+     [](GuiStage& stage) {
+       changeTrail(stage, [](rig::Trail& trail) { trail.applied = true; });
+       selectTrail(stage);
+       stage.ui.overlays.ghosts = true;
+     },
+     true},
+    {"tangents-and-numbers",
+     [](GuiStage& stage) {
+       selectTrail(stage);
+       app::ViewState& view = stage.open.character()->view();
+       view.selection.editTrails().spheres = {
+           stage.open.character()->document().trails.front().settings.startFrame};
+       stage.ui.overlays.trailFrameNumbers = stage.ui.overlays.jointNames = true;
+     },
+     true},
+    {"ghosts-far",
+     [](GuiStage& stage) {
+       stage.ui.overlays.ghosts = true;
+       stage.ui.overlays.ghostsBefore = 1;
+       stage.ui.overlays.ghostsAfter = 2;
+       stage.ui.overlays.ghostStepFrames = 6;
+     },
+     true},
+    {"weights-wide",
+     [](GuiStage& stage) {
+       stage.ui.overlays.weights = true;
+       app::selectController(*stage.open.character(), "left-hand", false);
+     },
+     true},
+    {"sequence-thickness-wide",
+     [](GuiStage& stage) {
+       openSequence(stage);
+       stage.open.sequence()->view().look = app::SequenceLook::thickness;
+     },
+     true},
+    {"sequence-error-wide",
+     [](GuiStage& stage) {
+       openSequence(stage);
+       stage.open.sequence()->view().look = app::SequenceLook::error;
+     },
+     true},
+    {"sequence-material",
+     [](GuiStage& stage) {
+       openSequence(stage);
+       stage.open.sequence()->view().look = app::SequenceLook::material;
+     },
+     true},
+    {"welcome-wide",
+     [](GuiStage& stage) {
+       stage.open = {};
+       stage.ui.welcome.highlighted = 1;
+       stage.ui.recentFiles = {"/characters/boxer.glb", "/characters/walk.gltf"};
+     },
+     true},
 };
 
+std::string numbersText(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) {
+    text += fmt::format(" {:.3f}", value);
+  }
+  return text;
+}
+
+std::string colourText(const glm::vec4& colour) {
+  return numbersText({colour.r, colour.g, colour.b, colour.a});
+}
+
+std::string vectorText(const Vec3& world) {
+  return numbersText({world.x, world.y, world.z});
+}
+
+/// What is drawn over the character, mark by mark.
+std::string overlayText(const Overlay& overlay) {
+  std::string text;
+  for (const Polyline& line : overlay.lines) {
+    Vec3 sum(0.0);
+    double width = 0.0;
+    for (const LinePoint& point : line.points) {
+      sum += point.world;
+      width += static_cast<double>(point.widthPoints);
+    }
+    const double count = std::max<double>(1.0, static_cast<double>(line.points.size()));
+    text += fmt::format("  line of {} , dashes {} {} , depth {} , outlined {} , about", line.points.size(),
+                        line.dashPoints, line.gapPoints, static_cast<int>(line.depth), line.outlined) +
+            vectorText(sum / count) + numbersText({width / count});
+    if (!line.points.empty()) {
+      text += " from" + vectorText(line.points.front().world) + colourText(line.points.front().color) +
+              " to" + vectorText(line.points.back().world) + colourText(line.points.back().color);
+    }
+    text += "\n";
+  }
+  for (const Marker& marker : overlay.markers) {
+    text += fmt::format("  mark {} at", static_cast<int>(marker.shape)) + vectorText(marker.world) +
+            numbersText({marker.radiusPoints, marker.edgePoints, marker.turnRadians}) +
+            fmt::format(" depth {}", static_cast<int>(marker.depth)) + colourText(marker.fill) +
+            colourText(marker.edge) + "\n";
+  }
+  for (const Arrow& arrow : overlay.arrows) {
+    text += "  arrow" + vectorText(arrow.from) + " to" + vectorText(arrow.to) + colourText(arrow.color) +
+            numbersText({arrow.widthPoints, arrow.headPoints}) + "\n";
+  }
+  return text;
+}
+
+std::string drawnText(GuiStage& stage, const ViewportGpu& gpu) {
+  app::Session* const session = stage.open.character();
+  if (session == nullptr) {
+    return "  no character\n";
+  }
+  const PictureContent content =
+      workPicture(*session, stage.viewport, stage.ui.overlays, paletteOf(stage.theme.kind), gpu.measures);
+  std::string text =
+      fmt::format("  {} ghosts , shading {} , wire {} , floor {}\n", content.ghosts.size(),
+                  static_cast<int>(content.style.shading), content.style.wireframe, content.style.floor);
+  for (const Ghost& ghost : content.ghosts) {
+    text += "  ghost" + numbersText({ghost.frame.timeSeconds}) + colourText(ghost.tint) + "\n";
+  }
+  return text + overlayText(overlayOf(*gpu.uploaded, stage.viewport.view, content));
+}
+
 } // namespace
+
+TEST_CASE("What is drawn over the character in each state of the view is as it was looked at") {
+  GuiPainter painter;
+  std::string text;
+  std::map<std::string, std::string> firstWith; // what is drawn: in which state it was first
+  for (const Overlays& wanted : overlays) {
+    GuiStage stage(painter, ThemeKind::dark, 264.0F, 240.0F);
+    openCharacter(stage);
+    wanted.set(stage);
+    stage.showViewport();
+    const std::string drawn = drawnText(stage, painter.viewportGpu());
+    const std::string first = firstWith.try_emplace(drawn, wanted.name).first->second;
+    text += std::string(wanted.name) + "\n" + (first == wanted.name ? drawn : "  as " + first + "\n");
+  }
+  const std::string difference = test::differenceFromRecord("overlays", text, 2e-3);
+  INFO(difference);
+  CHECK(difference.empty());
+}
 
 TEST_CASE("Picture: the viewport with each of its overlays in both themes") {
   GuiPainter painter;
   for (const Overlays& wanted : overlays) {
     for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
-      GuiStage stage(painter, kind, 264.0F, 240.0F);
+      if (wanted.isWide && kind == ThemeKind::light) {
+        continue;
+      }
+      GuiStage stage(painter, kind, wanted.isWide ? 560.0F : 264.0F, wanted.isWide ? 400.0F : 240.0F);
       openCharacter(stage);
       wanted.set(stage);
       stage.showViewport();

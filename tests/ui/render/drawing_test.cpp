@@ -197,3 +197,16 @@ TEST_CASE("Quality falls when frames stay slow, rises when they stay fast, and d
   fast.frameTook(0.2);
   CHECK(fast.level() == highestQualityLevel);
 }
+
+TEST_CASE("Renderers that draw in software are told from graphics cards by their name") {
+  for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Mesa DRI swrast",
+                           "Gallium 0.4 on SWR", "Software Rasterizer"}) {
+    INFO(name);
+    CHECK(isSoftwareRenderer(name));
+  }
+  for (const char* name : {"NVIDIA GeForce RTX 3060/PCIe/SSE2", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)",
+                           "AMD Radeon RX 6600 (radeonsi)", "Apple M1", ""}) {
+    INFO(name);
+    CHECK_FALSE(isSoftwareRenderer(name));
+  }
+}

@@ -122,3 +122,19 @@ TEST_CASE("Of bones that cross on the screen the front one is picked, else the n
   CHECK(pickBone(view, bones, {470.0, 352.0}) == 2U);
   CHECK_FALSE(pickBone(view, bones, {470.0, 375.0}));
 }
+
+TEST_CASE("Of pieces of a line that are all within reach the nearest is hit, and none beyond the reach") {
+  const View view = straightView();
+  // Comes down to 5 pixels above the middle, then to 2 pixels below it, then leaves.
+  const std::vector<Vec3> line{{-0.5, 0.05, 0.0}, {0.5, 0.05, 0.0}, {0.5, -0.02, 0.0}, {-0.5, -0.02, 0.0}};
+  const auto hit = pickPolyline(view, line, {400.0, 400.0});
+  REQUIRE(hit);
+  CHECK(hit->segment == 2);
+  CHECK(hit->fraction == Approx(0.5).margin(1e-6));
+  CHECK(hit->distancePixels == Approx(2.0).margin(0.01));
+  const std::vector<Vec3> turned(line.rbegin(), line.rend());
+  CHECK(pickPolyline(view, turned, {400.0, 400.0})->segment == 0);
+  CHECK(pickPolyline(view, line, {400.0, 384.9})->segment == 0);
+  CHECK_FALSE(pickPolyline(view, line, {400.0, 384.0}));
+  CHECK_FALSE(pickPolyline(view, std::vector<Vec3>{{0.0, 0.0, 0.0}}, {400.0, 400.0}));
+}

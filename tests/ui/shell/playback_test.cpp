@@ -54,3 +54,40 @@ TEST_CASE("On twos every second frame is held for two") {
   play(playing.shell, 1.001 / 24.0);
   CHECK(playing.frame() == 12.0);
 }
+
+TEST_CASE("After a pause of the program playing goes on from where it was, a quarter of a second at most") {
+  Playing playing;
+  play(playing.shell, 5.0);
+  CHECK(playing.frame() == Approx(6.0));
+  Playing half;
+  half.shell.ui.time.timeline.speed = 0.5;
+  play(half.shell, 0.125);
+  CHECK(half.frame() == Approx(1.5));
+}
+
+TEST_CASE("Playing begins again after the last frame, or stops there where it does not loop") {
+  Playing looping;
+  looping.shell.open.character()->view().frame = 59.0;
+  play(looping.shell, 3.0 / 24.0);
+  CHECK(looping.frame() == Approx(2.0));
+  CHECK(looping.shell.ui.time.timeline.playing);
+  Playing once;
+  once.shell.ui.time.timeline.loop = false;
+  once.shell.open.character()->view().frame = 59.0;
+  play(once.shell, 3.0 / 24.0);
+  CHECK(once.frame() == 60.0);
+  CHECK_FALSE(once.shell.ui.time.timeline.playing);
+  play(once.shell, 3.0 / 24.0);
+  CHECK(once.frame() == 60.0);
+}
+
+TEST_CASE("A playhead that is let go of between frames snaps to the nearest one while frames snap") {
+  Playing playing;
+  playing.shell.open.character()->view().frame = 7.6;
+  playing.shell.ui.time.timeline.snapToFrames = false;
+  snapPlayhead(playing.shell);
+  CHECK(playing.frame() == 7.6);
+  playing.shell.ui.time.timeline.snapToFrames = true;
+  snapPlayhead(playing.shell);
+  CHECK(playing.frame() == 8.0);
+}

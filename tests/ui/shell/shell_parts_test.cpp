@@ -210,3 +210,40 @@ TEST_CASE("Every key of ours is one of the window's") {
   }
   CHECK(fromGlfwKey(340) == app::Key::none); // Shift alone.
 }
+
+TEST_CASE("Where the view looks from, and the part of time that was worked on, are remembered whole") {
+  const app::Document document = test::boxer();
+  app::ViewState view;
+  view.rangeStart = 3.0;
+  view.rangeEnd = 14.0;
+  Camera camera;
+  camera.target = Vec3(0.5, 1.25, -2.0);
+  camera.distance = 7.0;
+  camera.yawRadians = 0.75;
+  camera.pitchRadians = -0.5;
+  camera.projection = GENERATE(ProjectionKind::orthographic, ProjectionKind::perspective);
+  app::ViewState read;
+  Camera readCamera;
+  readCamera.projection = camera.projection == ProjectionKind::orthographic ? ProjectionKind::perspective
+                                                                            : ProjectionKind::orthographic;
+  readView(viewText(view, camera), document, read, readCamera);
+  CHECK(read.rangeStart == 3.0);
+  CHECK(read.rangeEnd == 14.0);
+  CHECK(readCamera == camera);
+}
+
+TEST_CASE("Numbers of a remembered view that make no sense leave the view as it is") {
+  const app::Document document = test::boxer();
+  app::ViewState view;
+  Camera camera;
+  camera.target = Vec3(1.0, 2.0, 3.0);
+  const Camera before = camera;
+  readView(
+      R"({"frame": -4, "range": [2], "limbs": [3, "left-arm"], "camera": {"target": [1, 2], "yaw": "left"}})",
+      document, view, camera);
+  CHECK(view.frame == 0.0);
+  CHECK(view.rangeStart == app::ViewState{}.rangeStart);
+  CHECK(view.selection.limbs() == std::vector<std::string>{"left-arm"});
+  CHECK(camera.target == before.target);
+  CHECK(camera.yawRadians == before.yawRadians);
+}

@@ -101,3 +101,34 @@ TEST_CASE("Esc says nothing once nothing is in progress", "[jobs]") {
   working.press("Esc");
   CHECK(working.shell.ui.toasts.size() == 1);
 }
+
+TEST_CASE("A clip that is ready while something is dragged comes in when the drag is over", "[jobs]") {
+  Working working(test::PanelDriver::bundledCharacter());
+  importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});
+  app::Session& session = *working.shell.open.character();
+  const std::size_t before = session.document().clips->size();
+  session.begin("Drag");
+  while (working.shell.clipImport.job != nullptr && !working.shell.clipImport.job->isFinished()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  updateClipImport(working.shell);
+  CHECK(session.isDragging());
+  CHECK(session.document().clips->size() == before);
+  session.cancel();
+  updateClipImport(working.shell);
+  CHECK(session.document().clips->size() > before);
+  CHECK(session.history().canUndo());
+}
+
+TEST_CASE("A clip for a character that is not open any more is told and left out", "[jobs]") {
+  Working working(test::PanelDriver::bundledCharacter());
+  importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});
+  Result<app::Document> other = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy_leap.glb");
+  REQUIRE(other);
+  working.shell.open.open(app::Opened{std::move(*other)});
+  working.waitUntilDone();
+  CHECK_FALSE(working.session().history().canUndo());
+  REQUIRE(working.shell.ui.toasts.size() == 1);
+  CHECK(working.shell.ui.toasts.front().text ==
+        "dummy_swing.glb was for a character that is not open any more");
+}

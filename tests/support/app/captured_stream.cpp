@@ -1,4 +1,4 @@
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/captured_stream.h"
 
 #include <unistd.h>
 
@@ -10,26 +10,25 @@
 
 namespace stretch::test {
 
-CapturedErrors::CapturedErrors() : kept_(dup(STDERR_FILENO)) {
+CapturedStream::CapturedStream(std::FILE* stream) : stream_(stream), kept_(dup(fileno(stream))) {
   std::string pattern = (std::filesystem::temp_directory_path() / "stretch-told-XXXXXX").string();
-  std::fflush(stderr);
-
+  std::fflush(stream_);
   file_ = mkstemp(pattern.data());
-  if (kept_ < 0 || file_ < 0 || dup2(file_, STDERR_FILENO) < 0) {
-    throw std::runtime_error("cannot keep what goes to standard error");
+  if (kept_ < 0 || file_ < 0 || dup2(file_, fileno(stream_)) < 0) {
+    throw std::runtime_error("cannot keep what goes to a standard stream");
   }
   unlink(pattern.c_str());
 }
 
-CapturedErrors::~CapturedErrors() {
-  std::fflush(stderr);
-  dup2(kept_, STDERR_FILENO);
+CapturedStream::~CapturedStream() {
+  std::fflush(stream_);
+  dup2(kept_, fileno(stream_));
   close(kept_);
   close(file_);
 }
 
-std::string CapturedErrors::text() const {
-  std::fflush(stderr);
+std::string CapturedStream::text() const {
+  std::fflush(stream_);
   std::string text;
   std::array<char, 4096> part{};
   ssize_t count = 0;
