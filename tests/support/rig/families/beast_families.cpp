@@ -145,7 +145,10 @@ Beast quadruped(Row& row) {
   if (row.once(4)) { // feet for inverse kinematics
     for (const char* const stem : {"front", "hind"}) {
       for (const std::string& side : bothSides) {
-        jointOf(beast.body, stem + std::string("Foot") + side).parent = beast.has("root") ? "root" : "";
+        SyntheticJoint& foot = jointOf(beast.body, stem + std::string("Foot") + side);
+        SyntheticJoint& last = jointOf(beast.body, foot.parent);
+        last.flesh = 0.92 * (foot.position - last.position);
+        foot.parent = beast.has("root") ? "root" : "";
       }
     }
   }

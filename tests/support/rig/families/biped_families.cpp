@@ -130,14 +130,20 @@ void legsBesideHips(Draft& draft) {
                            {"body", "root", draft.at("hips") - Vec3(0, 0.03, 0)});
   jointOf(draft.body, "hips").parent = "body";
   draft.moved = {{"thigh.l", "body"}, {"thigh.r", "body"}};
+  if (draft.wanted.contains("spine")) {
+    draft.wanted["spine"].first = "hips|spine0"; // a joint called hips that carries the torso alone
+  }
 }
 
 void feetOnTheRoot(Draft& draft) {
   if (!draft.has("foot.l")) {
     return;
   }
-  draft.moved.emplace_back("foot.l", "root");
-  draft.moved.emplace_back("foot.r", "root");
+  for (const std::string& side : bothSides) {
+    draft.moved.emplace_back("foot" + side, "root");
+    SyntheticJoint& last = jointOf(draft.body, jointOf(draft.body, "foot" + side).parent);
+    last.flesh = 0.92 * (draft.at("foot" + side) - last.position);
+  }
 }
 
 void packRig(Draft& draft) {
@@ -300,6 +306,7 @@ void oneHandless(Draft& draft) {
   if (!draft.has("hand" + side)) {
     return;
   }
+  jointOf(draft.body, "foreArm" + side).flesh = draft.at("hand" + side) - draft.at("foreArm" + side);
   std::vector<std::string> gone{"hand" + side};
   for (std::size_t i = 0; i < gone.size(); ++i) {
     for (const SyntheticJoint& joint : draft.body.joints) {
@@ -318,6 +325,7 @@ void thighsUnderTheSpine(Draft& draft) {
   // As 3ds Max hangs them.
   if (draft.has("spine0")) {
     draft.moved = {{"thigh.l", "spine0"}, {"thigh.r", "spine0"}};
+    draft.wanted["spine"].first = "spine0|spine1"; // the joint that carries the legs may be the hips
   }
 }
 
@@ -366,6 +374,21 @@ void horns(Draft& draft) {
 
 void upright(Draft& /*draft*/) {}
 
+void twoTraits(Draft& draft) {
+  using Trait = void (*)(Draft&);
+  const std::vector<Trait> hanging{legsBesideHips, feetOnTheRoot, packRig, pelvisHalves, thighsUnderTheSpine};
+  const std::vector<Trait> jointed{twistsInARow, twistsBeside, controlsInTheSkin, face, tips};
+  const std::vector<Trait> worn{skirt, cape, hair, tail, weapons, wings, armour, horns, manyFingers};
+  if (draft.row.once(2)) {
+    draft.row.oneOf(worn)(draft);
+    draft.row.oneOf(jointed)(draft);
+  } else {
+    draft.row.oneOf(jointed)(draft);
+    draft.row.oneOf(hanging)(draft);
+    draft.row.oneOf(worn)(draft);
+  }
+}
+
 struct Family {
   const char* title;
   void (*trait)(Draft& draft);
@@ -394,7 +417,8 @@ const std::vector<Family> families{{"plain", upright},
                                    {"halves of a pelvis", pelvisHalves},
                                    {"armour and soft parts", armour},
                                    {"end joints", tips},
-                                   {"horns and beard", horns}};
+                                   {"horns and beard", horns},
+                                   {"several at once", twoTraits, false}};
 
 BodyOptions drawOptions(Row& row) {
   BodyOptions options;
@@ -456,6 +480,13 @@ FamilyRig drawRig(const Family& family, Row& row) {
       draft.body.names[key] = bone + key.substr(like.size(), key.size() - 2 - like.size());
     }
   }
+  if (names.tell && options.neckJoints == 2 && draft.body.names.contains("neck0")) {
+    std::string second = draft.body.names["neck0"]; // the number that its scheme has next
+    second.back() = std::isdigit(static_cast<unsigned char>(second.back())) != 0
+                        ? static_cast<char>(second.back() + 1)
+                        : 'b';
+    draft.body.names["neck1"] = second;
+  }
   nameOthers(draft.body, names, row);
   SyntheticBiped& body = draft.body;
   body.tubes = true;
@@ -463,7 +494,8 @@ FamilyRig drawRig(const Family& family, Row& row) {
   body.size = row.once(3) ? row.oneOf(std::vector<double>{0.01, 0.1, 60.0, 100.0}) : 1.0;
   body.armatureScale = row.once(3) ? row.oneOf(std::vector<double>{0.001, 0.01, 100.0, 2000.0}) : 1.0;
   body.posedAtRest = row.once(4);
-  body.withMesh = !row.once(12);
+  const bool endsNeedMesh = !options.hands || !options.feet || family.title == std::string("one hand");
+  body.withMesh = endsNeedMesh || !row.once(12);
   const std::uint32_t faces = row.below(8);
   body.facesBackwards = faces == 0;
   body.turn = faces == 1 ? axisAngle(Vec3(0, 1, 0), pi / 2.0) : Quat(1, 0, 0, 0);

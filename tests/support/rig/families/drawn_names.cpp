@@ -117,7 +117,11 @@ DrawnNames drawNames(SyntheticBiped& body, Row& row) {
   default: break;
   }
   std::vector<NamingScheme> all = namingSchemes();
-  std::erase_if(all, [](const NamingScheme& one) { return one.left.empty(); });
+  // "numbered limbs" calls the head a neck, which is no fair question where there is none.
+  std::erase_if(all, [&](const NamingScheme& one) {
+    const bool hasNeck = std::ranges::find(body.joints, std::string("neck0"), &SyntheticJoint::key) != body.joints.end();
+    return one.left.empty() || (one.title == "numbered limbs" && !hasNeck);
+  });
   std::ranges::move(moreSchemes(), std::back_inserter(all));
   const NamingScheme& drawn = row.oneOf(all);
   applyNames(body, drawn);
