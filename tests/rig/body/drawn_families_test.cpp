@@ -132,7 +132,7 @@ TEST_CASE("Drawn rigs of every family are read as a person reads them, as often 
   CHECK(difference.empty());
 }
 
-TEST_CASE("What is read wrongly of drawn rigs, for looking at", "[.]") {
+TEST_CASE("What is read wrongly of drawn rigs, for looking at", "[.drawn]") {
   std::string details;
   Calibration limbs;
   const char* const number = std::getenv("EACH");

@@ -193,6 +193,23 @@ void addWeight(Primitive& primitive, const SyntheticBiped& body, const Synthetic
   addBox(primitive, placed(body, low - thickness), placed(body, high + thickness), slot);
 }
 
+// The vertices of one joint as a mesh of a node below it.
+void addRigidPart(Scene& scene, const SyntheticBiped& body, const SyntheticJoint& joint, NodeIndex node) {
+  Primitive part;
+  addWeight(part, body, joint, 0);
+  part.influences.clear();
+  for (glm::vec3& position : part.positions) {
+    position -= glm::vec3(placed(body, joint.position));
+  }
+  Node carrier;
+  carrier.name = scene.nodes[at(node)].name + "_mesh";
+  carrier.parent = node;
+  carrier.mesh = static_cast<int>(scene.meshes.size());
+  scene.nodes[at(node)].children.emplace_back(static_cast<int>(scene.nodes.size()));
+  scene.nodes.push_back(std::move(carrier));
+  scene.meshes.push_back({joint.key, {std::move(part)}, {}});
+}
+
 } // namespace
 
 SyntheticBiped makeBody(const BodyOptions& options) {
@@ -264,6 +281,9 @@ BuiltBiped build(const SyntheticBiped& body) {
     const bool turned = body.posedAtRest && !joint.parent.empty() && joint.key != "hips";
     node.rest.rotation = turned ? glm::angleAxis(0.4, glm::normalize(Vec3(1, 2, 3))) : Quat(1, 0, 0, 0);
     built.node[joint.key] = index;
+    if (body.rigid && joint.movesMesh) {
+      addRigidPart(scene, body, joint, index);
+    }
     if (joint.isJoint) {
       skin.joints.push_back(index);
       skin.inverseBind.push_back(glm::translate(Mat4(1.0), -placed(body, joint.position)));

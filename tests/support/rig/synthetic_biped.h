@@ -31,6 +31,7 @@ struct SyntheticBiped {
   bool feetPointBack = false;    ///< The mesh of the feet alone, as a mech's spurs.
   bool tubes = false;            ///< Rings about the bones in place of boxes along the axes, so that posed limbs
                                  ///< have a mesh as well.
+  bool rigid = false;            ///< Without a skin: a mesh under each joint that moves one.
   bool posedAtRest = false;      ///< Rest rotations that are not the bind pose's.
   double size = 1.0;             ///< Of the whole, in the scene's units.
   Quat turn{1.0, 0.0, 0.0, 0.0}; ///< Of the whole in the world; by quarters, or its boxes are no boxes.

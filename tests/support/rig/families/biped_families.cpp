@@ -496,6 +496,9 @@ FamilyRig drawRig(const Family& family, Row& row) {
   body.posedAtRest = row.once(4);
   const bool endsNeedMesh = !options.hands || !options.feet || family.title == std::string("one hand");
   body.withMesh = endsNeedMesh || !row.once(12);
+  body.rigid = body.withMesh && row.once(8);
+  body.withSkin = !body.rigid;
+  body.posedAtRest = body.posedAtRest && !body.rigid;
   const std::uint32_t faces = row.below(8);
   body.facesBackwards = faces == 0;
   body.turn = faces == 1 ? axisAngle(Vec3(0, 1, 0), pi / 2.0) : Quat(1, 0, 0, 0);
@@ -504,7 +507,7 @@ FamilyRig drawRig(const Family& family, Row& row) {
       faces == 0 ? ", faces -Z" : faces == 1 ? ", faces X" : "", options.spineJoints, options.neckJoints,
       options.clavicles ? "" : ", no clavicles", options.hands ? "" : ", no hands",
       options.feet ? options.toes ? "" : ", no toes" : ", no feet", options.fingers ? ", fingers" : "",
-      body.withMesh ? "" : ", no mesh");
+      !body.withMesh ? ", no mesh" : body.rigid ? ", rigid parts" : "");
   return {family.title, title, "biped", std::move(body), std::move(draft.wanted), std::move(draft.absent)};
 }
 
