@@ -128,9 +128,10 @@ Status checkFrameCount(const Clip& clip) {
   const double frames = endInFrames(clip);
   return frames <= mostFrames
              ? Status(Success{})
-             : Error{fmt::format("lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time", frames,
-                                 mostFrames),
-                     fmt::format("clip '{}'", clip.name), "cut the clip, or count in fewer frames with --fps"};
+             : Error{fmt::format("lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time",
+                                 frames, mostFrames),
+                     fmt::format("clip '{}'", clip.name),
+                     "cut the clip, or count in fewer frames with --fps"};
 }
 
 Result<int> clipOfArguments(const FileArguments& arguments, const Document& document) {

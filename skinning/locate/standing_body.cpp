@@ -17,8 +17,8 @@ constexpr int fine = 140; // cubes along the longest side: the gap between an ar
 constexpr std::array<std::array<int, 3>, 6> faces{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-// A solid of a few vertices fills its grid with cubes that tell nothing: as many as its mesh is fine. A person
-// of a hundred vertices has its full number.
+// A solid of a few vertices fills its grid with cubes that tell nothing: as many as its mesh is fine. A
+// person of a hundred vertices has its full number.
 int cubesAlong(const std::vector<glm::vec3>& positions) {
   constexpr double perVertex = 8000.0;
   Bounds bounds;

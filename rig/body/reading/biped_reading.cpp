@@ -75,9 +75,9 @@ LimbPair makePair(const BodyView& view, const MirrorPlane& plane, const LimbGues
   constexpr double alike = 0.1;
   const double apart = structurePenalty(view, negative, positive);
   const bool areAlike = apart == 0.0 && pair.mirrorError < alike;
-  const double spared =
-      areAlike ? std::abs(negative.shapePenalty - positive.shapePenalty) : 0.0;
-  pair.score = negative.score() + positive.score() + spared - std::min(2.0, 4.0 * pair.mirrorError) + sides - apart;
+  const double spared = areAlike ? std::abs(negative.shapePenalty - positive.shapePenalty) : 0.0;
+  pair.score =
+      negative.score() + positive.score() + spared - std::min(2.0, 4.0 * pair.mirrorError) + sides - apart;
   return pair;
 }
 
@@ -92,8 +92,7 @@ LimbPair makeSingle(const LimbGuess& guess) {
 bool standsAlone(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess,
                  const std::vector<LimbGuess>& guesses) {
   constexpr double leastError = 0.3;
-  return guess.end >= 0 && guess.nameFit > -0.2 &&
-         std::ranges::none_of(guesses, [&](const LimbGuess& other) {
+  return guess.end >= 0 && guess.nameFit > -0.2 && std::ranges::none_of(guesses, [&](const LimbGuess& other) {
            return guess.lateral * other.lateral < 0.0 && mirrorError(view, plane, guess, other) < leastError;
          });
 }

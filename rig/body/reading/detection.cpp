@@ -267,7 +267,8 @@ bool standsUpright(const Finding& finding) {
 // Whether a body that may be a biped in an odd pose is rather what it was read as: a bird's legs stand across
 // its trunk, a biped that lies has no tail, and none stands on six legs.
 bool isRather(const PlanReading& reading, const Finding& finding) {
-  const bool rises = finding.bodyUp.y >= leastRise * glm::length(finding.bodyUp);
+  // As the trunk of a person who sits does; of a beast that was turned over it tells nothing.
+  const bool rises = reading.up.y > 0.5 && finding.bodyUp.y >= leastRise * glm::length(finding.bodyUp);
   const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
   return reading.plan->legs == 2 || (!rises && (reading.plan->legs > 4 || hasTail));
 }
@@ -281,7 +282,8 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   constexpr double sure = 0.5;
   std::optional<PlanReading> reading =
       readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
-  const bool fits = reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading, finding));
+  const bool fits =
+      reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading, finding));
   if (fits) {
     takeReading(std::move(*reading), finding);
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {

@@ -96,7 +96,8 @@ double bonesBeforeLeg(const BodyView& view, const MirrorPlane& plane, const Limb
   double length = 0.0;
   double penalty = 0.0;
   for (int below = guess.base, above = view.parentOf(guess.base);
-       above >= 0 && std::abs(plane.lateral(view.at(above))) > least; below = above, above = view.parentOf(above)) {
+       above >= 0 && std::abs(plane.lateral(view.at(above))) > least;
+       below = above, above = view.parentOf(above)) {
     const Vec3 bone = view.at(below) - view.at(above);
     length += glm::length(bone);
     const bool isHalf = below == guess.base && angleBetween(upper, bone) < inLine &&

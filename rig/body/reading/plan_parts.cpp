@@ -152,7 +152,8 @@ private:
   // Of a body on six or eight legs: what spreads beside them are wings, what the head carries none.
   [[nodiscard]] LimbKind feelerOrWing(const ExtremityPair& pair) const {
     const Vec3 along = pair.positive.points.back() - pair.positive.points.front();
-    const bool isAtHead = parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, pair.positive.attach);
+    const bool isAtHead =
+        parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, pair.positive.attach);
     const bool spreads = std::abs(glm::dot(along, plane_.normal)) > 0.7 * glm::length(along);
     return spreads && !isAtHead && pair.length() > 0.25 * view_.size ? LimbKind::wing : LimbKind::feeler;
   }
@@ -228,7 +229,8 @@ private:
 
   [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
     return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-      return (countsChains || one.kind != LimbKind::chain) && view_.isAboveOrSelf(joint, one.pair.positive.attach);
+      return (countsChains || one.kind != LimbKind::chain) &&
+             view_.isAboveOrSelf(joint, one.pair.positive.attach);
     });
   }
 

@@ -70,6 +70,10 @@ public:
     if (!hasNamedTail()) {
       std::erase_if(reading.limbs, [](const Limb& limb) { return limb.kind == LimbKind::tail; });
     }
+    constexpr double doubted = 0.45; // feelers may pass for its trunk
+    for (Limb& limb : reading.limbs) {
+      limb.confidence = isTrunk(limb) ? std::min(limb.confidence, doubted) : limb.confidence;
+    }
     reading.warnings.clear(); // nothing but legs tells which way such a body faces
     reading.warnings.emplace_back("no legs found: the joints move none, or choose chains of joints for them");
     return reading;

@@ -201,7 +201,8 @@ TEST_CASE("A file that is refused is named once, whichever verb refuses it") {
   }
 }
 
-TEST_CASE("A clip of years, as a key at an absurd time makes it, is refused at once by what counts its frames") {
+TEST_CASE(
+    "A clip of years, as a key at an absurd time makes it, is refused at once by what counts its frames") {
   MovingBiped moving = punchingBiped();
   const auto lastAt = [&](float seconds) {
     for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {

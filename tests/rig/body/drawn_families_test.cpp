@@ -24,16 +24,16 @@ bool isOneOf(const std::string& key, const std::string& alternatives) {
 
 bool isRight(const BuiltBiped& built, const Limb& limb, const WantedLimb& wanted) {
   const std::string end = keyOf(built, limb.endNode);
-  const bool goesThrough =
-      wanted.through.empty() || std::ranges::any_of(limb.joints, [&](NodeIndex joint) {
-        return keyOf(built, joint) == wanted.through;
-      });
+  const bool goesThrough = wanted.through.empty() || std::ranges::any_of(limb.joints, [&](NodeIndex joint) {
+                             return keyOf(built, joint) == wanted.through;
+                           });
   return isOneOf(keyOf(built, limb.joints.front()), wanted.first) && goesThrough && isOneOf(end, wanted.end);
 }
 
 struct Judged {
   bool right = true;
-  bool told = false; ///< Each thing that is wrong has a confidence below a half, or is missing with a warning.
+  bool told = false; ///< Each thing that is wrong has a confidence below a half, or is missing with a
+                     ///< warning.
   std::string what;
 };
 
@@ -103,12 +103,14 @@ std::string table(const std::vector<FamilyRig>& rigs, Calibration& limbs, std::s
     count.right += judged.right ? 1 : 0;
     count.untold += judged.right || judged.told ? 0 : 1;
     if (!judged.right && details != nullptr) {
-      *details += fmt::format("  {}{} [{}]{}\n", judged.told ? "(told) " : "", rig.family, rig.title, judged.what);
+      *details +=
+          fmt::format("  {}{} [{}]{}\n", judged.told ? "(told) " : "", rig.family, rig.title, judged.what);
     }
   }
   std::string text;
   for (const auto& [family, count] : families) {
-    text += fmt::format("{}: {} of {} right, {} wrong without a word\n", family, count.right, count.all, count.untold);
+    text += fmt::format("{}: {} of {} right, {} wrong without a word\n", family, count.right, count.all,
+                        count.untold);
   }
   return text;
 }

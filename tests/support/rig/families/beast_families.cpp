@@ -16,11 +16,13 @@ struct Beast {
   std::map<std::string, WantedLimb> wanted;
   Row& row;
 
-  void add(const std::string& key, const std::string& parent, const Vec3& place, const Vec3& flesh = Vec3(0.0)) {
+  void add(const std::string& key, const std::string& parent, const Vec3& place,
+           const Vec3& flesh = Vec3(0.0)) {
     body.joints.push_back({key, parent, place, true, true, flesh});
   }
   // On both bothSides; "%" in the parent stands for the side.
-  void both(const std::string& key, const std::string& parent, const Vec3& place, const Vec3& flesh = Vec3(0.0)) {
+  void both(const std::string& key, const std::string& parent, const Vec3& place,
+            const Vec3& flesh = Vec3(0.0)) {
     for (const std::string& side : bothSides) {
       std::string above = parent;
       if (const std::size_t mark = above.find('%'); mark != std::string::npos) {
@@ -38,7 +40,8 @@ struct Beast {
       place += step;
     }
   }
-  void rowsOfBoth(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step, int count) {
+  void rowsOfBoth(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step,
+                  int count) {
     std::string above = parent;
     for (int i = 0; i < count; ++i) {
       both(fmt::format("{}{}", stem, i + 1), above, place);
@@ -72,12 +75,13 @@ void addLyingTrunk(Beast& beast, double height, double length, int spine, int ne
     beast.body.joints.back().movesMesh = false;
   }
   beast.add("hips", rooted ? "root" : "", {0, height, -length / 2});
-  beast.row_("spine", "hips", {0, height + 0.02, -length / 2 + length / (spine + 0.5)}, {0, 0, length / (spine + 0.5)},
-             spine);
+  beast.row_("spine", "hips", {0, height + 0.02, -length / 2 + length / (spine + 0.5)},
+             {0, 0, length / (spine + 0.5)}, spine);
   const std::string chest = fmt::format("spine{}", spine);
-  beast.row_("neck", chest, {0, height + 0.1 * rise, length / 2 + 0.12}, {0, rise / (neck + 1), 0.3 / (neck + 1)}, neck);
-  beast.add("head", neck > 0 ? fmt::format("neck{}", neck) : chest,
-            {0, height + rise, length / 2 + 0.4}, {0, -0.03, 0.25});
+  beast.row_("neck", chest, {0, height + 0.1 * rise, length / 2 + 0.12},
+             {0, rise / (neck + 1), 0.3 / (neck + 1)}, neck);
+  beast.add("head", neck > 0 ? fmt::format("neck{}", neck) : chest, {0, height + rise, length / 2 + 0.4},
+            {0, -0.03, 0.25});
 }
 
 void addHead(Beast& beast) {
@@ -86,7 +90,8 @@ void addHead(Beast& beast) {
     beast.add("jaw", "head", head + Vec3(0, -0.06, 0.08), {0, 0, 0.12});
   }
   if (beast.row.once(2)) {
-    beast.rowsOfBoth("ear", "head", head + Vec3(0.06, 0.08, -0.02), {0.03, 0.08, 0}, 1 + static_cast<int>(beast.row.below(2)));
+    beast.rowsOfBoth("ear", "head", head + Vec3(0.06, 0.08, -0.02), {0.03, 0.08, 0},
+                     1 + static_cast<int>(beast.row.below(2)));
   }
   if (beast.row.once(4)) {
     beast.rowsOfBoth("antler", "head", head + Vec3(0.05, 0.1, -0.02), {0.12, 0.15, -0.03}, 3);
@@ -94,11 +99,12 @@ void addHead(Beast& beast) {
 }
 
 // Legs in bones from a height to the ground; a knee that bends forward or back.
-void addLeg(Beast& beast, const std::string& stem, const std::string& parent, double x, double top, double z, int bones,
-            double bend) {
+void addLeg(Beast& beast, const std::string& stem, const std::string& parent, double x, double top, double z,
+            int bones, double bend) {
   std::string above = parent;
-  static const std::vector<std::vector<std::string>> parts{
-      {"Upper", "Lower", "Foot"}, {"Upper", "Lower", "Ankle", "Foot"}, {"Upper", "Lower", "Hock", "Ankle", "Foot"}};
+  static const std::vector<std::vector<std::string>> parts{{"Upper", "Lower", "Foot"},
+                                                           {"Upper", "Lower", "Ankle", "Foot"},
+                                                           {"Upper", "Lower", "Hock", "Ankle", "Foot"}};
   const std::vector<std::string>& names = parts[static_cast<std::size_t>(bones - 2)];
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(names.size() - 1);
@@ -181,14 +187,16 @@ void addBirdLegs(Beast& beast, double height, double z) {
   if (backwards) {
     beast.both("legAnkle", "legLower%", {0.13, 0.25 * height, z - 0.1 * height});
   }
-  beast.both("legFoot", backwards ? "legAnkle%" : "legLower%", {0.13, 0.04 * height, z + 0.02}, {0, -0.03 * height, 0.1});
+  beast.both("legFoot", backwards ? "legAnkle%" : "legLower%", {0.13, 0.04 * height, z + 0.02},
+             {0, -0.03 * height, 0.1});
   beast.wantBoth("%-leg", {"legUpper%", "legLower%", "legFoot%"});
 }
 
 Beast bird(Row& row) {
   Beast beast{"bird", {}, {}, row};
   const double height = row.between(0.3, 0.9);
-  addLyingTrunk(beast, height, row.between(0.4, 0.7), 2, static_cast<int>(row.below(3)), row.between(0.1, 0.4));
+  addLyingTrunk(beast, height, row.between(0.4, 0.7), 2, static_cast<int>(row.below(3)),
+                row.between(0.1, 0.4));
   addBirdLegs(beast, height, -0.1);
   if (row.once(2)) {
     beast.add("beak", "head", jointOf(beast.body, "head").position + Vec3(0, -0.02, 0.15), {0, 0, 0.1});
@@ -236,14 +244,17 @@ Beast manyLegged(Row& row, int rows, bool flies) {
       parent = stem + "coxa%";
     }
     beast.both(stem + "upper", parent, {0.12, height, z});
-    beast.both(stem + "middle", stem + "upper%", {0.12 + 0.5 * reach, flies ? height - 0.05 : 1.5 * height, z + 0.4 * fan * reach});
-    beast.both(stem + "tip", stem + "middle%", {0.12 + reach, flies ? height - 0.2 : 0.02, z + 0.8 * fan * reach},
+    beast.both(stem + "middle", stem + "upper%",
+               {0.12 + 0.5 * reach, flies ? height - 0.05 : 1.5 * height, z + 0.4 * fan * reach});
+    beast.both(stem + "tip", stem + "middle%",
+               {0.12 + reach, flies ? height - 0.2 : 0.02, z + 0.8 * fan * reach},
                flies ? Vec3(0, -0.04, 0) : Vec3(0.02, -0.02, 0));
     const std::string id = i == 0 ? "%-leg" : fmt::format("%-leg-{}", i + 1);
     beast.wantBoth(id, {stem + "coxa%|" + stem + "upper%", stem + "middle%", stem + "tip%|estimated"});
   }
   if (flies || row.once(4)) {
-    beast.rowsOfBoth("wing", "thorax", {0.1, height + 0.1, 0.0}, {0.35, 0.05, -0.1}, 2 + static_cast<int>(row.below(2)));
+    beast.rowsOfBoth("wing", "thorax", {0.1, height + 0.1, 0.0}, {0.35, 0.05, -0.1},
+                     2 + static_cast<int>(row.below(2)));
   }
   if (row.once(2)) {
     beast.rowsOfBoth("antenna", "head", {0.06, height + 0.08, 0.42}, {0.05, 0.06, 0.12}, 3);
@@ -253,9 +264,15 @@ Beast manyLegged(Row& row, int rows, bool flies) {
   return beast;
 }
 
-Beast insect(Row& row) { return manyLegged(row, 3, false); }
-Beast flyingInsect(Row& row) { return manyLegged(row, 3, true); }
-Beast spider(Row& row) { return manyLegged(row, 4, false); }
+Beast insect(Row& row) {
+  return manyLegged(row, 3, false);
+}
+Beast flyingInsect(Row& row) {
+  return manyLegged(row, 3, true);
+}
+Beast spider(Row& row) {
+  return manyLegged(row, 4, false);
+}
 
 Beast snake(Row& row) {
   Beast beast{"serpent", {}, {}, row};
@@ -266,9 +283,10 @@ Beast snake(Row& row) {
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
     const std::string key = i + 1 == count ? "head" : fmt::format("body{}", i + 1);
-    beast.add(key, above,
-              {bend * std::sin(7.0 * share), 0.05 + rise * std::max(0.0, share - 0.7) * 3.0, -1.0 + 2.0 * share},
-              i + 1 == count ? Vec3(0, 0, 0.1) : Vec3(0.0));
+    beast.add(
+        key, above,
+        {bend * std::sin(7.0 * share), 0.05 + rise * std::max(0.0, share - 0.7) * 3.0, -1.0 + 2.0 * share},
+        i + 1 == count ? Vec3(0, 0, 0.1) : Vec3(0.0));
     above = key;
   }
   if (row.once(2)) {
@@ -301,10 +319,14 @@ struct Kind {
   Beast (*make)(Row& row);
 };
 
-const std::vector<Kind> kinds{{"quadruped", quadruped},  {"lizard", lizard},
-                              {"bird", bird},            {"two-legged dinosaur", dinosaur},
-                              {"insect", insect},        {"flying insect", flyingInsect},
-                              {"spider", spider},        {"snake", snake},
+const std::vector<Kind> kinds{{"quadruped", quadruped},
+                              {"lizard", lizard},
+                              {"bird", bird},
+                              {"two-legged dinosaur", dinosaur},
+                              {"insect", insect},
+                              {"flying insect", flyingInsect},
+                              {"spider", spider},
+                              {"snake", snake},
                               {"fish", fish}};
 
 FamilyRig drawBeast(const Kind& kind, Row& row) {
@@ -326,8 +348,9 @@ FamilyRig drawBeast(const Kind& kind, Row& row) {
   body.posedAtRest = row.once(4);
   body.withMesh = !row.once(12);
   body.facesBackwards = row.once(5);
-  const std::string title = fmt::format("{}{}{}, {} joints", names.title, body.facesBackwards ? ", faces -Z" : "",
-                                        body.withMesh ? "" : ", no mesh", body.joints.size());
+  const std::string title =
+      fmt::format("{}{}{}, {} joints", names.title, body.facesBackwards ? ", faces -Z" : "",
+                  body.withMesh ? "" : ", no mesh", body.joints.size());
   return {kind.title, title, beast.plan, std::move(body), std::move(beast.wanted), {}};
 }
 

@@ -90,9 +90,14 @@ std::string drawPose(Draft& draft) {
     }
   };
   switch (row.below(9)) {
-  case 0: return "T-pose";
-  case 1: arms(45, 0, 5); return "A-pose";
-  case 2: arms(row.between(65, 82), 0, 8); return "arms down";
+  case 0:
+    return "T-pose";
+  case 1:
+    arms(45, 0, 5);
+    return "A-pose";
+  case 2:
+    arms(row.between(65, 82), 0, 8);
+    return "arms down";
   case 3:
     arms(60, 15, 40);
     for (const std::string& side : bothSides) {
@@ -108,7 +113,9 @@ std::string drawPose(Draft& draft) {
       turn("thigh" + side, x, -55);
     }
     return "crouched";
-  case 5: arms(20, 75, 15); return "arms forward";
+  case 5:
+    arms(20, 75, 15);
+    return "arms forward";
   case 6:
     arms(70, 0, 30);
     turn("upperArm.l", z, 110);
@@ -119,7 +126,9 @@ std::string drawPose(Draft& draft) {
     turn("thigh.r", x, 30);
     turn("shin.r", x, 40);
     return "stride";
-  default: arms(row.between(20, 60), row.around(20), row.between(0, 30)); return "arms somewhere";
+  default:
+    arms(row.between(20, 60), row.around(20), row.between(0, 30));
+    return "arms somewhere";
   }
 }
 
@@ -252,7 +261,8 @@ void weapons(Draft& draft) {
 
 void wings(Draft& draft) {
   for (const std::string& side : bothSides) {
-    draft.addRow("wing", side, draft.chest(), draft.at(draft.chest()) + Vec3(0.06 * signOf(side), 0.05, -0.12),
+    draft.addRow("wing", side, draft.chest(),
+                 draft.at(draft.chest()) + Vec3(0.06 * signOf(side), 0.05, -0.12),
                  {0.3 * signOf(side), draft.row.between(-0.05, 0.15), -0.12}, 4);
   }
 }
@@ -284,7 +294,8 @@ void manyFingers(Draft& draft) {
 
 void oneArm(Draft& draft) {
   const std::string side = draft.row.oneOf(bothSides);
-  const std::string from = (draft.has("clavicle" + side) && draft.row.once(2) ? "clavicle" : "upperArm") + side;
+  const std::string from =
+      (draft.has("clavicle" + side) && draft.row.once(2) ? "clavicle" : "upperArm") + side;
   SyntheticBiped& body = draft.body;
   std::vector<std::string> gone{from};
   for (std::size_t i = 0; i < gone.size(); ++i) {
@@ -456,15 +467,13 @@ FamilyRig drawRig(const Family& family, Row& row) {
   wantLimbs(draft, options);
   for (SyntheticJoint& joint : draft.body.joints) {
     const std::string stem = joint.key.substr(0, joint.key.find('.'));
-    joint.flesh = stem == "foot" && !options.toes ? Vec3(0, -0.06, 0.16)
-                  : stem == "foot"                ? Vec3(0, -0.06, -0.04)
-                  : stem == "toe"                 ? Vec3(0, -0.01, 0.08)
-                  : stem == "shin" && !options.feet
-                      ? Vec3(0, -0.42, 0.02)
+    joint.flesh = stem == "foot" && !options.toes       ? Vec3(0, -0.06, 0.16)
+                  : stem == "foot"                      ? Vec3(0, -0.06, -0.04)
+                  : stem == "toe"                       ? Vec3(0, -0.01, 0.08)
+                  : stem == "shin" && !options.feet     ? Vec3(0, -0.42, 0.02)
                   : stem == "foreArm" && !options.hands ? Vec3(joint.position.x > 0 ? 0.28 : -0.28, 0, 0)
-                  : stem == "hand" && !options.fingers
-                      ? Vec3(joint.position.x > 0 ? 0.14 : -0.14, 0, 0)
-                      : Vec3(0.0);
+                  : stem == "hand" && !options.fingers  ? Vec3(joint.position.x > 0 ? 0.14 : -0.14, 0, 0)
+                                                        : Vec3(0.0);
   }
   drawProportions(draft);
   const std::string pose = family.poses || row.once(2) ? drawPose(draft) : "T-pose";
@@ -504,10 +513,15 @@ FamilyRig drawRig(const Family& family, Row& row) {
   body.turn = faces == 1 ? axisAngle(Vec3(0, 1, 0), pi / 2.0) : Quat(1, 0, 0, 0);
   const std::string title = fmt::format(
       "{}, {}{}, spine {}, neck {}{}{}{}{}{}", names.title, pose,
-      faces == 0 ? ", faces -Z" : faces == 1 ? ", faces X" : "", options.spineJoints, options.neckJoints,
-      options.clavicles ? "" : ", no clavicles", options.hands ? "" : ", no hands",
-      options.feet ? options.toes ? "" : ", no toes" : ", no feet", options.fingers ? ", fingers" : "",
-      !body.withMesh ? ", no mesh" : body.rigid ? ", rigid parts" : "");
+      faces == 0   ? ", faces -Z"
+      : faces == 1 ? ", faces X"
+                   : "",
+      options.spineJoints, options.neckJoints, options.clavicles ? "" : ", no clavicles",
+      options.hands ? "" : ", no hands", options.feet ? options.toes ? "" : ", no toes" : ", no feet",
+      options.fingers ? ", fingers" : "",
+      !body.withMesh ? ", no mesh"
+      : body.rigid   ? ", rigid parts"
+                     : "");
   return {family.title, title, "biped", std::move(body), std::move(draft.wanted), std::move(draft.absent)};
 }
 

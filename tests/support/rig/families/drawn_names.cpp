@@ -13,8 +13,9 @@ namespace {
 
 NamingScheme scheme(std::string title, std::string left, std::string right,
                     const std::vector<std::string>& names) {
-  static const std::vector<std::string> keys{"hips", "spine0",   "spine1",  "spine2", "neck0", "head", "clavicle",
-                                             "upperArm", "foreArm", "hand",   "thigh", "shin", "foot", "toe"};
+  static const std::vector<std::string> keys{"hips",  "spine0",   "spine1",   "spine2",  "neck0",
+                                             "head",  "clavicle", "upperArm", "foreArm", "hand",
+                                             "thigh", "shin",     "foot",     "toe"};
   NamingScheme made{std::move(title), std::move(left), std::move(right), {}};
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!names[i].empty()) {
@@ -28,14 +29,14 @@ NamingScheme scheme(std::string title, std::string left, std::string right,
 std::vector<NamingScheme> moreSchemes() {
   return {
       scheme("KayKit", "l", "r",
-             {"hips", "spine", "chest", "upperchest", "neck", "head", "clavicle.%", "upperarm.%", "lowerarm.%",
-              "hand.%", "upperleg.%", "lowerleg.%", "foot.%", "toes.%"}),
+             {"hips", "spine", "chest", "upperchest", "neck", "head", "clavicle.%", "upperarm.%",
+              "lowerarm.%", "hand.%", "upperleg.%", "lowerleg.%", "foot.%", "toes.%"}),
       scheme("Quaternius", "L", "R",
              {"Hips", "Abdomen", "Torso", "Chest", "Neck", "Head", "Shoulder.%", "UpperArm.%", "LowerArm.%",
               "Fist.%", "UpperLeg.%", "LowerLeg.%", "Foot.%", "Toes.%"}),
       scheme("Synty", "L", "R",
-             {"Hips", "Spine_01", "Spine_02", "Spine_03", "Neck", "Head", "Clavicle_%", "Shoulder_%", "Elbow_%",
-              "Hand_%", "UpperLeg_%", "LowerLeg_%", "Ankle_%", "Ball_%"}),
+             {"Hips", "Spine_01", "Spine_02", "Spine_03", "Neck", "Head", "Clavicle_%", "Shoulder_%",
+              "Elbow_%", "Hand_%", "UpperLeg_%", "LowerLeg_%", "Ankle_%", "Ball_%"}),
       scheme("AdvancedSkeleton", "L", "R",
              {"Root_M", "Spine1_M", "Spine2_M", "Chest_M", "Neck_M", "Head_M", "Scapula_%", "Shoulder_%",
               "Elbow_%", "Wrist_%", "Hip_%", "Knee_%", "Ankle_%", "Toes_%"}),
@@ -68,8 +69,8 @@ std::vector<NamingScheme> moreSchemes() {
              {"Quadril", "Coluna1", "Coluna2", "Peito", "Pescoco", "Cabeca", "Clavicula.%", "Braco.%",
               "Antebraco.%", "Mao.%", "Coxa.%", "Canela.%", "Pe.%", "Dedos.%"}),
       scheme("Chinese", "左", "右",
-             {"骨盆", "脊椎1", "脊椎2", "胸", "脖子", "头", "%锁骨", "%上臂", "%前臂", "%手", "%大腿", "%小腿",
-              "%脚踝", "%脚趾"}),
+             {"骨盆", "脊椎1", "脊椎2", "胸", "脖子", "头", "%锁骨", "%上臂", "%前臂", "%手", "%大腿",
+              "%小腿", "%脚踝", "%脚趾"}),
       scheme("Korean", "왼쪽", "오른쪽",
              {"골반", "척추1", "척추2", "가슴", "목", "머리", "%쇄골", "%위팔", "%아래팔", "%손", "%허벅지",
               "%종아리", "%발목", "%발가락"}),
@@ -114,12 +115,14 @@ DrawnNames drawNames(SyntheticBiped& body, Row& row) {
       body.names[joint.key] = uuid(row);
     }
     return {"UUIDs", false};
-  default: break;
+  default:
+    break;
   }
   std::vector<NamingScheme> all = namingSchemes();
   // "numbered limbs" calls the head a neck, which is no fair question where there is none.
   std::erase_if(all, [&](const NamingScheme& one) {
-    const bool hasNeck = std::ranges::find(body.joints, std::string("neck0"), &SyntheticJoint::key) != body.joints.end();
+    const bool hasNeck =
+        std::ranges::find(body.joints, std::string("neck0"), &SyntheticJoint::key) != body.joints.end();
     return one.left.empty() || (one.title == "numbered limbs" && !hasNeck);
   });
   std::ranges::move(moreSchemes(), std::back_inserter(all));
@@ -185,7 +188,8 @@ void moveBelow(SyntheticBiped& body, const std::string& key, const Vec3& offset)
 void standOn(SyntheticBiped& body, double height) {
   double lowest = 1e9;
   for (const SyntheticJoint& joint : body.joints) {
-    lowest = joint.movesMesh ? std::min({lowest, joint.position.y, joint.position.y + joint.flesh.y}) : lowest;
+    lowest =
+        joint.movesMesh ? std::min({lowest, joint.position.y, joint.position.y + joint.flesh.y}) : lowest;
   }
   for (SyntheticJoint& joint : body.joints) {
     joint.position.y += joint.key == "root" ? 0.0 : height - lowest;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rig/limb.h"
-#include "tests/support/row.h"
 #include "tests/support/rig/synthetic_biped.h"
+#include "tests/support/row.h"
 
 namespace stretch::test {
 
