@@ -99,16 +99,25 @@ void addHead(Beast& beast) {
 }
 
 // Legs in bones from a height to the ground; a knee that bends forward or back.
-void addLeg(Beast& beast, const std::string& stem, const std::string& parent, double x, double top, double z,
-            int bones, double bend) {
-  std::string above = parent;
+struct LegShape {
+  std::string stem;
+  std::string parent;
+  Vec3 hip; // from the floor
+  int bones = 2;
+  double bend = 0.0;
+};
+
+void addLeg(Beast& beast, const LegShape& leg) {
+  std::string above = leg.parent;
+  const std::string& stem = leg.stem;
+  const auto [x, top, z] = std::tuple(leg.hip.x, leg.hip.y, leg.hip.z);
   static const std::vector<std::vector<std::string>> parts{{"Upper", "Lower", "Foot"},
                                                            {"Upper", "Lower", "Ankle", "Foot"},
                                                            {"Upper", "Lower", "Hock", "Ankle", "Foot"}};
-  const std::vector<std::string>& names = parts[static_cast<std::size_t>(bones - 2)];
+  const std::vector<std::string>& names = parts[static_cast<std::size_t>(leg.bones - 2)];
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(names.size() - 1);
-    const double out = i == 0 || i + 1 == names.size() ? 0.0 : (i % 2 == 1 ? bend : -bend);
+    const double out = i == 0 || i + 1 == names.size() ? 0.0 : (i % 2 == 1 ? leg.bend : -leg.bend);
     const bool last = i + 1 == names.size();
     beast.both(stem + names[i], above, {x, top * (1.0 - share) + (last ? 0.04 * top : 0.0), z + out * top},
                last ? Vec3(0, -0.04 * top, 0.12 * top) : Vec3(0.0));
@@ -128,7 +137,8 @@ Beast quadruped(Row& row) {
   const double height = row.between(0.35, 1.3);
   const double length = row.between(0.7, 1.6);
   const int spine = 2 + static_cast<int>(row.below(3));
-  addLyingTrunk(beast, height, length, spine, 1 + static_cast<int>(row.below(3)), row.between(0.0, 0.8));
+  const int neck = 1 + static_cast<int>(row.below(3));
+  addLyingTrunk(beast, height, length, spine, neck, row.between(0.0, 0.8));
   addHead(beast);
   const bool beside = row.once(5);
   const std::string chest = fmt::format("spine{}", spine);
@@ -139,8 +149,10 @@ Beast quadruped(Row& row) {
     beast.both("scapula", shoulder, {0.6 * x, 1.08 * height, length / 2 - 0.05});
     shoulder = "scapula%";
   }
-  addLeg(beast, "front", shoulder, x, 0.95 * height, length / 2, 2 + static_cast<int>(row.below(3)), 0.08);
-  addLeg(beast, "hind", "hips", x, 0.95 * height, -length / 2, 2 + static_cast<int>(row.below(3)), 0.12);
+  const int frontBones = 2 + static_cast<int>(row.below(3));
+  addLeg(beast, {"front", shoulder, {x, 0.95 * height, length / 2}, frontBones, 0.08});
+  const int hindBones = 2 + static_cast<int>(row.below(3));
+  addLeg(beast, {"hind", "hips", {x, 0.95 * height, -length / 2}, hindBones, 0.12});
   const int tail = static_cast<int>(row.below(6));
   if (tail > 1) {
     beast.row_("tail", "hips", {0, height, -length / 2 - 0.12}, {0, -0.05, -0.12}, tail);
@@ -195,8 +207,9 @@ void addBirdLegs(Beast& beast, double height, double z) {
 Beast bird(Row& row) {
   Beast beast{"bird", {}, {}, row};
   const double height = row.between(0.3, 0.9);
-  addLyingTrunk(beast, height, row.between(0.4, 0.7), 2, static_cast<int>(row.below(3)),
-                row.between(0.1, 0.4));
+  const double length = row.between(0.4, 0.7);
+  const int neck = static_cast<int>(row.below(3));
+  addLyingTrunk(beast, height, length, 2, neck, row.between(0.1, 0.4));
   addBirdLegs(beast, height, -0.1);
   if (row.once(2)) {
     beast.add("beak", "head", jointOf(beast.body, "head").position + Vec3(0, -0.02, 0.15), {0, 0, 0.1});
@@ -210,8 +223,9 @@ Beast bird(Row& row) {
 Beast dinosaur(Row& row) {
   Beast beast{"bird", {}, {}, row};
   const double height = row.between(0.7, 1.2);
-  addLyingTrunk(beast, height, 0.7, 2 + static_cast<int>(row.below(2)), 1 + static_cast<int>(row.below(2)),
-                row.between(0.1, 0.4));
+  const int spine = 2 + static_cast<int>(row.below(2));
+  const int neck = 1 + static_cast<int>(row.below(2));
+  addLyingTrunk(beast, height, 0.7, spine, neck, row.between(0.1, 0.4));
   addHead(beast);
   addBirdLegs(beast, height, -0.3);
   const std::string chest = beast.has("spine3") ? "spine3" : "spine2";

@@ -70,65 +70,72 @@ void drawProportions(Draft& draft) {
   jointOf(body, "head").flesh = {0.0, head, 0.3 * head};
 }
 
-std::string drawPose(Draft& draft) {
-  SyntheticBiped& body = draft.body;
-  Row& row = draft.row;
-  const auto turn = [&](const std::string& key, const Vec3& axis, double degrees) {
+// Turns joints of the body that it has.
+struct Poser {
+  Draft& draft;
+
+  void turn(const std::string& key, const Vec3& axis, double degrees) const {
     if (draft.has(key)) {
-      turnBelow(body, key, axisAngle(axis, degrees * pi / 180.0));
+      turnBelow(draft.body, key, axisAngle(axis, degrees * pi / 180.0));
     }
-  };
-  const Vec3 x(1, 0, 0);
-  const Vec3 y(0, 1, 0);
-  const Vec3 z(0, 0, 1);
-  const auto arms = [&](double down, double forward, double elbow) {
+  }
+  void arms(double down, double forward, double elbow) const {
     for (const std::string& side : bothSides) {
       const double sign = signOf(side);
-      turn("foreArm" + side, y, -sign * elbow);
-      turn("upperArm" + side, y, -sign * forward);
-      turn("upperArm" + side, z, -sign * down);
+      turn("foreArm" + side, Vec3(0, 1, 0), -sign * elbow);
+      turn("upperArm" + side, Vec3(0, 1, 0), -sign * forward);
+      turn("upperArm" + side, Vec3(0, 0, 1), -sign * down);
     }
-  };
+  }
+  void legs(double thigh, double shin, double foot) const {
+    for (const std::string& side : bothSides) {
+      turn("foot" + side, Vec3(1, 0, 0), foot);
+      turn("shin" + side, Vec3(1, 0, 0), shin);
+      turn("thigh" + side, Vec3(1, 0, 0), thigh);
+    }
+  }
+};
+
+std::string drawPose(Draft& draft) {
+  Row& row = draft.row;
+  const Poser poser{draft};
+  const Vec3 x(1, 0, 0);
   switch (row.below(9)) {
   case 0:
     return "T-pose";
   case 1:
-    arms(45, 0, 5);
+    poser.arms(45, 0, 5);
     return "A-pose";
   case 2:
-    arms(row.between(65, 82), 0, 8);
+    poser.arms(row.between(65, 82), 0, 8);
     return "arms down";
   case 3:
-    arms(60, 15, 40);
-    for (const std::string& side : bothSides) {
-      turn("shin" + side, x, 85);
-      turn("thigh" + side, x, -85);
-    }
+    poser.arms(60, 15, 40);
+    poser.legs(-85, 85, 0);
     return "sitting";
   case 4:
-    arms(50, 20, 60);
-    for (const std::string& side : bothSides) {
-      turn("foot" + side, x, -35);
-      turn("shin" + side, x, 90);
-      turn("thigh" + side, x, -55);
-    }
+    poser.arms(50, 20, 60);
+    poser.legs(-55, 90, -35);
     return "crouched";
   case 5:
-    arms(20, 75, 15);
+    poser.arms(20, 75, 15);
     return "arms forward";
   case 6:
-    arms(70, 0, 30);
-    turn("upperArm.l", z, 110);
+    poser.arms(70, 0, 30);
+    poser.turn("upperArm.l", Vec3(0, 0, 1), 110);
     return "one arm up";
   case 7:
-    arms(55, 10, 70);
-    turn("thigh.l", x, -35);
-    turn("thigh.r", x, 30);
-    turn("shin.r", x, 40);
+    poser.arms(55, 10, 70);
+    poser.turn("thigh.l", x, -35);
+    poser.turn("thigh.r", x, 30);
+    poser.turn("shin.r", x, 40);
     return "stride";
-  default:
-    arms(row.between(20, 60), row.around(20), row.between(0, 30));
+  default: {
+    const double down = row.between(20, 60); // drawn one by one: a call may draw in any order
+    const double forward = row.around(20);
+    poser.arms(down, forward, row.between(0, 30));
     return "arms somewhere";
+  }
   }
 }
 
@@ -461,10 +468,8 @@ void wantLimbs(Draft& draft, const BodyOptions& options) {
   }
 }
 
-FamilyRig drawRig(const Family& family, Row& row) {
-  const BodyOptions options = drawOptions(row);
-  Draft draft{makeBody(options), row};
-  wantLimbs(draft, options);
+// What the meshes of the last joints reach.
+void giveFlesh(Draft& draft, const BodyOptions& options) {
   for (SyntheticJoint& joint : draft.body.joints) {
     const std::string stem = joint.key.substr(0, joint.key.find('.'));
     joint.flesh = stem == "foot" && !options.toes       ? Vec3(0, -0.06, 0.16)
@@ -475,6 +480,13 @@ FamilyRig drawRig(const Family& family, Row& row) {
                   : stem == "hand" && !options.fingers  ? Vec3(joint.position.x > 0 ? 0.14 : -0.14, 0, 0)
                                                         : Vec3(0.0);
   }
+}
+
+FamilyRig drawRig(const Family& family, Row& row) {
+  const BodyOptions options = drawOptions(row);
+  Draft draft{makeBody(options), row};
+  wantLimbs(draft, options);
+  giveFlesh(draft, options);
   drawProportions(draft);
   const std::string pose = family.poses || row.once(2) ? drawPose(draft) : "T-pose";
   standOn(draft.body, 0.0);
