@@ -379,3 +379,38 @@ TEST_CASE("A raised arm with all its fingers does not tilt the plane between lef
   checkArmsAndLegs(built, read);
   CHECK_FALSE(asksForSides(read));
 }
+
+TEST_CASE("A foot on the root ends a shin of many halves, each of them shorter than the foot") {
+  eachScheme(
+      [](SyntheticBiped& body) {
+        for (const std::string side : {".l", ".r"}) {
+          std::string above = "shin" + side;
+          for (int i = 0; i < 3; ++i) {
+            const std::string half = "shinHalf" + std::to_string(i) + side;
+            addTwist(body, half, above, "foot" + side, 1.0 / (4 - i), true);
+            above = half;
+          }
+          jointOf(body, "foot" + side).parent = "root";
+        }
+      },
+      [](const BuiltBiped& built, const Body& body) {
+        for (const LimbPlace& leg : {biped::leftLeg, biped::rightLeg}) {
+          CHECK(describe(built, body, leg) ==
+                (leg == biped::leftLeg ? "thigh.l shin.l -> foot.l" : "thigh.r shin.r -> foot.r"));
+        }
+      });
+}
+
+TEST_CASE("What spreads beside the legs of an insect are wings, without names as well") {
+  SyntheticBiped body = makeManyLegged(3);
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    body.joints.push_back({"wing0" + side, "thorax", {sign * 0.1, 0.6, 0.0}});
+    body.joints.push_back({"wing1" + side, "wing0" + side, {sign * 0.7, 0.7, -0.1}});
+    body.joints.push_back({"wing2" + side, "wing1" + side, {sign * 1.3, 0.75, -0.2}});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "insect");
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::left}) == "wing0.l wing1.l -> wing2.l");
+  CHECK(describe(built, read, {LimbKind::feeler, LimbSide::left}).starts_with("antenna"));
+}
