@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
-#include "core/math/bounds.h"
 
 namespace stretch::skinning {
 
@@ -16,23 +15,6 @@ constexpr int fine = 140; // cubes along the longest side: the gap between an ar
 
 constexpr std::array<std::array<int, 3>, 6> faces{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
-
-// A solid of a few vertices fills its grid with cubes that tell nothing: as many as its mesh is fine. A
-// person of a hundred vertices has its full number.
-int cubesAlong(const std::vector<glm::vec3>& positions) {
-  constexpr double perVertex = 8000.0;
-  Bounds bounds;
-  for (const glm::vec3& position : positions) {
-    bounds.add(Vec3(position));
-  }
-  if (positions.empty() || !(bounds.largestExtent() > 0.0)) {
-    return fine;
-  }
-  const Vec3 shares = (bounds.high - bounds.low) / bounds.largestExtent();
-  const double filled = std::max(shares.x * shares.y * shares.z, 1e-6);
-  const double along = std::cbrt(perVertex * static_cast<double>(positions.size()) / filled);
-  return static_cast<int>(std::min<double>(fine, along));
-}
 
 DisjointSets piecesOf(const VoxelBody& body) {
   DisjointSets pieces(body.cellCount());
@@ -208,7 +190,7 @@ Result<StandingBody> standingBody(std::span<const Vec3> positions, const std::ve
   std::vector<glm::vec3> own(positions.size());
   std::ranges::transform(positions, own.begin(),
                          [&](const Vec3& position) { return glm::vec3(upright.toBody(position)); });
-  Result<VoxelBody> cubes = voxelBody(own, triangles, cubesAlong(own));
+  Result<VoxelBody> cubes = voxelBody(own, triangles, fine);
   if (!cubes) {
     return cubes.error();
   }
