@@ -34,10 +34,12 @@ struct RefusedLine {
 
 /// The texts of the reasons that the verbs' sources give by themselves: what stands first in each Error.
 std::vector<std::string> reasonsInSources() {
-  // Told by the program as a whole, when memory or disk are full: tests/trust tries them. And of a body that
-  // is a trunk alone, which no character here is.
-  const std::set<std::string> ofTheMachine{"there is not enough memory for this",
-                                           "the report cannot be written", "no limb but the trunk was found"};
+  // Told by the program as a whole, when memory or disk are full: tests/trust tries them. Of a body that is a
+  // trunk alone, which no character here is. And of a clip of years, which odd_files_test.cpp makes.
+  const std::set<std::string> ofTheMachine{
+      "there is not enough memory for this", "the report cannot be written",
+      "no limb but the trunk was found",
+      "lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time"};
   const std::regex first(R"re(Error\{(?:fmt::format\()?"([^"]+)")re");
   std::vector<std::string> reasons;
   for (const auto& entry : std::filesystem::directory_iterator(STRETCH_SOURCE_DIR "/app/batch")) {
@@ -317,8 +319,7 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
        "the range lies outside the clip, which has the frames 0 to 60"},
       {{"exaggerate", dummy, "-o", out}, "no limb was named"},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm"}, "--limb left-arm: has no scale"},
-      {{"exaggerate", dummy, "-o", out, "--recipe", trails, "--limb", "spine"},
-       "--limb: stands beside --recipe"},
+      {{"exaggerate", dummy, "-o", out, "--recipe", trails, "--limb", "spine"}, "stands beside --recipe"},
       {{"resave", dummy, "-o", dummy}, "is read and would be written over"},
       {{"trail", tube, "--limb", "left-arm"}, "is a sequence of meshes, no character with joints"},
       {{"pose", dummy, "-o", out}, "nothing was asked for"},
