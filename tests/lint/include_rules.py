@@ -40,7 +40,8 @@ LIBRARIES = [
     ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|viewport|shell)/|tests/(support/)?ui(_driver)?/|tests/bench/"),
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
     ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
-    ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
+    ("tinygltf", r"tiny_gltf", r"(core/gltf/write/new_file\.cpp|tests/.*\.cpp)$"),
+    ("stb", r"(stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
     ("CLI11", r"CLI/", r"app/batch/|tests/(app|bench)/"),
     ("Catch2", r"catch2/", r"tests/"),
 ]
