@@ -155,7 +155,7 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
-Status runOnControllers(Shell& shell, app::ControllerMotion motion) {
+Status runOnControllers(Shell& shell, app::PullMotion motion) {
   return startControllerTool(*shell.open.character(), shell.tool,
                              {motion, {}, shell.viewport.mousePixels, false});
 }
@@ -377,13 +377,12 @@ std::vector<ShellCommand> toolCommands() {
       grab,
       entry(command::controllerMove, "Move the controllers",
             "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
-            controllerNeeded,
-            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::move); }),
+            controllerNeeded, [](Shell& shell) { return runOnControllers(shell, app::PullMotion::move); }),
       entry(command::controllerTurn, "Turn the controllers",
             "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
             "degrees.",
             {"R"}, controllerNeeded,
-            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::turn); }),
+            [](Shell& shell) { return runOnControllers(shell, app::PullMotion::turn); }),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),

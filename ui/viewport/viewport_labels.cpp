@@ -276,7 +276,7 @@ Vec3 tangentTip(const ViewportContext& context, const ShownTangent& tangent) {
   const auto* const grab = std::get_if<GrabTool>(&context.tool);
   const bool held =
       grab != nullptr && grab->tangent && (grab->tangent->frames < 0.0) == (tangent.handle.frames < 0.0);
-  return held ? grab->anchor + app::grabDelta(grab->modal) : tangent.tipWorld;
+  return held ? grab->anchor + app::worldChange(grab->modal) : tangent.tipWorld;
 }
 
 /// The tangent handles of the selected sphere: a thin line and a small square at its end.
@@ -311,7 +311,7 @@ void drawFalloff(ViewportContext& context) {
   if (grab == nullptr || grab->falloffRadius <= 0.0 || grab->tangent) {
     return;
   }
-  const Vec3 centre = grab->anchor + app::grabDelta(grab->modal);
+  const Vec3 centre = grab->anchor + app::worldChange(grab->modal);
   const double pixels = grab->falloffRadius / unitsPerPixel(context.viewport.view, centre);
   if (const auto place = placeOf(context.viewport, centre)) {
     ImGui::GetWindowDrawList()->AddCircle(*place, static_cast<float>(pixels / context.viewport.pixelsPerUnit),

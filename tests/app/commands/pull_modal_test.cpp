@@ -1,4 +1,4 @@
-#include "app/commands/pose/controller_modal.h"
+#include "app/commands/pose/held_controllers.h"
 
 #include <sstream>
 
@@ -31,14 +31,21 @@ rig::PlacedController turnedHand() {
   return hand;
 }
 
-void type(ControllerModal& modal, const std::string& keys) {
+PullModal sphereModal() {
+  PullModal modal;
+  modal.hasCarriers = false;
+  modal.arrowUnits = 0.01;
+  return modal;
+}
+
+void type(PullModal& modal, const std::string& keys) {
   std::istringstream words(keys);
   for (std::string word; words >> word;) {
     REQUIRE(pressKey(modal, {*parseChord(word), 0}) == ModalOutcome::running);
   }
 }
 
-ControllerOffset changed(const ControllerModal& modal, const rig::PlacedController& one,
+ControllerOffset changed(const PullModal& modal, const rig::PlacedController& one,
                          const ControllerOffset& offset = {"left-hand"}) {
   const std::vector<HeldController> held{{one, offset}};
   return changedOffsets(modal, held).front();
@@ -51,7 +58,7 @@ bool near(const Vec3& a, const Vec3& b) {
 } // namespace
 
 TEST_CASE("a controller is moved along the locked axis of the world by what is typed") {
-  ControllerModal modal;
+  PullModal modal;
   type(modal, "Z - . 1");
   const ControllerOffset offset = changed(modal, turnedHand(), {"left-hand", {0.5, 0.0, 0.0}});
   CHECK(near(offset.move, Vec3(0.5 + 0.1, 0.0, 0.0)));
@@ -59,7 +66,7 @@ TEST_CASE("a controller is moved along the locked axis of the world by what is t
 }
 
 TEST_CASE("an axis that is locked twice is the carrier's, three times none") {
-  ControllerModal modal;
+  PullModal modal;
   type(modal, "X X 2");
   CHECK(near(changed(modal, turnedHand()).move, Vec3(2.0, 0.0, 0.0)));
   type(modal, "X");
@@ -67,7 +74,7 @@ TEST_CASE("an axis that is locked twice is the carrier's, three times none") {
 }
 
 TEST_CASE("without a lock the mouse moves in the view plane, with Shift and an axis without that axis") {
-  ControllerModal modal;
+  PullModal modal;
   modal.mouseWorld = {1.0, 2.0, 3.0};
   const rig::PlacedController hand = placed("left-hand", rig::ControllerKind::hand);
   CHECK(near(changed(modal, hand).move, Vec3(1.0, 2.0, 3.0)));
@@ -77,8 +84,8 @@ TEST_CASE("without a lock the mouse moves in the view plane, with Shift and an a
 
 TEST_CASE(
     "a controller is turned about the locked axis by the degrees that are typed, more than a turn too") {
-  ControllerModal modal;
-  modal.motion = ControllerMotion::turn;
+  PullModal modal;
+  modal.motion = PullMotion::turn;
   type(modal, "X 4 5");
   const rig::PlacedController head = placed("head", rig::ControllerKind::head);
   CHECK(near(changed(modal, head).turn, Vec3(45.0 * degree, 0.0, 0.0)));
@@ -88,8 +95,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a turn in the world goes on top of the one that is there") {
-  ControllerModal modal;
-  modal.motion = ControllerMotion::turn;
+  PullModal modal;
+  modal.motion = PullMotion::turn;
   type(modal, "Y 3 0");
   const rig::PlacedController hand = turnedHand();
   const Vec3 before(0.0, 0.0, 60.0 * degree);
@@ -110,11 +117,11 @@ TEST_CASE("several controllers move together: what another one carries is not mo
       placed("left-hand", rig::ControllerKind::hand, rig::Carrier::chest),
       placed("left-foot", rig::ControllerKind::foot, rig::Carrier::hips)};
   const std::vector<ControllerOffset> offsets{{"hips"}, {"left-hand"}, {"left-foot"}};
-  const std::vector<HeldController> held = heldControllers(ControllerMotion::move, selected, offsets);
+  const std::vector<HeldController> held = heldControllers(PullMotion::move, selected, offsets);
   REQUIRE(held.size() == 2);
   CHECK(held[0].placed.id == "hips");
   CHECK(held[1].placed.id == "left-foot");
-  CHECK(heldControllers(ControllerMotion::turn, selected, offsets).size() == 3);
+  CHECK(heldControllers(PullMotion::turn, selected, offsets).size() == 3);
 }
 
 TEST_CASE("the chest carries the head and the wings, not the tail, and no foot") {
@@ -122,7 +129,7 @@ TEST_CASE("the chest carries the head and the wings, not the tail, and no foot")
   const auto movesWithChest = [&](const std::string& id, rig::ControllerKind kind, rig::Carrier carrier) {
     const std::vector<rig::PlacedController> selected{chest, placed(id, kind, carrier)};
     const std::vector<ControllerOffset> offsets{{chest.id}, {id}};
-    return heldControllers(ControllerMotion::move, selected, offsets).size() == 1;
+    return heldControllers(PullMotion::move, selected, offsets).size() == 1;
   };
   CHECK(movesWithChest("head", rig::ControllerKind::head, rig::Carrier::chest));
   CHECK(movesWithChest("left-wing-tip", rig::ControllerKind::tip, rig::Carrier::chest));
@@ -137,21 +144,55 @@ TEST_CASE("what only turns cannot be moved, what only moves not be turned") {
   pole.turns = false;
   const std::vector<rig::PlacedController> selected{joint, pole};
   const std::vector<ControllerOffset> offsets{{"toe"}, {"left-knee"}};
-  CHECK(heldControllers(ControllerMotion::move, selected, offsets).front().placed.id == "left-knee");
-  CHECK(heldControllers(ControllerMotion::turn, selected, offsets).front().placed.id == "toe");
+  CHECK(heldControllers(PullMotion::move, selected, offsets).front().placed.id == "left-knee");
+  CHECK(heldControllers(PullMotion::turn, selected, offsets).front().placed.id == "toe");
 }
 
 TEST_CASE("a pole's first move starts where it is seen") {
   rig::PlacedController pole = placed("left-knee", rig::ControllerKind::pole);
   pole.slack = {0.0, 0.0, 0.2};
-  ControllerModal modal;
+  PullModal modal;
   CHECK(near(changed(modal, pole).move, Vec3(0.0)));
   type(modal, "X 1");
   CHECK(near(changed(modal, pole).move, Vec3(1.0, 0.0, 0.2)));
 }
 
 TEST_CASE("Enter keeps and Escape restores") {
-  ControllerModal modal;
+  PullModal modal;
   CHECK(pressKey(modal, {*parseChord("Enter"), 0}) == ModalOutcome::keep);
   CHECK(pressKey(modal, {*parseChord("Esc"), 0}) == ModalOutcome::restore);
+}
+
+TEST_CASE("spheres are pulled along X by what is typed, and let go of the axis by pressing it again") {
+  PullModal modal = sphereModal();
+  modal.mouseWorld = Vec3(5.0);
+  type(modal, "X 0 . 2");
+  CHECK(worldChange(modal).x == Approx(0.2));
+  CHECK(worldChange(modal).y == 0.0);
+  CHECK(modalText(modal, "sphere") == "sphere moved along X by 0.200");
+  CHECK(modalHints(modal)[3].does == "lock an axis");
+  type(modal, "X");
+  CHECK_FALSE(modal.lock.axis);
+  CHECK_FALSE(modal.lock.ofCarrier);
+}
+
+TEST_CASE("spheres follow the mouse, locked to an axis or to a plane") {
+  PullModal modal = sphereModal();
+  modal.mouseWorld = Vec3(1.0, 2.0, 3.0);
+  CHECK(worldChange(modal) == Vec3(1.0, 2.0, 3.0));
+  type(modal, "Y");
+  CHECK(worldChange(modal) == Vec3(0.0, 2.0, 0.0));
+  type(modal, "Shift+Y");
+  CHECK(worldChange(modal) == Vec3(1.0, 0.0, 3.0));
+  type(modal, "Shift+Y");
+  CHECK(worldChange(modal) == Vec3(1.0, 2.0, 3.0));
+}
+
+TEST_CASE("spheres are pulled by arrows and with a minus") {
+  PullModal modal = sphereModal();
+  type(modal, "Right Shift+Up Ctrl+Left");
+  CHECK(worldChange(modal).x == Approx(0.009));
+  CHECK(worldChange(modal).y == Approx(0.1));
+  type(modal, "Z 3 -");
+  CHECK(worldChange(modal).z == Approx(-3.0));
 }
