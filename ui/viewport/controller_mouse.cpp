@@ -47,8 +47,8 @@ void hoverControllers(ViewportContext& context) {
 void markHeldHandle(ViewportState& viewport, const ControllerTool& tool) {
   const app::AxisLock& lock = tool.modal.lock;
   const HandleKind kind = tool.modal.motion == app::PullMotion::turn ? HandleKind::ring
-                          : lock.plane                                     ? HandleKind::plane
-                                                                           : HandleKind::axis;
+                          : lock.plane                               ? HandleKind::plane
+                                                                     : HandleKind::axis;
   viewport.hoveredHandle = lock.axis && !lock.ofCarrier
                                ? std::optional(HandlePart{kind, static_cast<std::size_t>(*lock.axis)})
                                : std::nullopt;
@@ -59,8 +59,7 @@ bool pressController(ViewportContext& context, bool add) {
   app::Session& session = *context.open.character();
   if (viewport.hoveredHandle) {
     const bool turns = viewport.hoveredHandle->kind == HandleKind::ring;
-    start(context, turns ? app::PullMotion::turn : app::PullMotion::move,
-          lockOf(*viewport.hoveredHandle));
+    start(context, turns ? app::PullMotion::turn : app::PullMotion::move, lockOf(*viewport.hoveredHandle));
     return true;
   }
   if (viewport.hoveredController.empty()) {
