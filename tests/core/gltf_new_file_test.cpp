@@ -154,11 +154,11 @@ TEST_CASE(
     "Numbers that are stored farther apart than they are wide say so, and bounds leave out what is between") {
   NewFile file;
   const std::size_t accessor =
-      file.addAccessor(std::vector<std::int16_t>{1, -2, 3, 99, 4, 5, -6, 99},
+      file.addAccessor(std::vector<std::int16_t>{1, -2, 3, 99, 4, 5, -6, 99, 2, 2, 2, 99, 2, 2, 2, 99},
                        {.width = 3, .normalised = true, .bounds = true, .stored = 4});
   const Source source = file.finish();
   const Json& told = (*source.json)["accessors"][accessor];
-  CHECK(told["count"] == 2);
+  CHECK(told["count"] == 4);
   CHECK(told["type"] == "VEC3");
   CHECK(told["normalized"] == true);
   CHECK(told["min"] == Json({1, -2, -6}));
