@@ -135,6 +135,8 @@ TEST_CASE(
   const Json& json = source.json;
   CHECK(json["asset"] == Json({{"copyright", "nobody"}, {"generator", "a test"}, {"version", "2.0"}}));
   CHECK(json["scenes"][0]["name"] == "field");
+  CHECK(json["skins"][0]["skeleton"] == 0);
+  CHECK(json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] == 0.0);
   CHECK(json["animations"][0]["extras"]["stretch_engine"]["frames_per_second"] == 12.5);
   CHECK(json["accessors"][0]["min"] == Json({0.0, 0.0, -1.0}));
   CHECK(json["accessors"][0]["max"] == Json({2.0, 3.0, 0.0}));
