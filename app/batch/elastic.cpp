@@ -131,6 +131,9 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!clip) {
     return clip.error();
   }
+  if (Status bounded = checkFrameCount(clipOf(*document, *clip)); !bounded) {
+    return bounded;
+  }
   Result<WeightSettings> settings = settingsOf(arguments, {});
   if (!settings) {
     return settings.error();

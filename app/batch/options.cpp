@@ -13,6 +13,7 @@
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
+#include "core/anim/frames.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
@@ -120,6 +121,17 @@ Result<Document> openDocument(const FileArguments& arguments) {
     setFramesPerSecond(*document, arguments.framesPerSecond);
   }
   return document ? std::move(document) : inFile(arguments.file, document.error());
+}
+
+Status checkFrameCount(const Clip& clip) {
+  constexpr double mostFrames = 100000.0;
+  const double frames = endInFrames(clip);
+  return frames <= mostFrames
+             ? Status(Success{})
+             : Error{fmt::format("lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time",
+                                 frames, mostFrames),
+                     fmt::format("clip '{}'", clip.name),
+                     "cut the clip, or count in fewer frames with --fps"};
 }
 
 Result<int> clipOfArguments(const FileArguments& arguments, const Document& document) {

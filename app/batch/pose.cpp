@@ -235,6 +235,9 @@ Status runPose(const PoseArguments& arguments) {
   if (!recipe) {
     return recipe.error();
   }
+  if (Status bounded = checkFrameCount(clipOf(*document, recipe->clip)); !bounded) {
+    return bounded;
+  }
   const Result<Document> posed = posedBy(arguments, *recipe, *document);
   if (!posed) {
     return posed.error();

@@ -21,12 +21,13 @@ namespace {
 
 using Binds = std::vector<std::optional<Mat4>>;
 
-bool isNearIdentity(const Mat4& matrix) {
+// `reach`: of the skin's joints, in the units of its binds; a character may be far smaller than one.
+bool isNearIdentity(const Mat4& matrix, double reach) {
   constexpr double tolerance = 1e-4;
   const Mat4 difference = matrix - Mat4(1.0);
   for (std::size_t column = 0; column < 4; ++column) {
     for (std::size_t row = 0; row < 4; ++row) {
-      if (std::abs(difference[column][row]) > tolerance) {
+      if (std::abs(difference[column][row]) > tolerance * (column == 3 ? std::min(1.0, reach) : 1.0)) {
         return false;
       }
     }
@@ -99,11 +100,22 @@ Binds modelBinds(const Scene& scene, const Skin& skin) {
   return binds;
 }
 
+double reachOf(const Binds& binds) {
+  Bounds bounds;
+  for (const auto& bind : binds) {
+    if (bind) {
+      bounds.add(positionOf(*bind));
+    }
+  }
+  return bounds.empty() ? 0.0 : bounds.largestExtent();
+}
+
 // Joints that rest at different places cannot be bound at one: identities that stand for nothing, as
 // exporters write them for helper joints between those that move vertices.
 bool areFalseIdentities(const Placer& placer, const Binds& binds) {
   constexpr double samePlace = 0.01; // of how far the skin's joints reach
   const std::vector<Mat4> worlds = placer.worlds();
+  const double reach = reachOf(binds);
   Bounds all;
   Bounds identities;
   bool isOnlyIdentities = true;
@@ -113,7 +125,7 @@ bool areFalseIdentities(const Placer& placer, const Binds& binds) {
     }
     const Vec3 place = positionOf(worlds[node]);
     all.add(place);
-    if (isNearIdentity(*binds[node])) {
+    if (isNearIdentity(*binds[node], reach)) {
       identities.add(place);
     } else {
       isOnlyIdentities = false;
@@ -125,13 +137,14 @@ bool areFalseIdentities(const Placer& placer, const Binds& binds) {
 
 void dropFalseIdentities(const Placer& placer, Binds& binds) {
   const bool areFalse = areFalseIdentities(placer, binds);
+  const double reach = reachOf(binds);
   std::vector<NodeIndex> nearest(binds.size()); // bound node at or above each
   for (const NodeIndex node : placer.order) {
     auto& bind = binds[at(node)];
     const NodeIndex parent = placer.scene.nodes[at(node)].parent;
     const NodeIndex above = parent.exists() ? nearest[at(parent)] : NodeIndex::none;
-    const bool isUnderOther = above.exists() && !isNearIdentity(*binds[at(above)]);
-    if (bind && isNearIdentity(*bind) && (areFalse || isUnderOther)) {
+    const bool isUnderOther = above.exists() && !isNearIdentity(*binds[at(above)], reach);
+    if (bind && isNearIdentity(*bind, reach) && (areFalse || isUnderOther)) {
       bind.reset();
     }
     nearest[at(node)] = bind ? node : above;

@@ -199,12 +199,13 @@ private:
   }
 
   // Stands on the ground and hangs from nothing that moves a mesh.
-  [[nodiscard]] bool mayBeDetachedFoot(int candidate, double floor) const {
-    constexpr double nearGround = 0.15; // of the body
+  [[nodiscard]] bool mayBeDetachedFoot(int candidate, double floor, double top) const {
+    constexpr double nearGround = 0.15; // of the body, which may be far wider than high: wings
+    const double height = std::min(view_.size, 1.5 * (top - floor));
     const NameEvidence& name = view_.names[static_cast<std::size_t>(candidate)];
     const int parent = view_.parentOf(candidate);
     return (parent < 0 || cloudOf(parent).empty()) && !name.accessory && !name.finger &&
-           view_.at(candidate).y < floor + nearGround * view_.size;
+           view_.at(candidate).y < floor + nearGround * height;
   }
 
   // Last joints of rows of at least two bones.
@@ -226,12 +227,28 @@ private:
     return last;
   }
 
+  // The joint at which the last bone begins, its halves counted as one.
+  [[nodiscard]] const Vec3& startOfBone(int last) const {
+    constexpr double inLine = 0.97; // cosine
+    int start = view_.parentOf(last);
+    for (int above = view_.parentOf(start); above >= 0; above = view_.parentOf(above)) {
+      const Vec3 bone = view_.at(last) - view_.at(start);
+      const Vec3 before = view_.at(start) - view_.at(above);
+      const bool isShort = glm::length(before) < 0.7 * glm::distance(view_.at(last), view_.at(above));
+      if (!isShort || glm::dot(bone, before) < inLine * glm::length(bone) * glm::length(before)) {
+        break;
+      }
+      start = above;
+    }
+    return view_.at(start);
+  }
+
   // Of a last joint and a foot: how far their meshes are apart, in the joint's bone; nothing where the foot
   // (as long as `footLength`) is not what comes next.
   [[nodiscard]] std::optional<double> gapTo(int last, int foot, double footLength) const {
     constexpr double widest = 0.35;
     const Vec3& joint = view_.at(last);
-    const Vec3& before = view_.at(view_.parentOf(last));
+    const Vec3& before = startOfBone(last);
     const double bone = glm::distance(before, joint);
     const Side side = view_.names[static_cast<std::size_t>(last)].side;
     const Side footSide = view_.names[static_cast<std::size_t>(foot)].side;
@@ -254,14 +271,16 @@ private:
       return;
     }
     double floor = std::numeric_limits<double>::max();
+    double top = std::numeric_limits<double>::lowest();
     for (const auto& cloud : clouds_) {
       for (const Vec3& point : cloud) {
         floor = std::min(floor, point.y);
+        top = std::max(top, point.y);
       }
     }
     const std::vector<int> rows = lastJoints();
     for (int foot = 0; foot < view_.count(); ++foot) {
-      if (!mayBeDetachedFoot(foot, floor)) {
+      if (!mayBeDetachedFoot(foot, floor, top)) {
         continue;
       }
       const double footLength = farthestBelow(foot);

@@ -42,6 +42,8 @@ constexpr std::array entries = std::to_array<Entry>({
     {"leg", Word::leg}, {"jambe", Word::leg}, {"pierna", Word::leg}, {"gamba", Word::leg},
     {"perna", Word::leg}, {"bein", Word::leg}, {"noga", Word::leg}, {"been", Word::leg},
     {"нога", Word::leg}, {"足", Word::leg}, {"脚", Word::leg}, {"腿", Word::leg}, {"다리", Word::leg},
+    {"ustkol", Word::upperArm}, {"altkol", Word::foreArm}, {"uyluk", Word::thigh}, {"baldir", Word::shin},
+    {"gogus", Word::chest}, {"kafa", Word::head}, {"obojczyk", Word::clavicle}, {"torace", Word::chest}, {"canela", Word::shin},
     {"upperarm", Word::upperArm}, {"uparm", Word::upperArm}, {"upperarms", Word::upperArm},
     {"uarm", Word::upperArm}, {"humerus", Word::upperArm}, {"biceps", Word::upperArm},
     {"bicep", Word::upperArm}, {"oberarm", Word::upperArm}, {"bovenarm", Word::upperArm},

@@ -1,6 +1,7 @@
 #include "rig/body/evidence/symmetry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -14,6 +15,7 @@ struct Pair {
   Vec3 direction{0.0}; // unit, from one to the other
   Vec3 middle{0.0};
   double weight = 0.0;
+  bool isPosed = false; // far out on limbs, where a pose moves them
 };
 
 // What stands below a joint, the joint included.
@@ -52,10 +54,11 @@ double likeness(double a, double b) {
   return std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 1.0;
 }
 
-void addPair(std::vector<Pair>& pairs, const Vec3& a, const Vec3& b, double weight, double size) {
+void addPair(std::vector<Pair>& pairs, const Vec3& a, const Vec3& b, double weight, double size,
+             bool isPosed = false) {
   const double distance = glm::distance(a, b);
   if (distance > 1e-3 * size) {
-    pairs.push_back({(a - b) / distance, (a + b) / 2.0, weight * distance});
+    pairs.push_back({(a - b) / distance, (a + b) / 2.0, weight * distance, isPosed});
   }
 }
 
@@ -103,6 +106,15 @@ void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::
   }
 }
 
+// Levels from a joint up to the first that carries another one as well.
+int levelsApart(const BodyView& view, int joint, int other) {
+  int levels = 0;
+  for (int above = view.parentOf(joint); above >= 0 && !view.isAboveOrSelf(above, other); ++levels) {
+    above = view.parentOf(above);
+  }
+  return levels;
+}
+
 void addNamedPairs(std::vector<Pair>& pairs, const BodyView& view) {
   std::map<std::string, std::vector<int>> left;
   for (int i = 0; i < view.count(); ++i) {
@@ -114,8 +126,11 @@ void addNamedPairs(std::vector<Pair>& pairs, const BodyView& view) {
     const auto found = view.name(i).side == Side::right ? left.find(view.name(i).key) : left.end();
     if (found != left.end() && found->second.size() == 1) {
       const int other = found->second.front();
-      const bool siblings = view.parentOf(i) == view.parentOf(other); // farther out a pose moves them
-      addPair(pairs, view.at(i), view.at(other), (siblings ? 0.3 : 0.06) * view.size, view.size);
+      // The farther out, the more a pose moves them, and the more there are of them: fingers.
+      const bool isEnd = std::max(view.name(i).role(Role::ankle), view.name(i).role(Role::wrist)) >= 0.8;
+      const int levels = std::max(levelsApart(view, i, other), isEnd ? 2 : 0); // feet may hang from the root
+      const double weight = levels == 0 ? 0.3 : 0.12 * std::pow(0.5, levels);
+      addPair(pairs, view.at(i), view.at(other), weight * view.size, view.size, levels > 0);
     }
   }
 }
@@ -210,9 +225,16 @@ MirrorPlane findMirrorPlane(const BodyView& view) {
   MirrorPlane plane;
   plane.normal = bestAxis(pairs);
   std::vector<std::pair<double, double>> offsets;
-  for (const Pair& pair : pairs) {
-    if (std::abs(glm::dot(pair.direction, plane.normal)) > 0.9) {
-      offsets.emplace_back(glm::dot(pair.middle, plane.normal), pair.weight);
+  // A raised arm with its fingers moves the middle of its pairs aside: they count where there are no others.
+  for (const bool posed : {false, true}) {
+    for (const Pair& pair : pairs) {
+      const bool isAcross = std::abs(glm::dot(pair.direction, plane.normal)) > 0.9;
+      if (isAcross && pair.isPosed == posed) {
+        offsets.emplace_back(glm::dot(pair.middle, plane.normal), pair.weight);
+      }
+    }
+    if (!offsets.empty()) {
+      break;
     }
   }
   if (offsets.empty()) {

@@ -71,23 +71,38 @@ LimbPair makePair(const BodyView& view, const MirrorPlane& plane, const LimbGues
   const Side first = namedSide(view, negative);
   const Side second = namedSide(view, positive);
   const double sides = first == Side::none || second == Side::none ? 0.0 : first == second ? -0.5 : 0.3;
-  pair.score = negative.score() + positive.score() - std::min(2.0, 4.0 * pair.mirrorError) + sides -
-               structurePenalty(view, negative, positive);
+  // Of two that mirror each other the better shape counts: a weapon in one hand makes no difference.
+  constexpr double alike = 0.1;
+  const double apart = structurePenalty(view, negative, positive);
+  const bool areAlike = apart == 0.0 && pair.mirrorError < alike;
+  const double spared = areAlike ? std::abs(negative.shapePenalty - positive.shapePenalty) : 0.0;
+  pair.score =
+      negative.score() + positive.score() + spared - std::min(2.0, 4.0 * pair.mirrorError) + sides - apart;
   return pair;
 }
 
 LimbPair makeSingle(const LimbGuess& guess) {
   LimbPair pair;
   (guess.lateral < 0.0 ? pair.negative : pair.positive) = guess;
-  pair.score = guess.score() - 0.8;
+  pair.score = guess.score() - (guess.nameFit >= leastNameFitAlone ? 0.8 : 1.2);
   return pair;
+}
+
+// An arm without a counterpart anywhere: the other one is missing, and names need not say so.
+bool standsAlone(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess,
+                 const std::vector<LimbGuess>& guesses) {
+  constexpr double leastError = 0.3;
+  return guess.end >= 0 && guess.nameFit > -0.2 && std::ranges::none_of(guesses, [&](const LimbGuess& other) {
+           return guess.lateral * other.lateral < 0.0 && mirrorError(view, plane, guess, other) < leastError;
+         });
 }
 
 std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane, Region region) {
   const std::vector<LimbGuess> guesses = guessLimbs(view, plane, region, guessesOnASide);
   std::vector<LimbPair> pairs;
   for (const LimbGuess& guess : guesses) {
-    if (guess.nameFit >= leastNameFitAlone) {
+    if (guess.nameFit >= leastNameFitAlone ||
+        (region == Region::arm && standsAlone(view, plane, guess, guesses))) {
       pairs.push_back(makeSingle(guess));
     }
     for (const LimbGuess& other : guesses) {

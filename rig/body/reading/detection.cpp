@@ -231,6 +231,7 @@ void takeReading(PlanReading reading, Finding& finding) {
   Body& result = finding.result;
   result.plan = reading.plan->id;
   result.planConfidence = reading.confidence;
+  finding.bodyUp = reading.up;
   result.planReasons = std::move(reading.reasons);
   result.limbs = std::move(reading.limbs);
   result.hips = reading.hips;
@@ -252,9 +253,10 @@ void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) 
   result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
 }
 
+constexpr double leastRise = 0.75; // sine, of a trunk that stands
+
 // Head over hips, and legs that go on where the trunk ends.
 bool standsUpright(const Finding& finding) {
-  constexpr double leastRise = 0.75;  // sine
   constexpr double leastInLine = 0.8; // cosine
   const Vec3& up = finding.bodyUp;
   const Vec3& legs = finding.legsReach;
@@ -263,10 +265,12 @@ bool standsUpright(const Finding& finding) {
 }
 
 // Whether a body that may be a biped in an odd pose is rather what it was read as: a bird's legs stand across
-// its trunk, and a biped that lies has no tail.
-bool isRather(const PlanReading& reading) {
+// its trunk, a biped that lies has no tail, and none stands on six legs.
+bool isRather(const PlanReading& reading, const Finding& finding) {
+  // As the trunk of a person who sits does; of a beast that was turned over it tells nothing.
+  const bool rises = reading.up.y > 0.5 && finding.bodyUp.y >= leastRise * glm::length(finding.bodyUp);
   const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
-  return reading.plan->legs == 2 || (reading.plan->legs == 4 && hasTail);
+  return reading.plan->legs == 2 || (!rises && (reading.plan->legs > 4 || hasTail));
 }
 
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
@@ -278,7 +282,8 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   constexpr double sure = 0.5;
   std::optional<PlanReading> reading =
       readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
-  const bool fits = reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading));
+  const bool fits =
+      reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading, finding));
   if (fits) {
     takeReading(std::move(*reading), finding);
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {

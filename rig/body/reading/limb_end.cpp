@@ -10,10 +10,24 @@ namespace {
 
 constexpr std::size_t fanSize = 3;
 
+// Beside the bone to another child, as joints that twist its mesh are.
+bool liesOnBone(const BodyView& view, int candidate, int child) {
+  constexpr double aside = 0.04;
+  const Vec3 there = view.at(child) - view.at(candidate);
+  return std::ranges::any_of(view.childrenOf(candidate), [&](int other) {
+    const Vec3 bone = view.at(other) - view.at(candidate);
+    const double length = glm::length(bone);
+    const double along = length > 0.0 ? glm::dot(there, bone) / length : 0.0;
+    return other != child && along > 0.0 && along < 0.95 * length &&
+           glm::length(there - bone * (along / length)) < aside * length;
+  });
+}
+
 std::vector<int> fanChildren(const BodyView& view, int candidate) {
   std::vector<int> children;
   for (const int child : view.childrenOf(candidate)) {
-    if (!view.name(child).accessory && !view.name(child).twist) {
+    const bool isTwist = view.name(child).twist || liesOnBone(view, candidate, child);
+    if (!view.name(child).accessory && !isTwist) {
       children.push_back(child);
     }
   }

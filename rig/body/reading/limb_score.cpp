@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <glm/geometric.hpp>
 
@@ -21,6 +22,11 @@ constexpr LimbRoles rolesOf(Region region) {
                                : LimbRoles{Role::thigh, Role::shin, Role::ankle};
 }
 
+double angleBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
+}
+
 double jointFit(const NameEvidence& name, Role role) {
   const double here = name.role(role);
   const double best = *std::ranges::max_element(name.roles);
@@ -29,13 +35,19 @@ double jointFit(const NameEvidence& name, Role role) {
   return here - against - (name.finger ? 0.6 : 0.0) - (name.accessory ? 0.8 : 0.0) - (name.twist ? 0.6 : 0.0);
 }
 
+// A name's words alone: halves of a bone are told apart by numbers.
+std::string_view withoutNumber(std::string_view key) {
+  return key.substr(0, key.find('#'));
+}
+
 // Names of joints between two of a guess: one that clearly is a limb joint should not have been skipped.
 double skippedFit(const BodyView& view, const std::vector<int>& path, const LimbRoles& roles) {
   double fit = 0.0;
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     const NameEvidence& name = view.name(path[i]);
     const double role = std::max({name.role(roles.base), name.role(roles.middle), name.role(roles.end)});
-    fit -= role >= 0.8 && !name.twist && name.key != view.name(path.front()).key ? 0.4 : 0.0;
+    const bool sharesBone = withoutNumber(name.key) == withoutNumber(view.name(path.front()).key);
+    fit -= role >= 0.8 && !name.twist && !sharesBone ? 0.4 : 0.0;
   }
   return fit;
 }
@@ -55,15 +67,12 @@ double skipPenalty(const BodyView& view, const std::vector<int>& path) {
     const double along = glm::dot(there, bone) / (length * length);
     const double off = glm::length(there - along * bone) / length;
     const double outside = std::max({0.0, -along, along - 1.0});
-    penalty += (view.name(path[i]).twist ? 0.02 : 0.12) +
+    // Where one joint shares a bone, more may.
+    const double shared = i > 1 ? 0.04 : 0.12;
+    penalty += (view.name(path[i]).twist ? 0.02 : shared) +
                std::min(1.2, 8.0 * std::max(0.0, off - 0.01) + 2.0 * outside);
   }
   return penalty;
-}
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
 }
 
 // Beyond the end a hand or foot remains: some, but less than the limb.
@@ -79,6 +88,40 @@ double remainderPenalty(const BodyView& view, const LimbGuess& guess, Region reg
   return outside > 0.0 ? std::min(0.6, 0.15 + 2.0 * outside) : 0.0;
 }
 
+// Of a leg: what lies off the middle before its base. It begins where it leaves the pelvis, however its knee
+// is bent; a bone in line with its first is the first half of that.
+double bonesBeforeLeg(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, double least) {
+  constexpr double inLine = 0.2; // radians
+  const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
+  double length = 0.0;
+  double penalty = 0.0;
+  for (int below = guess.base, above = view.parentOf(guess.base);
+       above >= 0 && std::abs(plane.lateral(view.at(above))) > least;
+       below = above, above = view.parentOf(above)) {
+    const Vec3 bone = view.at(below) - view.at(above);
+    length += glm::length(bone);
+    const bool isHalf = below == guess.base && angleBetween(upper, bone) < inLine &&
+                        glm::length(bone) > 0.15 * glm::length(upper);
+    penalty = isHalf ? 0.35 : penalty;
+  }
+  return length > 0.5 * glm::length(upper) ? 0.5 : penalty;
+}
+
+// A leg turns at the ankle: what goes on in its line is the rest of the shin.
+double goesOnPenalty(const BodyView& view, const LimbGuess& guess, Region region) {
+  constexpr double inLine = 0.2; // radians
+  if (region != Region::leg || guess.end < 0 || guess.endDetached) {
+    return 0.0;
+  }
+  const Vec3 lower = guess.endPosition - view.at(guess.middle);
+  const bool goesOn = std::ranges::any_of(view.childrenOf(guess.end), [&](int child) {
+    const Vec3 bone = view.at(child) - guess.endPosition;
+    return glm::length(bone) > 0.15 * glm::length(lower) && angleBetween(lower, bone) < inLine &&
+           view.movesMesh(child);
+  });
+  return goesOn ? 0.3 : 0.0;
+}
+
 // A base in the middle of the body is a clavicle or the pelvis; a long bone of the same line before it is the
 // real base.
 double basePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {
@@ -87,6 +130,9 @@ double basePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGue
   const bool isInMiddle = region == Region::arm && lateral < 0.01 * view.size;
   double penalty = isInMiddle ? 1.2 : lateral < least ? 0.45 : 0.0;
   const int before = view.parentOf(guess.base);
+  if (region == Region::leg && guess.middle >= 0) {
+    return penalty + bonesBeforeLeg(view, plane, guess, least);
+  }
   if (before >= 0 && guess.middle >= 0) {
     const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
     const Vec3 earlier = view.at(guess.base) - view.at(before);
@@ -157,7 +203,8 @@ double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGu
     return penalty + (guess.end < 0 ? 1.2 : 0.8);
   }
   penalty += bonesPenalty(view, guess, region) + skipPenalty(view, view.path(guess.base, guess.middle));
-  penalty += fanPenalty(view, guess, region) + remainderPenalty(view, guess, region);
+  penalty += fanPenalty(view, guess, region) + remainderPenalty(view, guess, region) +
+             goesOnPenalty(view, guess, region);
   if (guess.endDetached) {
     return penalty + 0.2;
   }

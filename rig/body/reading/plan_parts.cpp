@@ -23,6 +23,8 @@ public:
     parts_.extremities = std::move(extremities);
     sortPairs();
     findHeadRow();
+    dropAntlers();
+    nameChains();
     findForward();
     orderPairs();
     findTrunk();
@@ -85,10 +87,30 @@ private:
     if (legPairs_) {
       chooseLegs(static_cast<std::size_t>(*legPairs_));
     }
-    const auto legs = std::ranges::count(parts_.pairs, LimbKind::leg, &KindredPair::kind);
+  }
+
+  // What stands out of the head of a body with four legs or two, and is called no limb, is none: antlers,
+  // ears, whiskers.
+  void dropAntlers() {
+    const int head = parts_.axis.head;
+    const auto legCount = legs().size();
+    if (head < 0 || legCount == 0 || legCount > 2) {
+      return;
+    }
+    std::erase_if(parts_.pairs, [&](const KindredPair& one) {
+      return one.kind == LimbKind::chain && view_.isAboveOrSelf(head, one.pair.positive.attach) &&
+             view_.isAboveOrSelf(head, one.pair.negative.attach);
+    });
+  }
+
+  // What no name tells is told by the number of legs.
+  void nameChains() {
+    const auto legCount = legs().size();
     for (KindredPair& one : parts_.pairs) {
       if (one.kind == LimbKind::chain) {
-        one.kind = legs == 0 ? LimbKind::fin : legs >= 3 ? LimbKind::feeler : armOrWing(one.pair);
+        one.kind = legCount == 0   ? LimbKind::fin
+                   : legCount >= 3 ? feelerOrWing(one.pair)
+                                   : armOrWing(one.pair);
       }
     }
   }
@@ -125,6 +147,15 @@ private:
         one.kind = LimbKind::arm;
       }
     }
+  }
+
+  // Of a body on six or eight legs: what spreads beside them are wings, what the head carries none.
+  [[nodiscard]] LimbKind feelerOrWing(const ExtremityPair& pair) const {
+    const Vec3 along = pair.positive.points.back() - pair.positive.points.front();
+    const bool isAtHead =
+        parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, pair.positive.attach);
+    const bool spreads = std::abs(glm::dot(along, plane_.normal)) > 0.7 * glm::length(along);
+    return spreads && !isAtHead && pair.length() > 0.25 * view_.size ? LimbKind::wing : LimbKind::feeler;
   }
 
   [[nodiscard]] LimbKind armOrWing(const ExtremityPair& pair) const {
@@ -196,9 +227,10 @@ private:
     return high.x >= low.x ? glm::distance(low, high) : 0.0;
   }
 
-  [[nodiscard]] bool carriesLimb(int joint) const {
+  [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
     return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-      return view_.isAboveOrSelf(joint, one.pair.positive.attach);
+      return (countsChains || one.kind != LimbKind::chain) &&
+             view_.isAboveOrSelf(joint, one.pair.positive.attach);
     });
   }
 
@@ -206,7 +238,7 @@ private:
   [[nodiscard]] int lastOf(const std::vector<int>& row) const {
     constexpr double little = 0.4;
     const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
-    const bool isTip = !carriesLimb(before) && bulk(row.back()) < little * bulk(before);
+    const bool isTip = !carriesLimb(before, false) && bulk(row.back()) < little * bulk(before);
     return isTip ? before : row.back();
   }
 

@@ -55,6 +55,34 @@ public:
     return hasTrunk ? std::optional(std::move(reading)) : std::nullopt;
   }
 
+  /// A body whose names call a pair wings, and whose legs have no joints.
+  [[nodiscard]] std::optional<PlanReading> fitWinged(const BodyPlan& plan) const {
+    const bool hasOthers = std::ranges::any_of(parts_.pairs, [](const KindredPair& one) {
+      return one.kind != LimbKind::wing && one.kind != LimbKind::feeler;
+    });
+    if (parts_.pairs.empty() || hasOthers ||
+        std::ranges::count(parts_.pairs, LimbKind::wing, &KindredPair::kind) == 0) {
+      return std::nullopt;
+    }
+    PlanReading reading = as(plan);
+    constexpr double guessed = 0.6;
+    reading.confidence = std::min(reading.confidence, guessed);
+    if (!hasNamedTail()) {
+      std::erase_if(reading.limbs, [](const Limb& limb) { return limb.kind == LimbKind::tail; });
+    }
+    constexpr double doubted = 0.45; // feelers may pass for its trunk
+    for (Limb& limb : reading.limbs) {
+      limb.confidence = isTrunk(limb) ? std::min(limb.confidence, doubted) : limb.confidence;
+    }
+    reading.warnings.clear(); // nothing but legs tells which way such a body faces
+    reading.warnings.emplace_back("no legs found: the joints move none, or choose chains of joints for them");
+    return reading;
+  }
+
+  [[nodiscard]] bool hasNamedTail() const {
+    return parts_.axis.tail && parts_.axis.tail->word(PartWord::tail) > 0.0;
+  }
+
   [[nodiscard]] PlanReading as(const BodyPlan& plan) const {
     PlanReading reading;
     reading.plan = &plan;
@@ -155,8 +183,26 @@ private:
     }
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
-    return isMost && row != nullptr && row->path.size() >= leastJoints &&
+    return isMost && row != nullptr && !hasLongLimbs() && isEven(*row) && row->path.size() >= leastJoints &&
            row->path.size() <= mostJoints + 1 && row->length > 0.5 * view_.size && others < 0.6 * row->length;
+  }
+
+  // Two pairs that are no fins are arms and legs, however a person lies, sits or stands.
+  [[nodiscard]] bool hasLongLimbs() const {
+    constexpr double longest = 0.25; // of the body
+    return std::ranges::count_if(parts_.extremities.pairs, [&](const ExtremityPair& pair) {
+             return pair.length() > longest * view_.size && pair.word(PartWord::fin) == 0.0;
+           }) > 1;
+  }
+
+  // The joints of a serpent follow each other closely; from a root on the floor to the hips it is far.
+  [[nodiscard]] static bool isEven(const Extremity& row) {
+    constexpr double longest = 0.45; // of the row
+    double bone = 0.0;
+    for (std::size_t i = 1; i < row.points.size(); ++i) {
+      bone = std::max(bone, glm::distance(row.points[i - 1], row.points[i]));
+    }
+    return bone < longest * row.length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {
@@ -437,13 +483,6 @@ private:
   PlanSides sides_;
 };
 
-// As chains are named: by the joint's name where that is its alone.
-std::string jointReference(const Scene& scene, NodeIndex node) {
-  const std::string& name = scene.nodes[at(node)].name;
-  const auto same = std::ranges::count(scene.nodes, name, &Node::name);
-  return name.empty() || same > 1 ? "#" + std::to_string(node.value) : name;
-}
-
 std::optional<PlanReading> readUpright(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                                        const MirrorPlane& plane, const Vec3& up, int leastLegs,
                                        int mostLegs) {
@@ -470,6 +509,7 @@ std::vector<Vec3> otherUps(const MirrorPlane& plane) {
 
 PlanReading turnedOver(PlanReading reading, const Vec3& up) {
   reading.confidence *= 0.8;
+  reading.up = up;
   reading.warnings.emplace_back(up.y < 0.0
                                     ? "the body stands upside down in its bind pose: are its limbs right?"
                                     : "the body lies in its bind pose: are its limbs right?");
@@ -492,7 +532,12 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
       return turnedOver(*std::move(reading), up);
     }
   }
-  return readUpright(scene, bindPose, view, plane, upwards, 0, 0);
+  if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, upwards, 0, 0)) {
+    return reading;
+  }
+  const PlanReader reader(scene, bindPose, view, plane, upwards,
+                          partsOfBody(scene, bindPose, view, plane, upwards, std::nullopt));
+  return reader.fitWinged(*planNamed(reader.hasNamedTail() ? "bird" : "insect"));
 }
 
 PlanReading readAsPlan(const Scene& scene, const BindPose& bindPose, const BodyView& view,
@@ -516,40 +561,6 @@ PlanReading readAsPlan(const Scene& scene, const BindPose& bindPose, const BodyV
     }
   }
   return reader(upwards, plan.legs / 2).as(plan);
-}
-
-std::vector<Limb> chainsOfTree(const Scene& scene, const BindPose& bindPose, const BodyView& view) {
-  constexpr std::size_t mostChains = 60;
-  std::vector<Limb> chains;
-  for (int joint = 0; joint < view.count(); ++joint) {
-    const int parent = view.parentOf(joint);
-    if (parent >= 0 && view.childrenOf(parent).size() == 1) {
-      continue;
-    }
-    int end = joint;
-    while (view.childrenOf(end).size() == 1) {
-      end = view.childrenOf(end).front();
-    }
-    if (end == joint) {
-      continue;
-    }
-    const LimbEnd last{view.nodes[static_cast<std::size_t>(end)], view.at(end)};
-    std::vector<NodeIndex> joints;
-    for (int above = view.parentOf(end); above != parent; above = view.parentOf(above)) {
-      joints.insert(joints.begin(), view.nodes[static_cast<std::size_t>(above)]);
-    }
-    const std::string id = jointReference(scene, joints.front()) + ".." + jointReference(scene, last.node);
-    Limb chain = makeLimb({}, std::move(joints), last, bindPose.worlds);
-    chain.id = id;
-    if (isSound(chain) && chain.joints.size() <= mostJoints && chain.restLength > 0.03 * view.size) {
-      chain.confidence = 0.6;
-      chain.reasons = {"a row of joints between branchings"};
-      chains.push_back(std::move(chain));
-    }
-  }
-  std::ranges::stable_sort(chains, std::ranges::greater{}, &Limb::restLength);
-  chains.resize(std::min(chains.size(), mostChains));
-  return chains;
 }
 
 } // namespace stretch::rig::body

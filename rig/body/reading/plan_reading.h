@@ -18,6 +18,7 @@ struct PlanReading {
   NodeIndex hips;          ///< Joint that carries the body; -1: none.
   NodeIndex head;
   double confidence = 0.0;
+  Vec3 up{0.0, 1.0, 0.0}; ///< Unit: along which it stands in its bind pose.
   std::vector<std::string> reasons;
   std::vector<std::string> warnings;
 };

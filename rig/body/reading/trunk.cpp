@@ -117,7 +117,7 @@ private:
   [[nodiscard]] bool isCentral(int joint) const {
     const NameEvidence& name = view_.name(joint);
     return std::abs(plane_.lateral(view_.at(joint))) < 0.04 * view_.size && !name.accessory && !name.finger &&
-           view_.movesMesh(joint) && !isInLimb(joint);
+           name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
   }
 
   // The joint that is named head and stands highest in the tree, else the highest one in the middle.
@@ -159,10 +159,10 @@ private:
   void findLandmarks() {
     hips_ = hipsIndex();
     arms_ = armsIndex();
-    head_ = headIndex();
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       namesHead_ = namesHead_ || std::max(role(i, Role::neck), role(i, Role::head)) >= clearName;
     }
+    head_ = headIndex();
   }
 
   // Where the chain leaves the joint that the legs hang from; where that is far from the thighs (or there is
@@ -224,6 +224,11 @@ private:
     const std::size_t above = chain_.size() - std::min(chain_.size(), first);
     if (above < 2) {
       return first;
+    }
+    // Where neck and head are numbered on from the spine, the last of the row is the head.
+    const auto isSpine = [&](std::size_t index) { return role(index, Role::spine) >= clearName; };
+    if (!namesHead_ && isSpine(first) && isSpine(chain_.size() - 1)) {
+      return chain_.size() - 1;
     }
     if (view_.hasVertices) {
       // Without a neck the head comes first: it carries far more than what stands on it.
@@ -322,6 +327,9 @@ private:
     if (split.head < chain_.size()) {
       trunk.head = chain_[split.head];
       neckNames += std::max(role(split.head, Role::head), 0.5 * role(split.head, Role::neck));
+    }
+    if (trunk.spine.empty()) { // the joint that carries the legs is the spine's as well
+      spineNames = std::max(role(split.hips, Role::spine), role(split.hips, Role::chest));
     }
     trunk.spineNameFit = spineNames / std::max(1.0, static_cast<double>(trunk.spine.size()));
     trunk.neckNameFit = neckNames / static_cast<double>(trunk.neck.size() + 1);

@@ -200,3 +200,33 @@ TEST_CASE("A file that is refused is named once, whichever verb refuses it") {
     CHECK(answer.told.find(missing) == answer.told.rfind(missing));
   }
 }
+
+TEST_CASE(
+    "A clip of years, as a key at an absurd time makes it, is refused at once by what counts its frames") {
+  MovingBiped moving = punchingBiped();
+  const auto lastAt = [&](float seconds) {
+    for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+      leaf.edit([&](Track& track) { track.times.back() = seconds; });
+    }
+  };
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  for (const float seconds : {1e30F, 1e6F}) {
+    lastAt(seconds);
+    characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
+    for (const std::string verb : {"elastic", "pose"}) {
+      std::vector<std::string> line{verb, (folder / "in.glb").string(), "-o", output};
+      if (verb == "pose") {
+        line.emplace_back("--pin-feet");
+      }
+      INFO(verb << " " << seconds);
+      const VerbAnswer run = runVerb(line);
+      CHECK(run.exitCode == 1);
+      CHECK(run.told.find("frames, more than 100000") != std::string::npos);
+      CHECK_FALSE(std::filesystem::exists(output));
+    }
+  }
+  lastAt(2.0F); // and a clip that lasts as long as one may is not
+  characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
+  CHECK(runVerb({"pose", (folder / "in.glb").string(), "-o", output, "--pin-feet"}).exitCode == 0);
+}

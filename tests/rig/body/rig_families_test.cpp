@@ -279,3 +279,138 @@ TEST_CASE("A part is read from a name with gaps, without gaps and in capitals") 
     CHECK(body::partWords(name).empty());
   }
 }
+
+TEST_CASE("A winged body whose legs have no joints is an insect, and one with a tail a bird") {
+  const bool hasTail = GENERATE(false, true);
+  SyntheticBiped body;
+  const auto add = [&](const std::string& key, const std::string& parent, const Vec3& place) {
+    body.joints.push_back({key, parent, place});
+  };
+  add("Body", "", {0, 0.5, 0});
+  add("Mouth", "Body", {0, 0.5, 0.5});
+  add("Head", "", {0, 0.7, 0.3});
+  add("Head2", "Head", {0, 1.0, 0.35});
+  add("Head3", "Head2", {0, 1.2, 0.4});
+  for (const auto& [side, sign] : {std::pair(std::string(".L"), 1.0), std::pair(std::string(".R"), -1.0)}) {
+    add("Wing1" + side, "Head", {0.2 * sign, 0.8, 0.0});
+    add("Wing2" + side, "Wing1" + side, {0.8 * sign, 1.0, -0.1});
+  }
+  if (hasTail) {
+    add("Tail1", "Body", {0, 0.5, -0.3});
+    add("Tail2", "Tail1", {0, 0.5, -0.6});
+  }
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == (hasTail ? "bird" : "insect"));
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::left}) == "Wing1.L -> Wing2.L");
+  CHECK((findLimb(read, {LimbKind::tail}) != nullptr) == hasTail);
+  REQUIRE(read.warnings.size() == 1);
+  CHECK(read.warnings.front().starts_with("no legs found"));
+  CHECK(read.planConfidence >= 0.5);
+  REQUIRE(findLimb(read, biped::spine) != nullptr);
+  CHECK(findLimb(read, biped::spine)->confidence < 0.5);
+}
+
+TEST_CASE("A character that is bound a thousandth of a unit high stands as its binds say") {
+  SyntheticBiped body = makeNamedBody("Mixamo");
+  body.posedAtRest = true; // so that the rest tells another story
+  body.size = 0.01;
+  body.armatureScale = 100.0;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  const std::vector<Mat4> worlds = bindPoseWorlds(built.scene);
+  CHECK(positionOf(worlds[at(built.node.at("spine2"))]).x == Approx(0.0).margin(1e-6));
+}
+
+TEST_CASE("The collar of a body that is far wider than high is no foot, though it is near the ground") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    for (int i = 0; i < 5; ++i) {
+      const std::string key = "wing" + std::to_string(i) + side;
+      const std::string parent = i == 0 ? std::string("spine1") : "wing" + std::to_string(i - 1) + side;
+      body.joints.push_back({key, parent, Vec3(sign * (0.2 + 1.5 * i), 1.5, 0.2)});
+      body.names[key] = key;
+    }
+    body.joints.push_back({"anchor" + side, "spine1", Vec3(0.0, 1.4, 0.35), true, false});
+    jointOf(body, "scapula" + side).parent = "anchor" + side;
+  }
+  body.joints.push_back({"stomach", "spine0", Vec3(0.0, 1.1, -0.1)});
+  body.joints.push_back({"belly", "stomach", Vec3(0.0, 1.05, 0.3)});
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}).starts_with("scapula.l forearmLeg.l"));
+  CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
+  CHECK(read.height == Approx(2.2).margin(0.3)); // along up, however wide the wings are
+}
+
+TEST_CASE("An arm without a counterpart is found without names, and the other one told as missing") {
+  SyntheticBiped body = makeNamedBody("no names");
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key.ends_with(".r") &&
+           (joint.key.starts_with("upperArm") || joint.key.starts_with("foreArm") ||
+            joint.key.starts_with("hand") || joint.key.starts_with("finger"));
+  });
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(findLimb(read, biped::rightArm) == nullptr);
+  CHECK(std::ranges::any_of(read.warnings,
+                            [](const std::string& line) { return line.starts_with("no right-arm found"); }));
+}
+
+TEST_CASE("A raised arm with all its fingers does not tilt the plane between left and right") {
+  SyntheticBiped body = makeBody();
+  applyNames(body, namingScheme("Mixamo"));
+  for (SyntheticJoint& joint : body.joints) {
+    const bool isArm =
+        joint.key.starts_with("foreArm") || joint.key.starts_with("hand") || joint.key.starts_with("finger");
+    if (isArm) { // up on the left, down on the right
+      const double sign = joint.position.x < 0.0 ? -1.0 : 1.0;
+      const double out = std::abs(joint.position.x) - 0.18;
+      joint.position = {sign * (0.18 + 0.3 * out), 1.43 + sign * 0.95 * out, joint.position.z};
+    }
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  CHECK_FALSE(asksForSides(read));
+}
+
+TEST_CASE("A foot on the root ends a shin of many halves, each of them shorter than the foot") {
+  eachScheme(
+      [](SyntheticBiped& body) {
+        for (const std::string side : {".l", ".r"}) {
+          std::string above = "shin" + side;
+          for (int i = 0; i < 3; ++i) {
+            const std::string half = "shinHalf" + std::to_string(i) + side;
+            addTwist(body, half, above, "foot" + side, 1.0 / (4 - i), true);
+            above = half;
+          }
+          jointOf(body, "foot" + side).parent = "root";
+        }
+      },
+      [](const BuiltBiped& built, const Body& body) {
+        for (const LimbPlace& leg : {biped::leftLeg, biped::rightLeg}) {
+          CHECK(describe(built, body, leg) ==
+                (leg == biped::leftLeg ? "thigh.l shin.l -> foot.l" : "thigh.r shin.r -> foot.r"));
+        }
+      });
+}
+
+TEST_CASE("What spreads beside the legs of an insect are wings, without names as well") {
+  SyntheticBiped body = makeManyLegged(3);
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    body.joints.push_back({"wing0" + side, "thorax", {sign * 0.1, 0.6, 0.0}});
+    body.joints.push_back({"wing1" + side, "wing0" + side, {sign * 0.7, 0.7, -0.1}});
+    body.joints.push_back({"wing2" + side, "wing1" + side, {sign * 1.3, 0.75, -0.2}});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "insect");
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::left}) == "wing0.l wing1.l -> wing2.l");
+  CHECK(describe(built, read, {LimbKind::feeler, LimbSide::left}).starts_with("antenna"));
+}

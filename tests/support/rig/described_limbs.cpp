@@ -9,8 +9,6 @@
 
 namespace stretch::test {
 
-namespace {
-
 std::string keyOf(const BuiltBiped& built, NodeIndex node) {
   for (const auto& [key, index] : built.node) {
     if (index == node) {
@@ -19,8 +17,6 @@ std::string keyOf(const BuiltBiped& built, NodeIndex node) {
   }
   return "estimated";
 }
-
-} // namespace
 
 const rig::Limb* findLimb(const rig::Body& biped, const rig::LimbPlace& place) {
   const auto found =

@@ -11,6 +11,9 @@ namespace stretch::test {
 /// The limb of a kind; null where it was not found.
 [[nodiscard]] const rig::Limb* findLimb(const rig::Body& biped, const rig::LimbPlace& place);
 
+/// The key of a node; "estimated" for one that was made from no key.
+[[nodiscard]] std::string keyOf(const BuiltBiped& built, NodeIndex node);
+
 /// Keys of a limb's joints and of its end: "upperArm.l foreArm.l -> hand.l"; "-> estimated" without an end
 /// joint, "none" without the limb.
 [[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Body& biped,

@@ -85,6 +85,10 @@ SyntheticJoint& find(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
+const SyntheticJoint& find(const SyntheticBiped& body, const std::string& key) {
+  return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
+}
+
 // Placement of the body's own coordinates in the armature's: turned and scaled, and unscaled so that the
 // scale above restores it.
 Vec3 placed(const SyntheticBiped& body, const Vec3& position) {
@@ -99,7 +103,8 @@ int jointIndex(const SyntheticBiped& body, const std::string& key) {
 // Node 0 is the armature, the last one carries the mesh; a shuffle spreads the joints between.
 NodeIndex nodeIndex(const SyntheticBiped& body, int joint) {
   const int count = static_cast<int>(body.joints.size());
-  return NodeIndex(body.shuffled ? 1 + (joint * 7 + 3) % count : 1 + joint);
+  const int stride = count % 7 != 0 ? 7 : 11; // no divisor of the count of any body here
+  return NodeIndex(body.shuffled ? 1 + (joint * stride + 3) % count : 1 + joint);
 }
 
 void addBox(Primitive& primitive, const Vec3& low, const Vec3& high, std::uint16_t slot) {
@@ -114,10 +119,52 @@ void addBox(Primitive& primitive, const Vec3& low, const Vec3& high, std::uint16
   }
 }
 
+void addRing(Primitive& primitive, const SyntheticBiped& body, const Vec3& middle, const Vec3& along,
+             std::uint16_t slot) {
+  const double radius = std::clamp(0.18 * glm::length(along), 0.004, 0.09);
+  const Vec3 aside = glm::normalize(
+      glm::cross(along, std::abs(along.y) < 0.9 * glm::length(along) ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
+  const Vec3 across = glm::normalize(glm::cross(along, aside));
+  for (const Vec3& offset : {aside, -aside, across, -across}) {
+    primitive.positions.emplace_back(placed(body, middle + radius * offset));
+    VertexInfluences influences;
+    influences.joints[0] = slot;
+    influences.weights[0] = 1.0F;
+    primitive.influences.push_back(influences);
+  }
+}
+
+// Rings about the bones to a joint's children; ends of chains go on a little, or as far as their flesh.
+void addTubes(Primitive& primitive, const SyntheticBiped& body, const SyntheticJoint& joint,
+              std::uint16_t slot) {
+  std::vector<Vec3> bones;
+  for (const SyntheticJoint& child : body.joints) {
+    if (child.parent == joint.key) {
+      bones.push_back(child.position - joint.position);
+    }
+  }
+  if (joint.flesh != Vec3(0.0)) {
+    bones.push_back(joint.flesh);
+  } else if (bones.empty() && !joint.parent.empty()) {
+    bones.push_back(0.3 * (joint.position - find(body, joint.parent).position));
+  }
+  for (const Vec3& bone : bones) {
+    if (glm::length(bone) > 1e-6) {
+      addRing(primitive, body, joint.position + 0.1 * bone, bone, slot);
+      addRing(primitive, body, joint.position + 0.5 * bone, bone, slot);
+      addRing(primitive, body, joint.position + bone, bone, slot);
+    }
+  }
+}
+
 // A box around the bone from a joint to its children; ends of chains get a stub, heads and feet their own
 // shapes.
 void addWeight(Primitive& primitive, const SyntheticBiped& body, const SyntheticJoint& joint,
                std::uint16_t slot) {
+  if (body.tubes) {
+    addTubes(primitive, body, joint, slot);
+    return;
+  }
   Vec3 low = joint.position;
   Vec3 high = joint.position;
   const auto include = [&](const Vec3& point) {
@@ -144,6 +191,23 @@ void addWeight(Primitive& primitive, const SyntheticBiped& body, const Synthetic
   }
   const Vec3 thickness(0.02);
   addBox(primitive, placed(body, low - thickness), placed(body, high + thickness), slot);
+}
+
+// The vertices of one joint as a mesh of a node below it.
+void addRigidPart(Scene& scene, const SyntheticBiped& body, const SyntheticJoint& joint, NodeIndex node) {
+  Primitive part;
+  addWeight(part, body, joint, 0);
+  part.influences.clear();
+  for (glm::vec3& position : part.positions) {
+    position -= glm::vec3(placed(body, joint.position));
+  }
+  Node carrier;
+  carrier.name = scene.nodes[at(node)].name + "_mesh";
+  carrier.parent = node;
+  carrier.mesh = static_cast<int>(scene.meshes.size());
+  scene.nodes[at(node)].children.emplace_back(static_cast<int>(scene.nodes.size()));
+  scene.nodes.push_back(std::move(carrier));
+  scene.meshes.push_back({joint.key, {std::move(part)}, {}});
 }
 
 } // namespace
@@ -217,6 +281,9 @@ BuiltBiped build(const SyntheticBiped& body) {
     const bool turned = body.posedAtRest && !joint.parent.empty() && joint.key != "hips";
     node.rest.rotation = turned ? glm::angleAxis(0.4, glm::normalize(Vec3(1, 2, 3))) : Quat(1, 0, 0, 0);
     built.node[joint.key] = index;
+    if (body.rigid && joint.movesMesh) {
+      addRigidPart(scene, body, joint, index);
+    }
     if (joint.isJoint) {
       skin.joints.push_back(index);
       skin.inverseBind.push_back(glm::translate(Mat4(1.0), -placed(body, joint.position)));

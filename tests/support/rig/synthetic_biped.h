@@ -16,6 +16,7 @@ struct SyntheticJoint {
   Vec3 position{0.0};  ///< World, bind pose, before facing and scale.
   bool isJoint = true; ///< Part of the skin.
   bool movesMesh = true;
+  Vec3 flesh{0.0}; ///< How far its mesh reaches beyond it, where the body has tubes.
 };
 
 /// A plausible biped, 1.8 units tall, standing in a T-pose on the floor, facing +Z, left at +X.
@@ -26,10 +27,13 @@ struct SyntheticBiped {
   bool facesBackwards = false; ///< Turned about Y: left is at -X.
   bool withMesh = true;
   bool withSkin = true;
-  bool shuffled = false;         ///< Node indices in another order than the tree's.
-  bool feetPointBack = false;    ///< The mesh of the feet alone, as a mech's spurs.
-  bool posedAtRest = false;      ///< Rest rotations that are not the bind pose's.
-  double size = 1.0;             ///< Of the whole, in the scene's units.
+  bool shuffled = false;      ///< Node indices in another order than the tree's.
+  bool feetPointBack = false; ///< The mesh of the feet alone, as a mech's spurs.
+  bool tubes = false;         ///< Rings about the bones in place of boxes along the axes, so that posed limbs
+                              ///< have a mesh as well.
+  bool rigid = false;         ///< Without a skin: a mesh under each joint that moves one.
+  bool posedAtRest = false;   ///< Rest rotations that are not the bind pose's.
+  double size = 1.0;          ///< Of the whole, in the scene's units.
   Quat turn{1.0, 0.0, 0.0, 0.0}; ///< Of the whole in the world; by quarters, or its boxes are no boxes.
 };
 
