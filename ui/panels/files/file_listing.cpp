@@ -1,10 +1,10 @@
 #include "ui/panels/files/file_listing.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <system_error>
 
+#include "core/base/lower_case.h"
 #include "ui/panels/context/panel_support.h"
 
 namespace stretch::ui {
@@ -13,20 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool comesBefore(const FileEntry& a, const FileEntry& b) {
-  return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
+  return a.isFolder != b.isFolder ? a.isFolder : lowerCase(a.name) < lowerCase(b.name);
 }
 
 } // namespace
 
 bool hasExtension(const fs::path& path, const std::vector<std::string>& extensions) {
-  const std::string extension = lowered(path.extension().string());
+  const std::string extension = lowerCase(path.extension().string());
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 

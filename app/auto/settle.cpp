@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/trail_look.h"
+#include "app/evaluate/way_back.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr std::array<double, 5> shares{1.0, 0.75, 0.5, 0.35, 0.2}; // of the exaggeration that is wanted
+constexpr double leastExcess = 0.03;                               // of a scale: less is not seen
+
+// What an animator would stumble over, in a few words; empty where there is nothing.
+std::string problemOf(const Findings& findings) {
+  return findings.lengths.any()                            ? "it would leave the style's lengths"
+         : findings.turns.any()                            ? "it would point away from where it goes"
+         : findings.vertices.any() || findings.edges.any() ? "the mesh would tear"
+         : findings.swings.any() || findings.jumps.any()   ? "it would be carried away where it stops"
+         : findings.elbows.any()                           ? "the elbow would rise above the head"
+         : findings.ends.any() || findings.lows.any()      ? "it would go through the floor"
+                                                           : "";
+}
+
+// One trail by itself on the clip: solved with other settings until nothing is found.
+class Trial {
+public:
+  Trial(const ClipGround& ground, bool loops)
+      : ground_(ground), loops_(loops),
+        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*ground.document.scene))) {}
+
+  // Lowers the trail until it looks right; answers why it cannot be done at all.
+  [[nodiscard]] std::string calm(PlannedTrail& planned) {
+    const rig::TrailSettings wanted = planned.trail.settings;
+    std::string first;
+    for (const double share : shares) {
+      for (const rig::TrailSpace space : spacesFor(wanted)) {
+        rig::TrailSettings settings = wanted;
+        settings.scale = 1.0 + share * (wanted.scale - 1.0);
+        settings.space = space;
+        planned.trail.settings = settings;
+        const std::string problem = problemWith(planned);
+        first = first.empty() ? problem : first;
+        if (problem.empty()) {
+          planned.why = share < 1.0 ? first : std::string();
+          return {};
+        }
+      }
+    }
+    return first;
+  }
+
+private:
+  [[nodiscard]] static std::vector<rig::TrailSpace> spacesFor(const rig::TrailSettings& settings) {
+    return settings.space == rig::TrailSpace::base ? std::vector{settings.space}
+                                                   : std::vector{settings.space, rig::TrailSpace::base};
+  }
+
+  // A path that comes back on itself ends where it is farthest.
+  [[nodiscard]] std::string problemWith(PlannedTrail& planned) {
+    rig::MotionState alone = solved(planned.trail);
+    if (alone.trails.empty()) {
+      return "its range holds no frame";
+    }
+    if (alone.trails.front().tip.moved && endsFarther(alone.trails.front(), planned.trail.settings)) {
+      alone = solved(planned.trail);
+    }
+    const rig::SolvedTrail& trail = alone.trails.front();
+    if (trail.tip.outcome == rig::TipOutcome::nothingToScale) {
+      return "the limb's end does not move along the active axes";
+    }
+    if (!trail.warnings.empty()) {
+      return "its path comes back on itself";
+    }
+    if (wayBackProblem(ground_.document, alone, trail)) {
+      return "there is no room for the way back";
+    }
+    if (look_ == nullptr || limb_ != trail.limb.id) {
+      look_ = std::make_unique<TrailLook>(ground_.document, ground_.clip, trail, LookAt::limbAndMesh);
+      limb_ = trail.limb.id;
+    }
+    return problemOf(look_->findings(alone));
+  }
+
+  [[nodiscard]] bool endsFarther(const rig::SolvedTrail& trail, rig::TrailSettings& settings) const {
+    const auto farthest = static_cast<std::size_t>(std::max(0, trail.tip.farthestSample));
+    const double frame = std::round(trail.path.samples[farthest].timeSeconds * ground_.framesPerSecond);
+    if (frame - settings.startFrame < 2.0 || frame >= settings.endFrame) {
+      return false;
+    }
+    if (settings.releaseFrames) {
+      settings.releaseFrames = *settings.releaseFrames + settings.endFrame - frame;
+    }
+    settings.endFrame = frame;
+    return true;
+  }
+
+  [[nodiscard]] rig::MotionState solved(const rig::Trail& trail) {
+    Document only = ground_.document;
+    only.trails = {trail};
+    only.trails.front().id = 1;
+    only.weights.clear();
+    only.holds = {};
+    EvaluationInput input = evaluationInput(only, ground_.clip);
+    input.ground.loops = input.ground.loops || loops_;
+    rig::MotionState motion = solveTrails(input, {.places = places_, .sourceFrames = frames_});
+    frames_ = motion.sourceFrames ? motion.sourceFrames : frames_;
+    return motion;
+  }
+
+  const ClipGround& ground_;
+  bool loops_ = false;
+  std::shared_ptr<const rig::BindPlaces> places_;
+  std::shared_ptr<const rig::FrameTable> frames_;
+  std::unique_ptr<TrailLook> look_;
+  std::string limb_; // that it looks at
+};
+
+// Less of the trail; left out where nothing is to be seen of it any more.
+void lower(AutoPlan& plan, std::size_t place, const std::string& why) {
+  constexpr double step = 0.7;
+  PlannedTrail& planned = plan.trails[place];
+  double& scale = planned.trail.settings.scale;
+  scale = 1.0 + step * (scale - 1.0);
+  planned.why = planned.why.empty() ? why : planned.why;
+  if (std::abs(scale - 1.0) < leastExcess) {
+    leaveOut(plan, place, why);
+  }
+}
+
+} // namespace
+
+void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& plan) {
+  constexpr int mostRounds = 12;
+  Trial trial(ground, plan.loops);
+  for (std::size_t i = plan.trails.size(); i-- > 0;) {
+    const bool isSeen = std::abs(plan.trails[i].styleScale - 1.0) >= leastExcess;
+    const std::string problem =
+        isSeen ? trial.calm(plan.trails[i]) : std::string("the style hardly stretches it");
+    if (!problem.empty()) {
+      leaveOut(plan, i, problem);
+    }
+  }
+  for (int round = 0; round < mostRounds && !plan.trails.empty(); ++round) {
+    const std::vector<Fault> faults = faultsOf(ground, settings, plan);
+    if (faults.empty()) {
+      return;
+    }
+    std::set<std::size_t, std::greater<>> places;
+    for (const Fault& fault : faults) {
+      places.insert(fault.trail);
+    }
+    for (const std::size_t place : places) {
+      const auto fault = std::ranges::find(faults, place, &Fault::trail);
+      if (round + 1 == mostRounds) {
+        leaveOut(plan, place, fault->why);
+      } else {
+        lower(plan, place, fault->why);
+      }
+    }
+  }
+}
+
+} // namespace stretch::app
