@@ -25,6 +25,7 @@ struct Verb {
                            const char* const* arguments);
 
 [[nodiscard]] Verb infoVerb();
+[[nodiscard]] Verb momentsVerb();
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();
