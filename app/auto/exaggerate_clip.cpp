@@ -57,10 +57,6 @@ void addWeights(const AutoSettings& settings, int clip, AutoClip& made) {
 
 } // namespace
 
-std::vector<rig::Moment> momentsOf(const Document& document, int clip) {
-  return rig::momentsOf(*document.scene, clipOf(document, clip), document.body, document.chains);
-}
-
 AutoClip exaggerateClip(const Document& document, int clip, const std::vector<rig::Moment>& moments,
                         const AutoSettings& settings) {
   if (moments.empty() || settings.strength <= 0.0) {
@@ -80,6 +76,11 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   }
   for (std::size_t i = 0; i < plan.trails.size(); ++i) {
     const PlannedTrail& planned = plan.trails[i];
+    if (planned.follows) {
+      made.notes.push_back(
+          fmt::format("the {} goes along with the {}", planned.trail.limb, moments[planned.moment].limb));
+      continue;
+    }
     made.moments[planned.moment] = {moments[planned.moment], placed->trailIds[i],
                                     planned.trail.settings.scale, planned.why};
   }

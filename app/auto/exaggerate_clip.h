@@ -33,9 +33,6 @@ struct AutoClip {
   std::vector<std::string> notes;  ///< Further things that were done: one line each.
 };
 
-/// The moments of a clip of the document, strongest first.
-[[nodiscard]] std::vector<rig::Moment> momentsOf(const Document& document, int clip);
-
 /// Gives each of these moments a trail in the style, as far as the character then looks right: no limb goes
 /// through the floor beyond the source's own, none leaves the style's range of lengths, a foot that carries
 /// the body stays, a loop stays one, hands that hold a thing together stay together, and trails that are

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include "app/auto/held_together.h"
 #include "app/auto/planned_trail.h"
@@ -10,6 +10,7 @@
 #include "app/edits/trail/starting_settings.h"
 #include "app/standing_floor.h"
 #include "rig/motion/order.h"
+#include "rig/trail/release.h"
 
 namespace stretch::app {
 
@@ -46,6 +47,7 @@ public:
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       plan_.leftOut[i] = tried(i);
     }
+    addTrunk();
     giveRoom();
     plan_.grips = gripsFor(ground_, plan_);
     return std::move(plan_);
@@ -129,6 +131,71 @@ private:
     plan_.trails.push_back(std::move(planned));
   }
 
+  // The spine goes along with each strike of a limb that hangs on it, where it does nothing of its own.
+  void addTrunk() {
+    const rig::Limb* const spine = rig::limbAt(ground_.document.body.limbs, rig::biped::spine);
+    const rig::Spread& spread = settings_.style.spread;
+    if (spine == nullptr || spine->ledByFirst || spread.trunk <= 0.0) {
+      return;
+    }
+    const double late = std::round(spread.lateFrames / 24.0 * ground_.framesPerSecond);
+    for (std::size_t i = 0, leading = plan_.trails.size(); i < leading; ++i) {
+      const rig::Trail& lead = plan_.trails[i].trail;
+      const rig::Limb& limb = *findLimb(ground_.document, lead.limb);
+      const Vec2 range(lead.settings.startFrame + late, lead.settings.endFrame + late);
+      if (reachesOut(limb) && isStrike(moments_[plan_.trails[i].moment]) &&
+          rig::carries(*ground_.document.scene, *spine, limb) && isFree(*spine, range)) {
+        plan_.trails.push_back(followerOf(plan_.trails[i], limb, *spine, range));
+      }
+    }
+  }
+
+  [[nodiscard]] static bool isStrike(const rig::Moment& moment) {
+    return moment.kind == rig::MomentKind::stroke && moment.strength >= 0.5 * fullStrength;
+  }
+
+  [[nodiscard]] bool isFree(const rig::Limb& limb, const Vec2& range) const {
+    return range.y < ground_.lastFrame && !carriesStandingLeg(limb, range) &&
+           overlappingTrail(ground_.document, limb.id, ground_.clip, range.x, range.y) == nullptr &&
+           std::ranges::none_of(plan_.trails, [&](const PlannedTrail& other) {
+             const rig::TrailSettings& settings = other.trail.settings;
+             return other.trail.limb == limb.id && settings.startFrame < range.y &&
+                    range.x < settings.endFrame + (range.y - range.x);
+           });
+  }
+
+  // Pulled the way that the limb goes, evenly along the range.
+  [[nodiscard]] PlannedTrail followerOf(const PlannedTrail& lead, const rig::Limb& limb,
+                                        const rig::Limb& spine, const Vec2& range) const {
+    constexpr int spheres = 4;
+    const auto reachAt = [&](double frame) {
+      const std::vector<Vec3>& points = ground_.placesAt(frame)[static_cast<std::size_t>(placeOf(limb))];
+      return points.back() - points.front();
+    };
+    const Vec3 way = reachAt(lead.trail.settings.endFrame) - reachAt(lead.trail.settings.startFrame);
+    const double strength = settings_.strength * settings_.style.spread.trunk;
+    const double pull = (rig::styledScale(settings_.style, spine.kind, strength) - 1.0) * spine.restLength;
+    PlannedTrail follower = lead;
+    follower.follows = true;
+    follower.trail.limb = spine.id;
+    rig::TrailSettings& settings = follower.trail.settings;
+    settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, spine, range),
+                                   settings_.style, spine.kind, 0.0);
+    settings.scale = 1.0;
+    const double length = glm::length(way);
+    for (int i = 0; i <= spheres && length > 0.0; ++i) {
+      const double part = static_cast<double>(i) / spheres;
+      settings.spheres.push_back(
+          {range.x + part * (range.y - range.x), rig::smoothstep(part) * pull / length * way, {}});
+      follower.trail.controlFrames.push_back(settings.spheres.back().frame);
+    }
+    return follower;
+  }
+
+  [[nodiscard]] std::ptrdiff_t placeOf(const rig::Limb& limb) const {
+    return std::ranges::find(ground_.limbs, limb.id, &rig::Limb::id) - ground_.limbs.begin();
+  }
+
   void stopAtGround(const rig::Limb& limb, rig::TrailSettings& settings) const {
     if (isLeg(limb) && !settings.stopAt) {
       settings.stopAt = floorForLeg(ground_.document, ground_.clip, limb, settings.endFrame);
@@ -199,13 +266,25 @@ Vec2 windowOf(const rig::TrailSettings& settings) {
   return {settings.startFrame, settings.endFrame + settings.releaseFrames.value_or(range)};
 }
 
+rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {
+  wanted.scale = 1.0 + share * (wanted.scale - 1.0);
+  for (rig::SphereOffset& sphere : wanted.spheres) {
+    sphere.offset *= share;
+  }
+  return wanted;
+}
+
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why) {
-  const PlannedTrail& planned = plan.trails[place];
+  const PlannedTrail planned = plan.trails[place];
+  plan.trails.erase(plan.trails.begin() + static_cast<std::ptrdiff_t>(place));
+  if (planned.follows) {
+    return;
+  }
   plan.leftOut[planned.moment] = why;
+  std::erase_if(plan.trails, [&](const PlannedTrail& other) { return other.moment == planned.moment; });
   std::erase_if(plan.grips, [&](const rig::Grip& grip) {
     return grip.leader == planned.trail.limb && grip.time.rangeFrames.x == planned.trail.settings.startFrame;
   });
-  plan.trails.erase(plan.trails.begin() + static_cast<std::ptrdiff_t>(place));
 }
 
 } // namespace stretch::app

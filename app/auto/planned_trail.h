@@ -15,6 +15,8 @@ struct PlannedTrail {
   double styleScale = 1.0; ///< Scale that the style asks for.
   rig::Trail trail;
   std::string why = {}; ///< Why it has less than that.
+  bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
+                        ///< own.
 };
 
 /// Trails for a clip, and why the other moments have none.
@@ -35,7 +37,10 @@ void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& pl
 /// Frames over which a trail does anything, its way back included as far as it is known.
 [[nodiscard]] Vec2 windowOf(const rig::TrailSettings& settings);
 
-/// Takes the trail at `place` out of the plan.
+/// Settings with a share of the exaggeration of `wanted`: of its scale and of what its spheres are pulled.
+[[nodiscard]] rig::TrailSettings withShare(rig::TrailSettings wanted, double share);
+
+/// Takes the trail at `place` out of the plan, and what goes along with it.
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why);
 
 } // namespace stretch::app

@@ -45,8 +45,7 @@ public:
     std::string first;
     for (const double share : shares) {
       for (const rig::TrailSpace space : spacesFor(wanted)) {
-        rig::TrailSettings settings = wanted;
-        settings.scale = 1.0 + share * (wanted.scale - 1.0);
+        rig::TrailSettings settings = withShare(wanted, share);
         settings.space = space;
         planned.trail.settings = settings;
         const std::string problem = problemWith(planned);
@@ -72,14 +71,15 @@ private:
     if (alone.trails.empty()) {
       return "its range holds no frame";
     }
-    if (alone.trails.front().tip.moved && endsFarther(alone.trails.front(), planned.trail.settings)) {
+    if (!planned.follows && alone.trails.front().tip.moved &&
+        endsFarther(alone.trails.front(), planned.trail.settings)) {
       alone = solved(planned.trail);
     }
     const rig::SolvedTrail& trail = alone.trails.front();
-    if (trail.tip.outcome == rig::TipOutcome::nothingToScale) {
+    if (!planned.follows && trail.tip.outcome == rig::TipOutcome::nothingToScale) {
       return "the limb's end does not move along the active axes";
     }
-    if (!trail.warnings.empty()) {
+    if (!planned.follows && !trail.warnings.empty()) {
       return "its path comes back on itself";
     }
     if (wayBackProblem(ground_.document, alone, trail)) {
@@ -126,14 +126,20 @@ private:
   std::string limb_; // that it looks at
 };
 
+// How much longer or shorter the limb is to become, in lengths of itself.
+double excessOf(const ClipGround& ground, const PlannedTrail& planned) {
+  const rig::TrailSettings& settings = planned.trail.settings;
+  const double pulled = settings.spheres.empty() ? 0.0 : glm::length(settings.spheres.back().offset);
+  return std::abs(settings.scale - 1.0) + pulled / findLimb(ground.document, planned.trail.limb)->restLength;
+}
+
 // Less of the trail; left out where nothing is to be seen of it any more.
-void lower(AutoPlan& plan, std::size_t place, const std::string& why) {
+void lower(const ClipGround& ground, AutoPlan& plan, std::size_t place, const std::string& why) {
   constexpr double step = 0.7;
   PlannedTrail& planned = plan.trails[place];
-  double& scale = planned.trail.settings.scale;
-  scale = 1.0 + step * (scale - 1.0);
+  planned.trail.settings = withShare(planned.trail.settings, step);
   planned.why = planned.why.empty() ? why : planned.why;
-  if (std::abs(scale - 1.0) < leastExcess) {
+  if (excessOf(ground, planned) < leastExcess) {
     leaveOut(plan, place, why);
   }
 }
@@ -144,9 +150,12 @@ void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& pl
   constexpr int mostRounds = 12;
   Trial trial(ground, plan.loops);
   for (std::size_t i = plan.trails.size(); i-- > 0;) {
-    const bool isSeen = std::abs(plan.trails[i].styleScale - 1.0) >= leastExcess;
-    const std::string problem =
-        isSeen ? trial.calm(plan.trails[i]) : std::string("the style hardly stretches it");
+    if (i >= plan.trails.size()) {
+      continue; // it went along with one that was left out
+    }
+    const std::string problem = excessOf(ground, plan.trails[i]) >= leastExcess
+                                    ? trial.calm(plan.trails[i])
+                                    : std::string("the style hardly stretches it");
     if (!problem.empty()) {
       leaveOut(plan, i, problem);
     }
@@ -161,11 +170,14 @@ void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& pl
       places.insert(fault.trail);
     }
     for (const std::size_t place : places) {
+      if (place >= plan.trails.size()) {
+        continue; // likewise
+      }
       const auto fault = std::ranges::find(faults, place, &Fault::trail);
       if (round + 1 == mostRounds) {
         leaveOut(plan, place, fault->why);
       } else {
-        lower(plan, place, fault->why);
+        lower(ground, plan, place, fault->why);
       }
     }
   }

@@ -127,7 +127,10 @@ private:
     const int id = ground_.document.nextTrailId + static_cast<int>(place);
     const auto solved = std::ranges::find_if(
         motion_.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
-    return solved == motion_.trails.end() ? Vec3(0.0) : solved->tip.tip - solved->tip.originalTip;
+    const std::vector<rig::SphereOffset>& spheres = plan_.trails[place].trail.settings.spheres;
+    return solved == motion_.trails.end() ? Vec3(0.0)
+           : spheres.empty()              ? solved->tip.tip - solved->tip.originalTip
+                                          : spheres.back().offset;
   }
 
   void lookAtChains() {

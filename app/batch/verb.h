@@ -26,6 +26,7 @@ struct Verb {
 
 [[nodiscard]] Verb infoVerb();
 [[nodiscard]] Verb momentsVerb();
+[[nodiscard]] Verb stylesVerb();
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();

@@ -23,6 +23,7 @@
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 
 namespace stretch::ui {
@@ -478,6 +479,7 @@ std::vector<ShellCommand> editorCommands() {
   }
   fitBesideWindow(all);
   append(all, toolCommands());
+  append(all, styleCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
   append(all, stopCommands());

@@ -56,6 +56,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".glb", ".gltf"};
   case FilePurpose::openRecipe:
   case FilePurpose::saveRecipe:
+  case FilePurpose::openStyle:
+  case FilePurpose::saveStyle:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
     return {".json"};
@@ -72,7 +74,7 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
          purpose != FilePurpose::openProp && purpose != FilePurpose::openClip &&
-         purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openStyle && purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -91,6 +93,10 @@ const char* titleOf(FilePurpose purpose) {
     return "Load a recipe";
   case FilePurpose::saveRecipe:
     return "Save the recipe";
+  case FilePurpose::openStyle:
+    return "Import a style";
+  case FilePurpose::saveStyle:
+    return "Export the style";
   case FilePurpose::exportSequence:
     return "Export the skinned clip";
   case FilePurpose::openModuli:

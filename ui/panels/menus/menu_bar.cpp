@@ -202,7 +202,12 @@ void drawMenuBar(PanelContext& context) {
   poseMenu(context);
   drawMenu(context,
            {"Trail",
-            {trailToggle,
+            {clipExaggerate,
+             styleTake,
+             styleImport,
+             styleExport,
+             "",
+             trailToggle,
              trailExaggerate,
              trailConnect,
              trailFollow,
