@@ -64,7 +64,7 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   }
   const ClipGround ground = clipGround(document, clip);
   AutoPlan plan = planTrails(ground, moments, settings);
-  settle(ground, settings, plan);
+  settle(ground, moments, settings, plan);
   const Document looped = plan.loops ? setLooping(document, clip, true) : document;
   const Result<Placed> placed = place(looped, thingsOf(plan), Entry::request);
   if (!placed) {

@@ -31,8 +31,10 @@ struct AutoPlan {
 [[nodiscard]] AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
                                   const AutoSettings& settings);
 
-/// Lowers or leaves out what does not look right: first each trail by itself, then all together.
-void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& plan);
+/// Lowers or leaves out what does not look right: first each trail by itself, then all together; a limb that
+/// goes round and round does so only with its counterpart on the other side. `moments`: those of the plan.
+void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
+            AutoPlan& plan);
 
 /// Frames over which a trail does anything, its way back included as far as it is known.
 [[nodiscard]] Vec2 windowOf(const rig::TrailSettings& settings);

@@ -44,9 +44,10 @@ public:
     const rig::TrailSettings wanted = planned.trail.settings;
     std::string first;
     for (const double share : shares) {
-      for (const rig::TrailSpace space : spacesFor(wanted)) {
+      for (const Variant& variant : variantsFor(planned, wanted)) {
         rig::TrailSettings settings = withShare(wanted, share);
-        settings.space = space;
+        settings.space = variant.space;
+        settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
         planned.trail.settings = settings;
         const std::string problem = problemWith(planned);
         first = first.empty() ? problem : first;
@@ -60,9 +61,24 @@ public:
   }
 
 private:
-  [[nodiscard]] static std::vector<rig::TrailSpace> spacesFor(const rig::TrailSettings& settings) {
-    return settings.space == rig::TrailSpace::base ? std::vector{settings.space}
-                                                   : std::vector{settings.space, rig::TrailSpace::base};
+  // What an animator would try before making it smaller.
+  struct Variant {
+    rig::TrailSpace space = rig::TrailSpace::world;
+    bool stops = false;
+  };
+
+  // A leg stops at the ground where it can; another limb is stopped only where it would go through it.
+  [[nodiscard]] std::vector<Variant> variantsFor(const PlannedTrail& planned,
+                                                 const rig::TrailSettings& wanted) const {
+    const bool stopsFirst = isLeg(*findLimb(ground_.document, planned.trail.limb));
+    std::vector<Variant> variants;
+    for (const bool stops : {stopsFirst, !stopsFirst}) {
+      variants.push_back({wanted.space, stops});
+      if (wanted.space != rig::TrailSpace::base) {
+        variants.push_back({rig::TrailSpace::base, stops});
+      }
+    }
+    return variants;
   }
 
   // A path that comes back on itself ends where it is farthest.
@@ -144,9 +160,41 @@ void lower(const ClipGround& ground, AutoPlan& plan, std::size_t place, const st
   }
 }
 
+// A step on one side alone limps: each has one on the other side that is about as strong, and no larger one.
+void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+  constexpr double asStrong = 1.35;
+  const auto isPartner = [&](const PlannedTrail& one, const PlannedTrail& other) {
+    const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
+    const rig::Limb* const across = rig::limbAt(ground.document.body.limbs, rig::mirrored(limb));
+    const double ratio = moments[one.moment].strength / moments[other.moment].strength;
+    return across != nullptr && other.trail.limb == across->id && !other.follows && ratio < asStrong &&
+           asStrong * ratio > 1.0;
+  };
+  for (std::size_t i = plan.trails.size(); i-- > 0;) {
+    const PlannedTrail& one = plan.trails[i];
+    const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
+    if (one.follows || moments[one.moment].kind != rig::MomentKind::cycle ||
+        limb.side == rig::LimbSide::middle ||
+        rig::limbAt(ground.document.body.limbs, rig::mirrored(limb)) == nullptr) {
+      continue;
+    }
+    double most = 0.0;
+    for (const PlannedTrail& other : plan.trails) {
+      most = isPartner(one, other) ? std::max(most, excessOf(ground, other)) : most;
+    }
+    if (most <= 0.0) {
+      leaveOut(plan, i, "the limb on the other side cannot do the same");
+    } else if (excessOf(ground, one) > most) {
+      rig::TrailSettings& settings = plan.trails[i].trail.settings;
+      settings = withShare(settings, most / excessOf(ground, one));
+    }
+  }
+}
+
 } // namespace
 
-void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& plan) {
+void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
+            AutoPlan& plan) {
   constexpr int mostRounds = 12;
   Trial trial(ground, plan.loops);
   for (std::size_t i = plan.trails.size(); i-- > 0;) {
@@ -161,6 +209,7 @@ void settle(const ClipGround& ground, const AutoSettings& settings, AutoPlan& pl
     }
   }
   for (int round = 0; round < mostRounds && !plan.trails.empty(); ++round) {
+    pairCycles(ground, moments, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty()) {
       return;

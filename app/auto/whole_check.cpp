@@ -16,8 +16,8 @@ namespace stretch::app {
 namespace {
 
 constexpr double margin = 0.004;          // of the height: less is not seen
-constexpr double seamMetres = 0.005;      // of a person
-constexpr double seamSpeed = 0.05;        // of a person, m/s
+constexpr double seamMetres = 0.008;      // of a person
+constexpr double seamSpeed = 0.08;        // of a person, m/s
 constexpr double shorter = 1.5;           // a limb that turns on its way may come nearer than it is squashed
 constexpr double againstEachOther = -0.3; // cosine between the ways of two limbs of one chain
 

@@ -7,9 +7,11 @@
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/frames.h"
+#include "app/commands/table/tables.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/files/user_styles.h"
+#include "ui/panels/context/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/shell.h"
 
