@@ -219,8 +219,7 @@ private:
         release = std::min(room, std::max(shortestRelease, 0.5 * (settings.endFrame - settings.startFrame)));
       }
     }
-    plan_.loops = ground_.endsMeet && !hasWeight(ground_.document, ground_.clip) &&
-                  std::ranges::any_of(plan_.trails, [&](const PlannedTrail& planned) {
+    plan_.loops = ground_.wraps && std::ranges::any_of(plan_.trails, [&](const PlannedTrail& planned) {
                     return windowOf(planned.trail.settings).y > ground_.lastFrame ||
                            planned.trail.settings.endFrame >= ground_.lastFrame;
                   });
@@ -229,7 +228,7 @@ private:
   // Frames after the tip; lastFrame and more: nothing is in the way.
   [[nodiscard]] double roomAfter(const rig::Trail& trail) const {
     const double tip = trail.settings.endFrame;
-    const double turn = ground_.endsMeet ? ground_.lastFrame : 0.0;
+    const double turn = ground_.wraps ? ground_.lastFrame : 0.0;
     double room = turn > 0.0 ? 2.0 * ground_.lastFrame : ground_.lastFrame - tip;
     const auto endBefore = [&](double frame) {
       const double after = frame >= tip ? frame - tip : frame + turn - tip;

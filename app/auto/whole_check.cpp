@@ -21,6 +21,8 @@ constexpr double seamSpeed = 0.08;        // of a person, m/s
 constexpr double shorter = 1.5;           // a limb that turns on its way may come nearer than it is squashed
 constexpr double againstEachOther = -0.3; // cosine between the ways of two limbs of one chain
 
+constexpr const char* throughFloor = "it would go through the floor";
+
 double lengthOf(const std::vector<Vec3>& points) {
   return glm::length(points.back() - points.front());
 }
@@ -91,11 +93,35 @@ private:
   }
 
   void lookAt(double frame) {
-    const LimbPlaces now =
-        placesOf(ground_.limbs, evaluate(trial_, motion_, frame / ground_.framesPerSecond));
+    const FrameState shown = evaluate(trial_, motion_, frame / ground_.framesPerSecond);
+    const LimbPlaces now = placesOf(ground_.limbs, shown);
+    lookAtMesh(frame, shown, now);
     const LimbPlaces& source = ground_.placesAt(frame);
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
       lookAtLimb(frame, ground_.limbs[i], source[i], now[i]);
+    }
+  }
+
+  // What lies below the floor hangs on the limb that it is nearest to.
+  void lookAtMesh(double frame, const FrameState& shown, const LimbPlaces& now) {
+    const std::optional<Vec3> vertex = lowestVertexOf(*ground_.surface, shown);
+    if (!vertex || vertex->y >= ground_.lowestVertex - margin * ground_.document.body.height) {
+      return;
+    }
+    std::optional<std::size_t> nearest;
+    double least = 0.0;
+    for (const std::size_t place : actingAt(frame)) {
+      const auto limb = std::ranges::find(ground_.limbs, plan_.trails[place].trail.limb, &rig::Limb::id);
+      for (const Vec3& point : now[static_cast<std::size_t>(limb - ground_.limbs.begin())]) {
+        const double distance = glm::length(point - *vertex);
+        if (!nearest || distance < least) {
+          nearest = place;
+          least = distance;
+        }
+      }
+    }
+    if (nearest) {
+      faults_.emplace(*nearest, throughFloor);
     }
   }
 
@@ -112,7 +138,7 @@ private:
     }
     for (std::size_t k = 0; k < now.size(); ++k) {
       if (now[k].y < std::min(source[k].y, ground_.lowest) - unseen) {
-        blame(frame, limb, "it would go through the floor");
+        blame(frame, limb, throughFloor);
       }
     }
     if (glm::length(now.back() - source.back()) > unseen &&
@@ -163,8 +189,8 @@ private:
   [[nodiscard]] Seam seamOf(const At& at) const {
     const Clip& clip = clipOf(ground_.document, ground_.clip);
     const double step = seamStep();
-    return {at(clip.startSeconds), at(clip.startSeconds + step), at(clip.endSeconds - step),
-            at(clip.endSeconds)};
+    const double start = std::min(0.0, clip.startSeconds);
+    return {at(start), at(start + step), at(clip.endSeconds - step), at(clip.endSeconds)};
   }
 
   [[nodiscard]] double seamStep() const { return 0.25 / ground_.framesPerSecond; }

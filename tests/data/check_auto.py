@@ -79,11 +79,16 @@ class Case:
         times = [frame / self.fps for frame in frames]
         end = self.info["clips"][self.clip]["seconds"]
         times += [0.25 / self.fps, end - 0.25 / self.fps, end]
-        before, after = (self.reader.measure(file, self.clip, times, nodes, vertices) for file in (self.file, self.output))
+        before, after = (self.measure(file, times, nodes, vertices) for file in (self.file, self.output))
         self.check_floor(before, after, frames)
         self.check_lengths(before, after, frames)
         self.check_seam(before, after, len(frames))
         return self.problems
+
+    def measure(self, file, times, nodes, vertices):
+        """Places of nodes by their index, and of vertices."""
+        measured = self.reader.measure(file, self.clip, times, nodes, vertices)
+        return {"vertices": measured["vertices"], "nodes": dict(zip(nodes, measured["nodes"].values()))}
 
     def check_report(self):
         by_limb = {}
@@ -118,7 +123,7 @@ class Case:
         for limb in self.info["limbs"]:
             if limb["end"] == "estimated":
                 continue
-            first, last = (f"#{limb['joints'][i]['node']}" for i in (0, -1))
+            first, last = (limb["joints"][i]["node"] for i in (0, -1))
             most = self.style[f"{kind_of(limb['limb'])}_most"]
             for index, frame in enumerate(frames):
                 own = max(math.dist(before["nodes"][first][index], before["nodes"][last][index]), limb["rest_length"])
