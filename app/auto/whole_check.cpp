@@ -193,7 +193,7 @@ private:
     return {at(start), at(start + step), at(clip.endSeconds - step), at(clip.endSeconds)};
   }
 
-  [[nodiscard]] double seamStep() const { return 0.25 / ground_.framesPerSecond; }
+  [[nodiscard]] double seamStep() const { return 1.0 / ground_.framesPerSecond; }
 
   void lookAtSeam() {
     const Seam now =

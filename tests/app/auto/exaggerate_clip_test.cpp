@@ -4,9 +4,6 @@
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/bundled_folder.h"
-#include "app/files/save.h"
-#include "core/gltf/load.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 
