@@ -17,7 +17,7 @@ namespace stretch::app {
 namespace {
 
 constexpr double weakShare = 0.15;    // of the clip's strongest: what is weaker is no action beside it
-constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
+constexpr double fullStrength = 6.0;  // reaches per second: from here on a moment gets all that the style
                                       // says
 constexpr double leastShare = 0.2;    // of the style's exaggeration, for the weakest
 constexpr double shortestRange = 2.0; // frames

@@ -14,7 +14,8 @@ struct PlannedTrail {
   std::size_t moment = 0;  ///< Place in the list of moments.
   double styleScale = 1.0; ///< Scale that the style asks for.
   rig::Trail trail;
-  std::string why = {}; ///< Why it has less than that.
+  std::string why = {};           ///< Why it has less than that.
+  rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
   bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
                         ///< own.
 };

@@ -52,7 +52,8 @@ public:
         const std::string problem = problemWith(planned);
         first = first.empty() ? problem : first;
         if (problem.empty()) {
-          planned.why = share < 1.0 ? first : std::string();
+          planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
+          planned.looked = planned.trail.settings;
           return {};
         }
       }
@@ -191,27 +192,36 @@ void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moment
   }
 }
 
+// Each trail that is not as it was looked at last, by itself; answers whether any is another one then.
+bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
+  bool isChanged = false;
+  for (std::size_t i = plan.trails.size(); i-- > 0;) {
+    if (i >= plan.trails.size() || plan.trails[i].looked == plan.trails[i].trail.settings) {
+      continue; // it went along with one that was left out, or nothing is new
+    }
+    const rig::TrailSettings before = plan.trails[i].trail.settings;
+    const std::string problem = excessOf(ground, plan.trails[i]) >= leastExcess
+                                    ? trial.calm(plan.trails[i])
+                                    : std::string("the style hardly stretches it");
+    isChanged = isChanged || !problem.empty() || !(plan.trails[i].trail.settings == before);
+    if (!problem.empty()) {
+      leaveOut(plan, i, problem);
+    }
+  }
+  return isChanged;
+}
+
 } // namespace
 
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan) {
   constexpr int mostRounds = 12;
   Trial trial(ground, plan.loops);
-  for (std::size_t i = plan.trails.size(); i-- > 0;) {
-    if (i >= plan.trails.size()) {
-      continue; // it went along with one that was left out
-    }
-    const std::string problem = excessOf(ground, plan.trails[i]) >= leastExcess
-                                    ? trial.calm(plan.trails[i])
-                                    : std::string("the style hardly stretches it");
-    if (!problem.empty()) {
-      leaveOut(plan, i, problem);
-    }
-  }
   for (int round = 0; round < mostRounds && !plan.trails.empty(); ++round) {
     pairCycles(ground, moments, plan);
+    const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
-    if (faults.empty()) {
+    if (faults.empty() && !isChanged) {
       return;
     }
     std::set<std::size_t, std::greater<>> places;
