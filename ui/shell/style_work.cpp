@@ -21,13 +21,13 @@ namespace {
 
 using ShellCommand = app::Command<Shell>;
 
-bool viewsClip(const Shell& shell) {
+bool showsClip(const Shell& shell) {
   const app::Session* const session = shell.open.character();
   return session != nullptr && app::hasClip(session->document(), session->view().clip);
 }
 
 bool hasExaggerated(const Shell& shell) {
-  return viewsClip(shell) &&
+  return showsClip(shell) &&
          std::ranges::any_of(shell.open.character()->document().trails, [&](const rig::Trail& trail) {
            return trail.clip == shell.open.character()->view().clip && trail.exaggerated;
          });
@@ -201,16 +201,16 @@ std::vector<ShellCommand> styleCommands() {
   ShellCommand clip = command(app::command::clipExaggerate, "Exaggerate the clip",
                               "Exaggerates every moment of the clip in a style: choose it, its strength and "
                               "the moments, and look at them before you keep them.",
-                              viewsClip, "open a character with a clip first", beginClip);
+                              showsClip, "open a character with a clip first", beginClip);
   clip.keys = {"Shift+E"};
   return {clip,
           command(app::command::styleTake, "Take a style from the clip",
                   "Makes the settings of the clip's trails a style of your own.", hasExaggerated,
                   "exaggerate a limb of the clip first", takeStyle),
           command(app::command::styleImport, "Import a style", "Takes a style from a file into your own.",
-                  viewsClip, "open a character with a clip first", asking(FilePurpose::openStyle)),
+                  showsClip, "open a character with a clip first", asking(FilePurpose::openStyle)),
           command(app::command::styleExport, "Export the style",
-                  "Writes the style that was chosen last for a clip as a file.", viewsClip,
+                  "Writes the style that was chosen last for a clip as a file.", showsClip,
                   "open a character with a clip first", asking(FilePurpose::saveStyle))};
 }
 
