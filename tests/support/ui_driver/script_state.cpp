@@ -28,6 +28,7 @@
 #include "skinning/linear_blend_skinning.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
+#include "ui/shell/style_work.h"
 
 namespace stretch::test {
 
@@ -560,6 +561,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
       {"menu-in-window", yesNo(menuIsInWindow(shell))},
       {"rename.typed", shell.ui.trails.rename.typed},
+      {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
+      {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
+                                   (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},
+      {"clip-style", chosenStyle(shell).name},
       {"rename-open", yesNo(shell.ui.trails.rename.open)},
       {"history-open", yesNo(shell.ui.dialogs.history.open)},
       {"every-frame", yesNo(shell.ui.time.timeline.everyFrame)},
