@@ -31,7 +31,7 @@ Result<rig::Style> loadStyle(const fs::path& path) {
 }
 
 Status saveStyle(const rig::Style& style, const fs::path& path) {
-  return writeText(path, styleToJson(style).dump(2) + "\n", {});
+  return writeText(path, styleToJson(style).dump(2) + "\n");
 }
 
 fs::path stylesFolder() {

@@ -14,8 +14,8 @@ namespace stretch::rig {
 enum class StyleOrigin {
   measured, ///< Measured in cartoons (docs/exaggeration.md, How far cartoons go); what was not measured is
             ///< the program's default.
-  ours, ///< Made for this program.
-  own   ///< The user's.
+  ours,     ///< Made for this program.
+  own       ///< The user's.
 };
 
 /// How far limbs of one kind are stretched: lengths of the limb over its own.

@@ -80,7 +80,8 @@ TEST_CASE("A style that makes no sense is refused with its key") {
   CHECK_THAT(test::refusal(styleFromJson(Json::array())), Catch::Contains("is not a JSON object"));
 }
 
-TEST_CASE("The user's styles are found by name beside the built-in ones, and files that are none are passed over") {
+TEST_CASE(
+    "The user's styles are found by name beside the built-in ones, and files that are none are passed over") {
   const test::TemporaryFolder folder;
   rig::Style style = rig::builtInStyles().front();
   style.name = "Mine: a/b";

@@ -57,8 +57,9 @@ TEST_CASE("A style scales arms, legs and body as its cartoon does, and only the 
   CHECK_FALSE(app::hasStyle(*after, {1, 2}, style("duck amuck")));
 }
 
-TEST_CASE("A style gives a trail its ease, its way back in lengths of the range, and its swing; the next one "
-          "takes them back") {
+TEST_CASE(
+    "A style gives a trail its ease, its way back in lengths of the range, and its swing, and the next one "
+    "takes them back") {
   const Result<app::Document> snappy = app::applyStyle(threeTrails(), {1}, style("Snappy"));
   REQUIRE(snappy.ok());
   const rig::TrailSettings& settings = snappy->trails[0].settings;

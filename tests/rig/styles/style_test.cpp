@@ -74,7 +74,7 @@ TEST_CASE("A style is found by its name in any case, or by a part that no other 
   CHECK(rig::styleNamed(rig::builtInStyles(), "anime") == nullptr);
 }
 
-TEST_CASE("Neck and spine have the torso's range; a tail, a wing and a chain that of other limbs") {
+TEST_CASE("Neck and spine have the torso's range, a tail, a wing and a chain that of other limbs") {
   const rig::Style& hose = style("Rubber hose");
   CHECK(rig::scalesOf(hose, LimbKind::spine) == hose.torso);
   CHECK(rig::scalesOf(hose, LimbKind::neck) == hose.torso);
@@ -116,7 +116,8 @@ TEST_CASE("A styled trail keeps its range, space and spheres, and a swing that i
   CHECK(styled.volume == 0.25);
 }
 
-TEST_CASE("A style that is taken from trails gives each kind of limb the largest of its scales, and its range") {
+TEST_CASE(
+    "A style that is taken from trails gives each kind of limb the largest of its scales, and its range") {
   rig::StyledLimb strong = limb(LimbKind::arm, 3.0);
   strong.settings.easeIn = {0.5, 0.2};
   const rig::Style taken = rig::styleOf({limb(LimbKind::arm, 1.5), strong, limb(LimbKind::leg, 0.7)}, "Mine");

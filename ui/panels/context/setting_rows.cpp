@@ -30,11 +30,11 @@ std::optional<double> standardNumber(const Json& standard) {
 RowEdit numberControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
                       const Json& value, const RowExtras& extras) {
   double number = value.get<double>();
-  const EditPhase phase = numberSlider(
-      context, id, setting, settingHelp(setting),
-      {.minimum = extras.minimum,
-       .maximum = extras.maximum,
-       .standard = standardNumber(Json::parse(setting.standard))}, number);
+  const EditPhase phase = numberSlider(context, id, setting, settingHelp(setting),
+                                       {.minimum = extras.minimum,
+                                        .maximum = extras.maximum,
+                                        .standard = standardNumber(Json::parse(setting.standard))},
+                                       number);
   return {phase, Json(setting.kind == app::SettingKind::whole ? std::round(number) : number)};
 }
 

@@ -74,7 +74,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
          purpose != FilePurpose::openProp && purpose != FilePurpose::openClip &&
-         purpose != FilePurpose::openStyle && purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openStyle && purpose != FilePurpose::openModuli &&
+         purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {

@@ -175,31 +175,8 @@ void drawRigMenu(PanelContext& context) {
 
 namespace {
 
-void drawKeysMenu(PanelContext& context) {
+void drawTrailMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
-                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
-                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
-                              "",         keysRestore, keysRestoreAll}},
-           false);
-}
-
-} // namespace
-
-void drawMenuBar(PanelContext& context) {
-  using namespace command;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
-  drawMenu(context,
-           {"File",
-            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
-           true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
-  drawLimbMenu(context);
-  drawRigMenu(context);
-  poseMenu(context);
   drawMenu(context,
            {"Trail",
             {clipExaggerate,
@@ -230,6 +207,34 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+}
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
+             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+  drawLimbMenu(context);
+  drawRigMenu(context);
+  poseMenu(context);
+  drawTrailMenu(context);
   drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,    timeBack,       timeForward, timeFarBack, timeFarForward, timePreviousKey,
