@@ -16,17 +16,17 @@ using test::MovingBiped;
 
 namespace {
 
-struct Pose {
+struct Turn {
   double frame = 0.0;
   double degrees = 0.0;
 };
 
 constexpr double rate = 24.0;
 
-void turn(MovingBiped& biped, const std::string& joint, const Vec3& axis, const std::vector<Pose>& poses) {
+void turn(MovingBiped& biped, const std::string& joint, const Vec3& axis, const std::vector<Turn>& poses) {
   const NodeIndex node = biped.node.at(joint);
   test::RotationKeys keys;
-  for (const Pose& pose : poses) {
+  for (const Turn& pose : poses) {
     keys.emplace_back(pose.frame / rate,
                       axisAngle(axis, pose.degrees * pi / 180.0) * biped.scene.nodes[at(node)].rest.rotation);
   }
@@ -45,7 +45,7 @@ void move(MovingBiped& biped, const std::string& joint, const std::vector<std::p
 }
 
 constexpr Vec3 up{0, 1, 0};
-constexpr Vec3 right{-1, 0, 0}; ///< Of a body that faces +Z.
+constexpr Vec3 rightwards{-1, 0, 0}; ///< Of a body that faces +Z.
 
 MovingBiped stillBiped() {
   return test::still(test::namedBody());
@@ -130,9 +130,9 @@ TEST_CASE("A hand that stays in the world while the body turns away under it doe
   MovingBiped hips = stillBiped();
   move(hips, "hips", {{0, Vec3(0.0)}, {10, Vec3(0.0)}, {14, Vec3(0, 0, -0.3)}, {30, Vec3(0, 0, -0.3)}});
   MovingBiped both = hips;
-  turn(both, "thigh.l", right, {{0, 0}, {10, 0}, {14, 21}, {30, 21}}); // The foot stays behind.
+  turn(both, "thigh.l", rightwards, {{0, 0}, {10, 0}, {14, 21}, {30, 21}}); // The foot stays behind.
   MovingBiped kick = stillBiped();
-  turn(kick, "thigh.l", right, {{0, 0}, {10, 0}, {14, 21}, {30, 21}});
+  turn(kick, "thigh.l", rightwards, {{0, 0}, {10, 0}, {14, 21}, {30, 21}});
   REQUIRE(strengthOf(momentsOf(kick), "left-leg") > 1.0);
   CHECK(strengthOf(momentsOf(both), "left-leg") < 0.6 * strengthOf(momentsOf(kick), "left-leg"));
 }
@@ -140,7 +140,7 @@ TEST_CASE("A hand that stays in the world while the body turns away under it doe
 TEST_CASE("What stands still, trembles or creeps has no moment") {
   CHECK(momentsOf(stillBiped()).empty());
   MovingBiped trembling = stillBiped();
-  std::vector<Pose> poses;
+  std::vector<Turn> poses;
   for (int frame = 0; frame <= 48; ++frame) {
     poses.push_back({static_cast<double>(frame), frame % 2 == 0 ? 2.0 : -2.0});
   }
@@ -152,18 +152,18 @@ TEST_CASE("What stands still, trembles or creeps has no moment") {
 }
 
 TEST_CASE("Steps are cycles, and so is what swings along with them; the arm that strikes meanwhile is none") {
-  const std::vector<Pose> forth{{0, -30}, {12, 30}, {24, -30}};
-  const std::vector<Pose> back{{0, 30}, {12, -30}, {24, 30}};
+  const std::vector<Turn> forth{{0, -30}, {12, 30}, {24, -30}};
+  const std::vector<Turn> back{{0, 30}, {12, -30}, {24, 30}};
   MovingBiped walk = stillBiped();
-  turn(walk, "thigh.l", right, forth);
-  turn(walk, "thigh.r", right, back);
+  turn(walk, "thigh.l", rightwards, forth);
+  turn(walk, "thigh.r", rightwards, back);
   turn(walk, "upperArm.l", up, {{0, 0}, {3, 8}, {24, 0}});
   const std::vector<Moment> steps = momentsOf(walk);
   REQUIRE(steps.size() >= 4);
   CHECK(std::ranges::all_of(steps, [](const Moment& step) { return step.kind == MomentKind::cycle; }));
   MovingBiped striking = stillBiped();
-  turn(striking, "thigh.l", right, forth);
-  turn(striking, "thigh.r", right, back);
+  turn(striking, "thigh.l", rightwards, forth);
+  turn(striking, "thigh.r", rightwards, back);
   turn(striking, "upperArm.l", up, {{0, 30}, {10, 30}, {13, -80}, {24, 30}});
   const std::vector<Moment> moments = momentsOf(striking);
   CHECK(moments.front().limb == "left-arm");
@@ -214,8 +214,8 @@ TEST_CASE("A landing is the fall of the hips that feet stop; a squat is none, no
   MovingBiped landing = fallen(-0.25);
   // The feet stay at frame 12, where the legs bend: thighs forwards, shins back.
   for (const char* const side : {"l", "r"}) {
-    turn(landing, std::string("thigh.") + side, right, {{0, 0}, {12, 0}, {16, 42}, {30, 42}});
-    turn(landing, std::string("shin.") + side, right, {{0, 0}, {12, 0}, {16, -84}, {30, -84}});
+    turn(landing, std::string("thigh.") + side, rightwards, {{0, 0}, {12, 0}, {16, 42}, {30, 42}});
+    turn(landing, std::string("shin.") + side, rightwards, {{0, 0}, {12, 0}, {16, -84}, {30, -84}});
   }
   const std::optional<Moment> touch = momentOf(momentsOf(landing), wholeBody);
   REQUIRE(touch);
@@ -226,8 +226,8 @@ TEST_CASE("A landing is the fall of the hips that feet stop; a squat is none, no
   MovingBiped squat = stillBiped();
   move(squat, "hips", {{0, Vec3(0.0)}, {6, Vec3(0, -0.25, 0)}, {20, Vec3(0, -0.25, 0)}});
   for (const char* const side : {"l", "r"}) {
-    turn(squat, std::string("thigh.") + side, right, {{0, 0}, {6, 42}, {20, 42}});
-    turn(squat, std::string("shin.") + side, right, {{0, 0}, {6, -84}, {20, -84}});
+    turn(squat, std::string("thigh.") + side, rightwards, {{0, 0}, {6, 42}, {20, 42}});
+    turn(squat, std::string("shin.") + side, rightwards, {{0, 0}, {6, -84}, {20, -84}});
   }
   CHECK_FALSE(momentOf(momentsOf(squat), wholeBody));
 }
@@ -256,7 +256,7 @@ TEST_CASE("The trunk carries the limbs that act and a tail follows them: both we
   turn(body, "upperArm.l", up, {{0, 20}, {10, 20}, {14, -20}, {30, -20}});
   CHECK(momentsOf(body).front().limb == "left-arm");
   MovingBiped bow = stillBiped();
-  turn(bow, "spine0", right, {{0, 0}, {10, 0}, {14, -70}, {30, -70}});
+  turn(bow, "spine0", rightwards, {{0, 0}, {10, 0}, {14, -70}, {30, -70}});
   CHECK(strengthOf(momentsOf(bow), "spine") > leastStrength);
 }
 
