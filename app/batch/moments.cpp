@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -83,7 +85,8 @@ Json oneList(const std::vector<ClipMoments>& clips) {
   Json list = Json::array();
   for (const Entry& entry : entries) {
     Json json{{"file", entry.clip->file}, {"clip", entry.clip->clip}, {"fps", entry.clip->framesPerSecond}};
-    for (const auto& [key, value] : momentJson(*entry.moment).items()) {
+    const Json own = momentJson(*entry.moment);
+    for (const auto& [key, value] : own.items()) {
       json[key] = value;
     }
     list.push_back(std::move(json));

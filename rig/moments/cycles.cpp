@@ -11,6 +11,7 @@ namespace {
 
 constexpr double sameShare = 0.55; // Of how far the limb strays from its middle: nearer is the same.
 constexpr double seamSteps = 1.5;  // Longest steps of a frame: no farther is the end from the beginning.
+constexpr double leastMove = 0.01; // Of the reach: what strays less from its middle stands still.
 constexpr std::size_t fewestSamples = 8;
 
 /// A limb's places as the body carries them, along its right, up and the way that it faces, about their
@@ -85,7 +86,8 @@ std::vector<Vec3> mirroredPlaces(std::vector<Vec3> places) {
 
 bool goesRound(const BodyMotion& motion, const std::vector<Limb>& limbs, std::size_t limb) {
   const std::vector<Vec3> places = placesInBody(motion, motion.limbs[limb]);
-  if (places.size() < fewestSamples) {
+  const double moves = leastMove * motion.limbs[limb].reach;
+  if (places.size() < fewestSamples || meanSquare(places) < moves * moves) {
     return false;
   }
   const Limb* const opposite = motion.forward.front() == Vec3(0.0) || limbs[limb].kind == LimbKind::chain

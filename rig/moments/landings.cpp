@@ -79,7 +79,8 @@ std::vector<SampledStroke> landingsOf(const BodyMotion& motion, const std::vecto
       ++tip;
     }
     const double strength = fastest / motion.reach * std::sqrt(fall / motion.reach);
-    if (carried > top && stood < tip && strength >= leastStrength) {
+    const double falls = hips[top].y - hips[carried].y; // In the air.
+    if (falls >= leastFall * motion.reach && stood < tip && strength >= leastStrength) {
       landings.push_back({stood, peak, tip, strength});
     }
   }

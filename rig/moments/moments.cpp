@@ -71,6 +71,23 @@ const char* momentKindName(MomentKind kind) {
   }
 }
 
+const Moment* momentAt(const std::vector<Moment>& moments, double frame, double nearFrames) {
+  const auto gap = [&](const Moment& moment) {
+    const double frames = std::max({0.0, moment.startFrame - frame, frame - moment.endFrame});
+    return frames > 0.0 ? std::max(frames, nearFrames) : 0.0;
+  };
+  const auto nearer = [&](const Moment& a, const Moment& b) {
+    return gap(a) != gap(b) ? gap(a) < gap(b) : a.strength > b.strength;
+  };
+  const auto found = std::ranges::min_element(moments, nearer);
+  return found == moments.end() ? nullptr : &*found;
+}
+
+const Moment* strongestMoment(const std::vector<Moment>& moments) {
+  const auto found = std::ranges::max_element(moments, {}, &Moment::strength);
+  return found == moments.end() ? nullptr : &*found;
+}
+
 std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& body,
                               const std::vector<Limb>& chains) {
   std::vector<Limb> limbs = body.limbs;

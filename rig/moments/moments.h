@@ -37,6 +37,14 @@ struct Moment {
 [[nodiscard]] std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& body,
                                             const std::vector<Limb>& chains = {});
 
+/// The moment in which the frame lies; of several the strongest. Between moments the strongest of those
+/// within `nearFrames`, else the nearest one. Null without moments.
+[[nodiscard]] const Moment* momentAt(const std::vector<Moment>& moments, double frame,
+                                     double nearFrames = 0.0);
+
+/// Null without moments.
+[[nodiscard]] const Moment* strongestMoment(const std::vector<Moment>& moments);
+
 /// Strength that every moment has: a median strike has 21, a breath far less. Reaches per second.
 inline constexpr double leastStrength = 0.5;
 

@@ -179,7 +179,7 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   }
   hideNews(shell.ui); // What was told of another limb would hide this one.
   const auto& tool = std::get<ExaggerateTool>(shell.tool);
-  if (standsStill(session, tool)) {
+  if ((proposes && makesNoStroke(session, tool)) || standsStill(session, tool)) {
     refuse(shell, stillNews(session, tool, [&](const std::string& id) {
              const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
              return chords.empty() ? std::string() : shell.keyboard.chordText(chords.front());
