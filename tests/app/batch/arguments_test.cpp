@@ -316,6 +316,8 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
        "the range lies outside the clip, which has the frames 0 to 60"},
       {{"exaggerate", dummy, "-o", out}, "no limb was named"},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm"}, "--limb left-arm: has no scale"},
+      {{"exaggerate", dummy, "-o", out, "--recipe", trails, "--limb", "left-arm", "--scale", "2"},
+       "--limb: stands beside --recipe"},
       {{"resave", dummy, "-o", dummy}, "is read and would be written over"},
       {{"trail", tube, "--limb", "left-arm"}, "is a sequence of meshes, no character with joints"},
       {{"pose", dummy, "-o", out}, "nothing was asked for"},
