@@ -72,7 +72,7 @@ Json momentJson(const AutoMoment& made) {
             {"start", made.moment.startFrame},  {"tip", made.moment.tipFrame},
             {"strength", made.moment.strength}, {"exaggerated", made.trailId > 0}};
   if (made.trailId > 0) {
-    json["stretch"] = made.scale;
+    json["length_scale"] = made.scale;
   }
   if (!made.why.empty()) {
     json["why"] = made.why;
@@ -102,7 +102,8 @@ Json clipReport(int clip, const AutoSettings& settings, Document& document) {
 std::string momentText(const Json& moment) {
   const bool done = moment["exaggerated"].get<bool>();
   const std::string why = moment.value("why", "");
-  const std::string what = done ? fmt::format("scale {:.3g}", moment["stretch"].get<double>()) : "left out";
+  const std::string what =
+      done ? fmt::format("scale {:.3g}", moment["length_scale"].get<double>()) : "left out";
   return fmt::format("{}, {} from frame {:g} to {:g}: {}{}", moment["limb"].get<std::string>(),
                      moment["kind"].get<std::string>(), moment["start"].get<double>(),
                      moment["tip"].get<double>(), what,

@@ -506,7 +506,7 @@ std::optional<std::string> characterState(Shell& shell, std::string_view name) {
   return key ? key : sessionState(shell, name);
 }
 
-/// States of what stands over the picture: messages and the tour's card.
+/// States of what stands over the picture: messages, the tour's card, the clip in a style.
 std::optional<std::string> messageState(const Shell& shell, std::string_view name) {
   const std::vector<Toast>& toasts = shell.ui.toasts;
   const std::map<std::string_view, std::string> states{
@@ -516,6 +516,10 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
       {"toast.share", shareOfPicture(shell, "toast/0")},
       {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
       {"tour.share", shareOfPicture(shell, "tour")},
+      {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
+      {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
+                                   (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},
+      {"clip-style", chosenStyle(shell).name},
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);
@@ -561,10 +565,6 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
       {"menu-in-window", yesNo(menuIsInWindow(shell))},
       {"rename.typed", shell.ui.trails.rename.typed},
-      {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
-      {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
-                                   (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},
-      {"clip-style", chosenStyle(shell).name},
       {"rename-open", yesNo(shell.ui.trails.rename.open)},
       {"history-open", yesNo(shell.ui.dialogs.history.open)},
       {"every-frame", yesNo(shell.ui.time.timeline.everyFrame)},
