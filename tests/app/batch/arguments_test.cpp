@@ -278,7 +278,7 @@ TEST_CASE("A word that is no verb is answered with the verb that was probably me
                                 Catch::Contains("did you mean '" + std::string(meant) + "'?"));
   }
   const test::VerbAnswer answer = test::runVerb({"photograph", dummy});
-  CHECK_THAT(answer.told, !Catch::Contains("did you mean") && Catch::Contains("the verbs are info, trail"));
+  CHECK_THAT(answer.told, !Catch::Contains("did you mean") && Catch::Contains("the verbs are info, moments"));
 }
 
 TEST_CASE("A clip named in another case is refused with the name that the file has") {
