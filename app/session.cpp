@@ -8,6 +8,7 @@
 #include "app/edits/keys/rate_edits.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/sphere_edits.h"
+#include "app/evaluate/clip_moments.h"
 #include "app/files/bundled_folder.h"
 #include "app/files/save.h"
 #include "app/files/user_files.h"
@@ -169,33 +170,20 @@ Status Session::save(const std::filesystem::path& path, bool clean) {
   return saved;
 }
 
-const Session::Strokes& Session::knownStrokes(const rig::Limb& limb) const {
-  constexpr double longestSeconds = 0.5;
+const std::vector<rig::Moment>& Session::moments() const {
   const Document& shown = document();
-  auto found = std::ranges::find_if(strokes_, [&](const Strokes& known) { return known.limb.id == limb.id; });
-  const bool fits = found != strokes_.end() && found->clips == shown.clips && found->clip == view_.clip &&
-                    found->limb == limb;
-  if (!fits) {
-    if (found == strokes_.end()) {
-      strokes_.emplace_back();
-      found = std::prev(strokes_.end());
-    }
-    const Clip& clip = clipOf(shown, view_.clip);
-    *found = {shown.clips, view_.clip, limb, rig::strokesOf(*shown.scene, clip, limb), std::nullopt};
-    if (found->strokes.empty()) {
-      found->movement =
-          rig::greatestMovement(*shown.scene, clip, limb, std::round(longestSeconds * clip.framesPerSecond));
-    }
-  }
-  return *found;
+  MomentsKey key{shown.scene, shown.clips, view_.clip, allLimbs(shown), shown.body.hips};
+  return isDragging() && moments_.last() != nullptr
+             ? *moments_.last()
+             : moments_.of(std::move(key), [&](const auto*) { return app::momentsOf(shown, view_.clip); });
 }
 
-const std::vector<rig::Stroke>& Session::strokesOf(const rig::Limb& limb) const {
-  return knownStrokes(limb).strokes;
-}
-
-const std::optional<rig::Stroke>& Session::movementOf(const rig::Limb& limb) const {
-  return knownStrokes(limb).movement;
+std::vector<rig::Moment> Session::momentsOf(const std::string& limbId) const {
+  std::vector<rig::Moment> own;
+  std::ranges::copy_if(moments(), std::back_inserter(own),
+                       [&](const rig::Moment& moment) { return moment.limb == limbId; });
+  std::ranges::sort(own, {}, &rig::Moment::startFrame);
+  return own;
 }
 
 void Session::followSelection() {

@@ -13,7 +13,7 @@
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
 #include "app/selection.h"
-#include "rig/motion/stroke.h"
+#include "rig/moments/moments.h"
 
 namespace stretch::app {
 
@@ -99,11 +99,10 @@ public:
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);
 
-  /// The strokes of a limb in the viewed clip, which exists.
-  [[nodiscard]] const std::vector<rig::Stroke>& strokesOf(const rig::Limb& limb) const;
-  /// The greatest movement within half a second of a limb that makes no stroke; nothing where it stands
-  /// still.
-  [[nodiscard]] const std::optional<rig::Stroke>& movementOf(const rig::Limb& limb) const;
+  /// The moments of the viewed clip, which exists, strongest first; while something is dragged those before.
+  [[nodiscard]] const std::vector<rig::Moment>& moments() const;
+  /// Those of one limb, in order of time.
+  [[nodiscard]] std::vector<rig::Moment> momentsOf(const std::string& limbId) const;
 
   /// The working range follows the selected trail: whenever another one is selected, or its range changes.
   void followSelection();
@@ -112,14 +111,14 @@ private:
   /// Drops what is selected and is not there any more; selects the one trail that came back.
   void documentChanged() override;
 
-  struct Strokes {
+  struct MomentsKey {
+    std::shared_ptr<const Scene> scene;
     std::shared_ptr<const std::vector<Clip>> clips;
     int clip = -1;
-    rig::Limb limb;
-    std::vector<rig::Stroke> strokes;
-    std::optional<rig::Stroke> movement; ///< Movement of a limb without strokes.
+    std::vector<rig::Limb> limbs;
+    NodeIndex hips;
+    friend bool operator==(const MomentsKey&, const MomentsKey&) = default;
   };
-  [[nodiscard]] const Strokes& knownStrokes(const rig::Limb& limb) const;
   struct Followed {
     int trail = 0;
     double startFrame = 0.0;
@@ -149,8 +148,8 @@ private:
   FrameState bindPose_; ///< Bind pose of this scene:
   std::shared_ptr<const Scene> bindPoseOf_;
   std::optional<Posed> posed_;
-  mutable std::vector<Strokes> strokes_; ///< Strokes as last found, one for each limb.
-  void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
+  mutable LastAnswer<MomentsKey, std::vector<rig::Moment>> moments_;
+  void followRate(); ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
   void keepHandles();
   void keepPickedKeys();

@@ -51,11 +51,13 @@ void addTolerant(CommandLine& line, FileArguments& arguments) {
             "Take a file that breaks the specification as well as it can be read");
 }
 
-void addClipArguments(CommandLine& line, FileArguments& arguments) {
-  line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
+DeclaredOption addClipArguments(CommandLine& line, FileArguments& arguments) {
+  const DeclaredOption clip =
+      line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
   addFrameRate(
       line, arguments.framesPerSecond,
       "Frames per second to count in; default: as the file was worked on, else guessed from the keys");
+  return clip;
 }
 
 void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help) {

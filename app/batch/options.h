@@ -40,8 +40,8 @@ void addPlan(CommandLine& line, FileArguments& arguments);
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);
 
-/// Declares --clip and --fps, for verbs that work on one clip.
-void addClipArguments(CommandLine& line, FileArguments& arguments);
+/// Declares --clip, which is answered, and --fps, for verbs that work on one clip.
+DeclaredOption addClipArguments(CommandLine& line, FileArguments& arguments);
 
 /// Declares --fps.
 void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help);

@@ -5,12 +5,12 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/edits/trail/place_trails.h"
+#include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json/json.h"
-#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -56,9 +56,8 @@ Status runTrail(const TrailArguments& arguments) {
   if (!clip || !limb) {
     return clip ? limb.error() : clip.error();
   }
-  const Result<Vec2> range = arguments.range.empty()
-                                 ? rig::defaultRange(*document->scene, clipOf(*document, *clip), *limb)
-                                 : parseRange(arguments.range, "--range");
+  const Result<Vec2> range = arguments.range.empty() ? defaultRange(*document, *clip, *limb)
+                                                     : parseRange(arguments.range, "--range");
   if (!range) {
     return range.error();
   }
@@ -100,7 +99,9 @@ Verb trailVerb() {
             addPlan(line, arguments->input);
             line.option("--limb", arguments->limb, limbWords).required();
             addClipArguments(line, arguments->input);
-            line.option("--range", arguments->range, "First and last frame, A:B").check(problemOfRange);
+            line.option("--range", arguments->range,
+                        "First and last frame, A:B; default: the limb's strongest stroke")
+                .check(problemOfRange);
             addJson(line, arguments->json);
             return [arguments] { return runTrail(*arguments); };
           }};

@@ -5,11 +5,11 @@
 #include "app/batch/options.h"
 #include "app/edits/trail/starting_settings.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/evaluate/clip_moments.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json/json.h"
-#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -37,9 +37,8 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   if (!namesScale) {
     return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
   }
-  const Result<Vec2> range = request.range.empty()
-                                 ? rig::defaultRange(*document.scene, clipOf(document, clip), *limb)
-                                 : parseRange(request.range, "--range");
+  const Result<Vec2> range =
+      request.range.empty() ? defaultRange(document, clip, *limb) : parseRange(request.range, "--range");
   if (!range) {
     return range.error();
   }
@@ -89,8 +88,7 @@ Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Doc
 void addTrailOptions(CommandLine& line) {
   constexpr const char* heading = "Trail (each --limb starts the next)";
   line.ordered("--limb", limbWords).group(heading);
-  line.ordered("--range", "First and last frame, A:B; default: to the frame at which the limb's end is "
-                          "farthest from its start")
+  line.ordered("--range", "First and last frame, A:B; default: the limb's strongest stroke")
       .check(problemOfRange)
       .group(heading);
   for (const Setting<rig::TrailSettings>& setting : trailSchema()) {

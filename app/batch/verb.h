@@ -25,6 +25,8 @@ struct Verb {
                            const char* const* arguments);
 
 [[nodiscard]] Verb infoVerb();
+[[nodiscard]] Verb momentsVerb();
+[[nodiscard]] Verb stylesVerb();
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();

@@ -12,6 +12,7 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/group_edits.h"
 #include "app/edits/trail/starting_settings.h"
+#include "app/evaluate/clip_moments.h"
 #include "app/named.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/adjustment_json.h"
@@ -23,7 +24,6 @@
 #include "core/gltf/source/json_text.h"
 #include "rig/body/reading/planned_body.h"
 #include "rig/controllers/controller.h"
-#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -184,9 +184,9 @@ Status readGroup(const Json& json, rig::Trail& trail) {
   return Success{};
 }
 
-Status readTrailRange(const Json& json, const rig::Limb& limb, const Document& document, rig::Trail& trail) {
+Status readTrailRange(const Json& json, const rig::Limb& limb, Document& document, rig::Trail& trail) {
   if (!json.contains("range")) {
-    const Vec2 range = rig::defaultRange(*document.scene, clipOf(document, trail.clip), limb);
+    const Vec2 range = defaultRange(document, trail.clip, limb);
     trail.settings.startFrame = range.x;
     trail.settings.endFrame = range.y;
   }

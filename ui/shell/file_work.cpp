@@ -9,6 +9,7 @@
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/hand_place.h"
 #include "app/files/bundled_folder.h"
+#include "app/files/user_styles.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
@@ -16,6 +17,7 @@
 #include "ui/panels/files/file_listing.h"
 #include "ui/shell/clip_import.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -109,6 +111,12 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
     break;
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
+    break;
+  case FilePurpose::openStyle:
+    importStyle(shell, choice.path);
+    break;
+  case FilePurpose::saveStyle:
+    exportStyle(shell, choice.path);
     break;
   case FilePurpose::openModel:
   case FilePurpose::saveFrames:
@@ -211,6 +219,7 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
   }
   const fs::path near = character->proposedSavePath();
   return purpose == FilePurpose::exportClean  ? near.stem().string() + "-clean.glb"
+         : purpose == FilePurpose::saveStyle  ? app::fileOfStyle({}, chosenStyle(shell).name).string()
          : purpose == FilePurpose::saveRecipe ? near.stem().string() + "-recipe.json"
                                               : near.filename().string();
 }
@@ -279,6 +288,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   updateBinding(shell);
   updateFitting(shell);
   updateClipImport(shell);
+  updateClipStyle(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

@@ -15,6 +15,7 @@
 #include "ui/shell/bind_work.h"
 #include "ui/shell/fit_work.h"
 #include "ui/shell/pane_layout.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_state.h"
@@ -43,6 +44,7 @@ struct Shell {
   BindWork binding;
   FitWork fitting;
   ClipImport clipImport;
+  StyleWork styling;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   app::KeyboardLayout keyboard; ///< The operating system's, as of this frame.

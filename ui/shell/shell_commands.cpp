@@ -23,6 +23,7 @@
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 
 namespace stretch::ui {
@@ -178,7 +179,7 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   }
   hideNews(shell.ui); // What was told of another limb would hide this one.
   const auto& tool = std::get<ExaggerateTool>(shell.tool);
-  if (standsStill(session, tool)) {
+  if ((proposes && makesNoStroke(session, tool)) || standsStill(session, tool)) {
     refuse(shell, stillNews(session, tool, [&](const std::string& id) {
              const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
              return chords.empty() ? std::string() : shell.keyboard.chordText(chords.front());
@@ -477,6 +478,7 @@ std::vector<ShellCommand> editorCommands() {
   }
   fitBesideWindow(all);
   append(all, toolCommands());
+  append(all, styleCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
   append(all, stopCommands());

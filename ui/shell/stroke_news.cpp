@@ -1,6 +1,7 @@
 #include "ui/shell/stroke_news.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -18,9 +19,9 @@ namespace {
 struct TakenStroke {
   const rig::Trail* trail = nullptr;
   const rig::Limb* limb = nullptr;
-  const rig::Stroke* stroke = nullptr; ///< Null where the range is none.
-  std::size_t place = 0;               ///< Of the stroke, in time.
-  std::size_t count = 0;               ///< Of the limb's strokes.
+  std::optional<rig::Moment> stroke; ///< Nothing where the range is none.
+  std::size_t place = 0;             ///< Of the stroke, in time.
+  std::size_t count = 0;             ///< Of the limb's strokes.
 };
 
 TakenStroke takenStroke(const app::Session& session, const ExaggerateTool& tool) {
@@ -30,12 +31,12 @@ TakenStroke takenStroke(const app::Session& session, const ExaggerateTool& tool)
   if (taken.limb == nullptr) {
     return taken;
   }
-  const std::vector<rig::Stroke>& strokes = session.strokesOf(*taken.limb);
-  const auto found = std::find_if(strokes.begin(), strokes.end(), [&](const rig::Stroke& stroke) {
+  const std::vector<rig::Moment> strokes = session.momentsOf(taken.limb->id);
+  const auto found = std::ranges::find_if(strokes, [&](const rig::Moment& stroke) {
     return stroke.startFrame == taken.trail->settings.startFrame;
   });
   taken.count = strokes.size();
-  taken.stroke = found == strokes.end() ? nullptr : &*found;
+  taken.stroke = found == strokes.end() ? std::nullopt : std::optional(*found);
   taken.place = static_cast<std::size_t>(found - strokes.begin());
   return taken;
 }
@@ -47,8 +48,9 @@ std::string framesText(const rig::Trail& trail) {
 /// Where the limb's strongest stroke is, after what was said of the one that was taken; empty where it is
 /// that one.
 std::string strongestText(const app::Session& session, const TakenStroke& taken) {
-  const rig::Stroke* const strongest = rig::strongestStroke(session.strokesOf(*taken.limb));
-  if (taken.stroke == nullptr || strongest == nullptr || *strongest == *taken.stroke) {
+  const std::vector<rig::Moment> strokes = session.momentsOf(taken.limb->id);
+  const rig::Moment* const strongest = rig::strongestMoment(strokes);
+  if (!taken.stroke || strongest == nullptr || *strongest == *taken.stroke) {
     return {};
   }
   const bool hasTrail = app::overlappingTrail(session.atBegin(), taken.limb->id, taken.trail->clip,
@@ -62,11 +64,13 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
   const std::string limb = app::limbTitle(session.document(), taken.trail->limb);
   const double frame = session.view().frame;
   const bool here = settings.startFrame - 0.5 <= frame && frame <= settings.endFrame + 0.5;
-  if (taken.stroke == nullptr) {
-    return taken.count > 0
-               ? std::string()
-               : fmt::format("The {} makes no stroke in this clip: its greatest movement is taken, {}", limb,
-                             framesText(*taken.trail));
+  if (app::findTrail(session.atBegin(), taken.trail->id) != nullptr) {
+    return here ? std::string()
+                : fmt::format("The {} has a trail at its strongest stroke: that goes on, {}", limb,
+                              framesText(*taken.trail));
+  }
+  if (!taken.stroke) {
+    return {};
   }
   if (frame < 0.5 && taken.count > 1) {
     return fmt::format("The strongest stroke of the {} is taken, {}", limb, framesText(*taken.trail));
@@ -83,7 +87,7 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
 
 /// Empty where the stroke lies inside the clip.
 std::string seamText(const app::Session& session, const TakenStroke& taken) {
-  const bool crosses = taken.stroke != nullptr && app::crossesSeam(session, *taken.limb, *taken.stroke);
+  const bool crosses = taken.stroke && app::crossesSeam(session, *taken.limb, *taken.stroke);
   return crosses ? "The stroke goes on across the seam of the loop, where a range ends" : "";
 }
 
@@ -106,18 +110,14 @@ std::string joinedText(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : ". ") + second;
 }
 
-/// The limb of the character that makes the strongest stroke of the clip; null where none makes any.
-const rig::Limb* strongestLimb(const app::Session& session, const std::vector<rig::Limb>& limbs) {
-  std::vector<rig::Stroke> strokes;
-  std::vector<const rig::Limb*> owners;
-  for (const rig::Limb& limb : limbs) {
-    if (const rig::Stroke* const stroke = rig::strongestStroke(session.strokesOf(limb))) {
-      strokes.push_back(*stroke);
-      owners.push_back(&limb);
+/// The limb that makes the clip's first moment; null where none makes any.
+const rig::Limb* strongestLimb(const app::Session& session) {
+  for (const rig::Moment& moment : session.moments()) {
+    if (const rig::Limb* const limb = app::findLimb(session.document(), moment.limb)) {
+      return limb;
     }
   }
-  const rig::Stroke* const strongest = rig::strongestStroke(strokes);
-  return strongest == nullptr ? nullptr : owners[static_cast<std::size_t>(strongest - strokes.data())];
+  return nullptr;
 }
 
 /// The limbs of E's trails: "left leg and right leg".
@@ -136,21 +136,39 @@ bool showsNothing(app::Session& session, const rig::SolvedTrail& solved) {
   const TipLengths lengths = tipLengths(session, solved);
   const bool isAsLong = std::abs(lengths.after - lengths.before) < noticed * lengths.before;
   return solved.tip.outcome == rig::TipOutcome::nothingToScale ||
-         (isAsLong && session.strokesOf(solved.limb).empty());
+         (isAsLong && session.momentsOf(solved.limb.id).empty());
 }
 
-/// "The left leg does not move", or what keeps it from getting longer.
-std::string whyNothing(app::Session& session, const ExaggerateTool& tool) {
+/// "The left leg does not move in this clip", "makes no stroke", or what keeps it from getting longer.
+std::string whyNothing(app::Session& session, const ExaggerateTool& tool, const TakenStroke& taken) {
   const bool one = tool.targets.trailIds.size() == 1;
+  const auto told = [&](const char* why, const std::string& where) {
+    return fmt::format("The {} {} in {}", limbsOf(session, tool), why, where);
+  };
   const rig::SolvedTrail* const solved = app::solvedTrail(session, tool.targets.trailIds.front());
   const bool moves = solved != nullptr && solved->tip.outcome != rig::TipOutcome::nothingToScale;
-  const char* const still = one ? "does not move" : "do not move";
-  const bool isStopped = moves && app::isStoppedAtTip(session.document(), session.motion(), *solved);
-  const char* const blocked = isStopped ? "would get longer only into the floor" : "would not get longer";
-  return fmt::format("The {} {}", limbsOf(session, tool), moves ? blocked : still);
+  const std::string frames = taken.trail == nullptr ? "this clip" : framesText(*taken.trail);
+  if (moves && app::isStoppedAtTip(session.document(), session.motion(), *solved)) {
+    return told("would get longer only into the floor", frames);
+  }
+  if (makesNoStroke(session, tool)) {
+    return told(moves ? (one ? "makes no stroke" : "make no stroke")
+                : one ? "does not move"
+                      : "do not move",
+                "this clip");
+  }
+  return told(moves ? "would not get longer" : one ? "does not move" : "do not move", frames);
 }
 
 } // namespace
+
+bool makesNoStroke(const app::Session& session, const ExaggerateTool& tool) {
+  return std::ranges::all_of(tool.targets.trailIds, [&](int id) {
+    const rig::Trail* const trail = app::findTrail(session.document(), id);
+    return app::findTrail(session.atBegin(), id) == nullptr && trail != nullptr &&
+           session.momentsOf(trail->limb).empty();
+  });
+}
 
 bool standsStill(app::Session& session, const ExaggerateTool& tool) {
   const std::vector<int>& ids = tool.targets.trailIds;
@@ -163,15 +181,11 @@ bool standsStill(app::Session& session, const ExaggerateTool& tool) {
 
 std::string stillNews(app::Session& session, const ExaggerateTool& tool,
                       const std::function<std::string(const std::string&)>& keyOf) {
-  const std::vector<rig::Limb> limbs = app::allLimbs(session.document());
   const TakenStroke taken = takenStroke(session, tool);
-  const bool movesElsewhere =
-      taken.limb != nullptr && (taken.count > 0 || session.movementOf(*taken.limb).has_value());
-  const std::string text = fmt::format("{} in {}", whyNothing(session, tool),
-                                       movesElsewhere ? framesText(*taken.trail) : "this clip");
-  const rig::Limb* const other = strongestLimb(session, limbs);
+  const std::string text = whyNothing(session, tool, taken);
+  const rig::Limb* const other = strongestLimb(session);
   if (other == nullptr || (taken.limb != nullptr && other->id == taken.limb->id)) {
-    return text + (movesElsewhere ? ": choose another range" : ": choose another clip");
+    return text + (taken.count > 0 ? ": choose another range" : ": set a range, or choose another clip");
   }
   const std::string key = keyOf("limb." + other->id);
   return fmt::format("{}. The {} makes the strongest stroke{}", text,
@@ -196,7 +210,7 @@ std::string strokeNews(const app::Session& session, const ExaggerateTool& tool) 
 
 std::string strokeReached(const app::Session& session, const ExaggerateTool& tool) {
   const TakenStroke taken = takenStroke(session, tool);
-  if (taken.stroke == nullptr) {
+  if (!taken.stroke) {
     return {};
   }
   std::string text = framesText(*taken.trail);

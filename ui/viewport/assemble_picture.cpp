@@ -145,6 +145,19 @@ TrailStyle trailStyleOf(const ShownTrail& trail, const PictureSelection& selecti
   return style;
 }
 
+/// As a trail that is looked at: nothing of it can be taken.
+StyledTrail momentTrail(const std::vector<Vec3>& path, const Palette& palette) {
+  TrailPicture picture;
+  picture.original = path;
+  picture.exaggerated = path;
+  picture.samplesPerFrame = 2;
+  picture.tip = path.back();
+  TrailStyle style;
+  style.originalColor = palette.original;
+  style.exaggeratedColor = palette.label;
+  return {picture, style};
+}
+
 void addGhost(const PictureSubject& subject, double frame, const glm::vec4& tint,
               std::vector<Ghost>& ghosts) {
   const rig::MotionState& motion = subject.motion;
@@ -228,6 +241,9 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
       content.trails.push_back({pathOf(trail, subject.frame, selection, overlays),
                                 trailStyleOf(trail, selection, overlays, palette)});
     }
+  }
+  if (!selection.momentPath.empty()) {
+    content.trails.push_back(momentTrail(selection.momentPath, palette));
   }
   addHandles(selection, content);
   content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <imgui.h>
 
 #include "app/commands/table/frames.h"
+#include "app/commands/table/moments.h"
 #include "app/commands/table/selection.h"
 #include "core/base/hash.h"
 #include "ui/panels/body/weight_view.h"
@@ -172,6 +174,8 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   updateView(context);
   updateShown();
   viewport.tipFrame = tipGhostFrame(context);
+  const std::optional<rig::Moment> moment = std::exchange(context.ui.time.hoveredMoment, std::nullopt);
+  viewport.momentPath = moment ? app::pathOfMoment(*context.open.character(), *moment) : std::vector<Vec3>{};
   tellTipOutOfView(context);
   drawScene(context, gpu, picture);
 }

@@ -105,6 +105,14 @@ void drawMarks(const WidgetContext& context, const Figure& figure, const Diagram
   drawText(context, theme.fonts.label, box, isInside && part.found ? inside : quiet, part.keyText, 0.5F);
 }
 
+// A ring about the limb's end where it strikes or steps: the stronger, the plainer.
+void drawMoment(const WidgetContext& context, const Figure& figure, const DiagramPart& part) {
+  const Theme& theme = context.theme;
+  ImGui::GetWindowDrawList()->AddCircle(figure.at(part.end), theme.px(11.0F),
+                                        faded(theme.colours.text, 0.25F + 0.65F * part.moment), 0,
+                                        theme.px(1.0F + 1.5F * part.moment));
+}
+
 // A small weight that hangs on the limb: it points down.
 void drawWeight(const WidgetContext& context, const ImVec2& centre, bool onFill) {
   const Theme& theme = context.theme;
@@ -187,6 +195,9 @@ void drawBody(const WidgetContext& context, const Figure& figure, const std::str
   }
   for (const DiagramPart& part : parts) {
     drawMarks(context, figure, part);
+    if (part.moment > 0.0F) {
+      drawMoment(context, figure, part);
+    }
     const ImVec2 centre = centreOf(figure, part);
     if (part.hasWeight) {
       drawWeight(context, centre, part.selected);
@@ -224,7 +235,8 @@ DiagramClick limbDiagram(const WidgetContext& context, const std::string& id, co
     ImGui::SetMouseCursor(part.found ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_NotAllowed);
     tooltipNow(context, part.help);
   }
-  return control.clicked ? DiagramClick{under, held == nullptr ? "" : held->id} : DiagramClick{};
+  return control.clicked ? DiagramClick{under, held == nullptr ? "" : held->id, under}
+                         : DiagramClick{{}, {}, under};
 }
 
 } // namespace stretch::ui

@@ -28,6 +28,7 @@ struct DiagramPart {
   bool selected = false;
   bool lowConfidence = false;
   std::optional<ImU32> trail = {}; ///< Colour of the limb's trail.
+  float moment = 0.0F;             ///< Strength of its strongest moment, of the clip's strongest; 0: none.
   bool hasWeight = false;          ///< Gives way by its own load: marked with a weight.
   std::string keyText = {};        ///< Shown at the limb.
   Help help = {};
@@ -51,7 +52,8 @@ struct DiagramFigure {
 
 struct DiagramClick {
   std::optional<std::size_t> part;
-  std::string controller; ///< Empty: none.
+  std::string controller;             ///< Empty: none.
+  std::optional<std::size_t> hovered; ///< Part under the mouse.
 };
 
 /// The figure, as wide as available. What was clicked; controllers lie over the parts.

@@ -44,6 +44,23 @@ Hit barHit(const Theme& theme, const Layout& layout, const TimelineModel& model,
   return {};
 }
 
+/// The moment whose tip is nearest to the mouse, of those that meet the strongest.
+Hit momentHit(const Theme& theme, const Layout& layout, const TimelineModel& model, const ImVec2& mouse) {
+  const auto away = [&](std::size_t i) {
+    return std::abs(layout.frames.toPixel(model.moments[i].tip) - mouse.x);
+  };
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < model.moments.size(); ++i) {
+    const bool isNearer =
+        !nearest || away(i) < away(*nearest) ||
+        (away(i) == away(*nearest) && model.moments[i].strength > model.moments[*nearest].strength);
+    nearest = isNearer ? i : *nearest;
+  }
+  return nearest && away(*nearest) <= theme.px(grabWidth + 2.0F)
+             ? Hit{TimelinePart::moment, 0, model.range, *nearest}
+             : Hit{TimelinePart::playhead, 0, model.range};
+}
+
 double snapped(const TimelineModel& model, double frame) {
   const double clamped = std::clamp(frame, model.clip.start, model.clip.end);
   return model.snap ? std::clamp(std::round(clamped), model.clip.start, model.clip.end) : clamped;
@@ -72,6 +89,7 @@ Span movedSpan(const TimelineModel& model, const TimelineGesture& gesture, doubl
   case TimelinePart::playhead:
   case TimelinePart::release:
   case TimelinePart::pan:
+  case TimelinePart::moment:
   case TimelinePart::keys:
   case TimelinePart::keyBox:
     break;
@@ -151,6 +169,9 @@ Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model
   if (nearRange && std::abs(mouse.x - layout.frames.toPixel(model.range.start)) <= reach) {
     return {TimelinePart::rangeStart, 0, model.range};
   }
+  if (mouse.y > layout.lane.min.y && mouse.y < layout.lane.max.y) {
+    return momentHit(theme, layout, model, mouse);
+  }
   const std::size_t row = keyRowAt(theme, layout, model, mouse.y);
   if (model.keysEditable && row < model.keyRows.size()) {
     const std::optional<double> key = keyAt(theme, layout, model.keyRows[row], mouse.x);
@@ -192,6 +213,7 @@ void applyGesture(const TimelineModel& model, const Layout& layout, const Timeli
     break;
   }
   case TimelinePart::nothing:
+  case TimelinePart::moment:
   case TimelinePart::keyBox:
     break;
   }
@@ -281,6 +303,7 @@ Help helpFor(TimelinePart part, int bar) {
   case TimelinePart::nothing:
   case TimelinePart::playhead:
   case TimelinePart::pan:
+  case TimelinePart::moment:
   case TimelinePart::keys:
   case TimelinePart::keyBox:
     break;
@@ -312,6 +335,9 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
     for (std::size_t i = 0; i < std::min<std::size_t>(frames.size(), 40); ++i) {
       add("row-" + std::to_string(row) + "/" + std::to_string(i), layout.frames.toPixel(frames[i]), y);
     }
+  }
+  for (std::size_t i = 0; i < model.moments.size(); ++i) {
+    add("moment-" + std::to_string(i), layout.frames.toPixel(model.moments[i].tip), layout.lane.centre().y);
   }
   for (const TimelineBar& bar : model.bars) {
     const Rect box = timeline_detail::barBox(context.theme, layout, model, bar, {bar.start, bar.end});
@@ -395,6 +421,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   if (ImGui::IsItemActivated()) {
     gesture = {hit.part, hit.bar, layout.frames.toValue(mouse.x), hit.span, hit.row};
     outcome.clickedBar = hit.bar;
+    outcome.clickedMoment = hit.part == TimelinePart::moment ? std::optional(hit.row) : std::nullopt;
     pressKeys(model, hit, outcome);
   } else if (control.hovered && ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F)) {
     timeline_detail::applyGesture(model, layout, {.part = TimelinePart::pan}, mouse, outcome);
@@ -416,17 +443,20 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   if (control.held && gesture.part == TimelinePart::keyBox) {
     holdKeyBox(context, layout, gesture, mouse);
   }
+  outcome.hoveredMoment = hit.part == TimelinePart::moment ? std::optional(hit.row) : std::nullopt;
   outcome.hovered = control.hovered && layout.track.contains(mouse);
   outcome.mouseFrame = layout.frames.toValue(mouse.x);
   recordItems(context, id, layout, model);
   const TimelinePart shown = control.held ? gesture.part : hit.part;
   if (shown != TimelinePart::nothing && shown != TimelinePart::playhead && shown != TimelinePart::barBody &&
-      shown != TimelinePart::keyBox) {
+      shown != TimelinePart::keyBox && shown != TimelinePart::moment) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (!control.held) {
     const std::string name = timeline_detail::cutLabelAt(theme, layout, model, mouse);
-    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part, hit.bar) : Help{.title = name});
+    const Help& help =
+        outcome.hoveredMoment ? model.moments[hit.row].help : timeline_detail::helpFor(hit.part, hit.bar);
+    tooltip(context, name.empty() ? help : Help{.title = name});
   }
   return outcome;
 }

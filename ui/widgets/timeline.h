@@ -34,6 +34,16 @@ struct KeyRow {
   std::vector<double> picked = {}; ///< Frames of picked keys, increasing.
 };
 
+/// A moment of the clip: where a limb strikes, steps or lands.
+struct TimelineMoment {
+  double start = 0.0;
+  double tip = 0.0;
+  float strength = 1.0F; ///< Of the clip's strongest.
+  bool repeats = false;  ///< A cycle: drawn hollow.
+  bool current = false;  ///< It is the limb and the range that are selected.
+  Help help = {};
+};
+
 struct TimelineModel {
   Span clip; ///< First and last frame.
   Span view; ///< Frames that are visible.
@@ -42,12 +52,13 @@ struct TimelineModel {
   bool rangeIsDefault = false; ///< Not set by the user: drawn quieter.
   std::vector<KeyRow> keyRows;
   std::vector<TimelineBar> bars;
-  std::size_t rowsAbove = 0;   ///< Rows of bars that stand above the keys; the others stand below.
-  std::vector<double> spheres; ///< Frames of the selected trail's control spheres.
-  bool loops = false;          ///< After the clip's end its start comes again: a release goes on there.
-  double turn = 0.0;           ///< Frames from one start to the next.
-  bool snap = true;            ///< Frames that the mouse sets are whole ones.
-  bool keysEditable = false;   ///< Keys can be picked and dragged; the playhead is moved in the ruler alone.
+  std::vector<TimelineMoment> moments; ///< In a lane below the ruler, which is there when there are any.
+  std::size_t rowsAbove = 0;           ///< Rows of bars that stand above the keys; the others stand below.
+  std::vector<double> spheres;         ///< Frames of the selected trail's control spheres.
+  bool loops = false;        ///< After the clip's end its start comes again: a release goes on there.
+  double turn = 0.0;         ///< Frames from one start to the next.
+  bool snap = true;          ///< Frames that the mouse sets are whole ones.
+  bool keysEditable = false; ///< Keys can be picked and dragged; the playhead is moved in the ruler alone.
 };
 
 enum class TimelinePart {
@@ -60,6 +71,7 @@ enum class TimelinePart {
   barBody,
   release,
   pan,
+  moment,
   keys,
   keyBox
 };
@@ -88,8 +100,10 @@ struct TimelineOutcome {
   bool rangeChanged = false;
   Span range;
   int clickedBar = 0;
-  int editedBar = 0;       ///< A bar whose span is being dragged.
-  bool barChanged = false; ///< barSpan is new.
+  std::optional<std::size_t> hoveredMoment; ///< Moment under the mouse,
+  std::optional<std::size_t> clickedMoment; ///< and one that was pressed.
+  int editedBar = 0;                        ///< A bar whose span is being dragged.
+  bool barChanged = false;                  ///< barSpan is new.
   Span barSpan;
   bool releaseChanged = false;
   double releaseEdge = 0.0; ///< Frame where the release ends.

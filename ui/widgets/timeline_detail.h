@@ -11,6 +11,7 @@ namespace stretch::ui::timeline_detail {
 struct Layout {
   Rect box;   ///< Everything.
   Rect ruler; ///< Right of the labels.
+  Rect lane;  ///< Below the ruler, where moments are marked; without height where there are none.
   Rect track; ///< Right of the labels, full height.
   Axis frames;
   float labelLeft = 0.0F;
@@ -33,7 +34,7 @@ struct Hit {
   TimelinePart part = TimelinePart::nothing;
   int bar = 0;
   Span span{0.0, 0.0}; ///< Span of what is grabbed.
-  std::size_t row = 0; ///< Row of keys,
+  std::size_t row = 0; ///< Row of keys, or place of a moment,
   double frame = 0.0;  ///< and where the key is.
 };
 /// The key of a row at the mouse.

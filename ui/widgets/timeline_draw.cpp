@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ui/widgets/icons.h"
 #include "ui/widgets/shapes.h"
@@ -13,6 +14,7 @@ namespace timeline_detail {
 namespace {
 
 constexpr float rulerHeight = 26.0F;
+constexpr float laneHeight = 16.0F;
 constexpr float keyRowHeight = 22.0F;
 constexpr float barRowHeight = 24.0F;
 
@@ -156,6 +158,43 @@ void drawKeys(const WidgetContext& context, const Layout& layout, const Timeline
   }
 }
 
+/// From the wind-up to the tip a line, at the tip a mark, larger for a stronger moment; the strongest on top.
+void drawMoments(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
+  const Theme& theme = context.theme;
+  if (model.moments.empty()) {
+    return;
+  }
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float y = layout.lane.centre().y;
+  list->AddLine({layout.labelLeft, layout.lane.max.y}, {layout.lane.max.x, layout.lane.max.y},
+                faded(theme.colours.border, 0.5F));
+  const Rect label{{layout.labelLeft + theme.unit(), layout.lane.min.y},
+                   {layout.track.min.x - theme.unit(), layout.lane.max.y}};
+  drawText(context, theme.fonts.label, label, theme.colours.quietText, "Moments");
+  std::vector<const TimelineMoment*> weakestFirst;
+  for (const TimelineMoment& moment : model.moments) {
+    weakestFirst.push_back(&moment);
+  }
+  std::ranges::stable_sort(weakestFirst, {}, [](const TimelineMoment* moment) {
+    return std::pair(moment->current, moment->strength);
+  });
+  list->PushClipRect(layout.track.min, layout.track.max, true);
+  for (const TimelineMoment* const moment : weakestFirst) {
+    const ImU32 colour =
+        moment->current ? theme.colours.accent
+                        : mixed(theme.colours.quietText, theme.colours.text, 0.3F + 0.7F * moment->strength);
+    const ImVec2 tip{layout.frames.toPixel(moment->tip), y};
+    const float radius = theme.px(3.0F + 3.0F * moment->strength);
+    list->AddLine({layout.frames.toPixel(moment->start), y}, tip, faded(colour, 0.6F), theme.px(1.5F));
+    addDiamond(*list, tip, radius + theme.px(1.5F), theme.colours.sunken); // Stands off from its neighbours.
+    addDiamond(*list, tip, radius, colour);
+    if (moment->repeats) {
+      addDiamond(*list, tip, radius - theme.px(1.75F), theme.colours.sunken);
+    }
+  }
+  list->PopClipRect();
+}
+
 /// A release from the bar's edge `from` to `to`, later or earlier: it fades. On a loop what lies past the
 /// clip's end stands at its start, and the other way round.
 void drawRelease(const Layout& layout, const TimelineModel& model, const Rect& box, const TimelineBar& bar,
@@ -265,6 +304,8 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
   const float right = box.max.x - theme.px(12.0F);
   layout.track = {{left, box.min.y}, {box.max.x, box.max.y}};
   layout.ruler = {{left, box.min.y}, {box.max.x, box.min.y + theme.px(rulerHeight)}};
+  const float lane = model.moments.empty() ? 0.0F : theme.px(laneHeight);
+  layout.lane = {{left, layout.ruler.max.y}, {box.max.x, layout.ruler.max.y + lane}};
   layout.frames = {model.view.start, std::max(model.view.end, model.view.start + 1e-6),
                    left + theme.px(12.0F), right};
   layout.labelLeft = box.min.x;
@@ -272,7 +313,7 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
 }
 
 Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model, std::size_t row) {
-  const float y = layout.ruler.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
+  const float y = layout.lane.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
                   theme.px(keyRowHeight) * static_cast<float>(row);
   return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
 }
@@ -282,7 +323,7 @@ Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model
   const bool isAbove = bar.row < model.rowsAbove;
   const float keys = theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
   const float y =
-      layout.ruler.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
+      layout.lane.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
   return {{layout.frames.toPixel(span.start), y + theme.px(2.0F)},
           {layout.frames.toPixel(span.end), y + theme.px(barRowHeight - 2.0F)}};
 }
@@ -325,6 +366,7 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
   drawRuler(context, layout, model);
   drawSeam(context, layout, model);
   drawRange(context, layout, model);
+  drawMoments(context, layout, model);
   drawKeys(context, layout, model);
   for (std::size_t place = 0; place < model.bars.size(); ++place) {
     drawBar(context, layout, model, place);
@@ -356,7 +398,8 @@ float timelineHeight(const Theme& theme, const TimelineModel& model) {
   for (const TimelineBar& bar : model.bars) {
     rows = std::max(rows, bar.row + 1);
   }
-  return theme.px(rulerHeight + keyRowHeight * static_cast<float>(model.keyRows.size()) +
+  return theme.px(rulerHeight + (model.moments.empty() ? 0.0F : laneHeight) +
+                  keyRowHeight * static_cast<float>(model.keyRows.size()) +
                   barRowHeight * static_cast<float>(rows) + 12.0F);
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/frames.h"
+#include "app/commands/table/moments.h"
 #include "app/commands/table/needs.h"
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
@@ -96,6 +97,15 @@ Status setRange(Session& session, bool start) {
   return finish(session, std::move(document), "Change the range");
 }
 
+Status goToNextMoment(Session& session, bool forwards) {
+  const std::optional<rig::Moment> moment = nextMoment(session, forwards);
+  if (!moment) {
+    return Error{"nothing strikes, steps or lands in this clip", "", "choose another clip"};
+  }
+  goToMoment(session, *moment);
+  return Success{};
+}
+
 bool loops(const Session& session) {
   return isLooping(session.document(), session.view().clip);
 }
@@ -143,6 +153,12 @@ std::vector<DocumentCommand> timeCommands() {
           clipNeeded(), [](Session& session) { return goTo(session, session.view().frame + farFrames); },
           alwaysOnSequence,
           [](SequenceSession& session) { return goToFrame(session, session.view().frame + farFrames); }),
+      entry(command::timeNextMoment, "Next moment",
+            "Goes to where the clip strikes, steps or lands next: its limb, its range, its tip.", {"N"},
+            clipNeeded(), [](Session& session) { return goToNextMoment(session, true); }),
+      entry(command::timePreviousMoment, "Previous moment",
+            "Goes to where the clip struck, stepped or landed before: its limb, its range, its tip.",
+            {"Shift+N"}, clipNeeded(), [](Session& session) { return goToNextMoment(session, false); }),
       entry(command::timePreviousKey, "Previous key",
             "Jumps to the key before, of the selected limbs or controllers if there are any.", {"Ctrl+,"},
             clipNeeded(), [](Session& session) { return goToKey(session, false); }),

@@ -30,7 +30,8 @@ const rig::Trail* trailThere(const Session& session, const std::string& limbId) 
 /// Around the playhead: the stroke there, else a while before and after.
 Vec2 rangeAround(const Session& session, const rig::Limb& limb) {
   const double frame = session.view().frame;
-  const rig::Stroke* const stroke = rig::strokeAt(session.strokesOf(limb), frame);
+  const std::vector<rig::Moment> own = session.momentsOf(limb.id);
+  const rig::Moment* const stroke = rig::momentAt(own, frame);
   if (stroke != nullptr && stroke->startFrame <= frame && frame <= stroke->endFrame) {
     return {stroke->startFrame, stroke->endFrame};
   }

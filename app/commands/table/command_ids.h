@@ -14,6 +14,9 @@ inline constexpr const char* fileExportClean = "file.export-clean";
 inline constexpr const char* fileQuit = "file.quit";
 inline constexpr const char* recipeSave = "recipe.save";
 inline constexpr const char* recipeLoad = "recipe.load";
+inline constexpr const char* styleTake = "style.take";
+inline constexpr const char* styleImport = "style.import";
+inline constexpr const char* styleExport = "style.export";
 
 inline constexpr const char* undo = "edit.undo";
 inline constexpr const char* redo = "edit.redo";
@@ -52,6 +55,7 @@ inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";
 inline constexpr const char* trailToggle = "trail.toggle";
 inline constexpr const char* trailExaggerate = "trail.exaggerate";
+inline constexpr const char* clipExaggerate = "clip.exaggerate";
 inline constexpr const char* trailConnect = "trail.connect";
 inline constexpr const char* trailFollow = "trail.follow";
 inline constexpr const char* trailApply = "trail.apply";
@@ -75,6 +79,8 @@ inline constexpr const char* timeFarBack = "time.far-back";
 inline constexpr const char* timeFarForward = "time.far-forward";
 inline constexpr const char* timePreviousKey = "time.previous-key";
 inline constexpr const char* timeNextKey = "time.next-key";
+inline constexpr const char* timeNextMoment = "time.next-moment";
+inline constexpr const char* timePreviousMoment = "time.previous-moment";
 inline constexpr const char* timeStart = "time.start";
 inline constexpr const char* timeEnd = "time.end";
 

@@ -35,12 +35,11 @@ bool isPlayheadPlaced(const ViewState& view) {
 }
 
 /// The stroke's range, or the leading one.
-Vec2 ownOrLeading(const Session& session, const rig::Stroke* stroke, const Vec2& leading, bool isThere) {
-  if (stroke == nullptr) {
+Vec2 ownOrLeading(const std::optional<rig::Moment>& stroke, const Vec2& leading, bool isThere) {
+  if (!stroke) {
     return leading;
   }
-  const Vec2 own(stroke->startFrame,
-                 std::min(stroke->endFrame, lastFrame(session.document(), session.view().clip)));
+  const Vec2 own(stroke->startFrame, stroke->endFrame);
   const bool isElsewhere = isThere && sharedTime(own, leading) < 1.0;
   return isElsewhere || isOneMovement(own, leading) ? leading : own;
 }
@@ -67,30 +66,31 @@ bool isSameRange(const rig::TrailSettings& settings, const Vec2& range) {
 
 } // namespace
 
-const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb) {
-  const std::vector<rig::Stroke>& strokes = session.strokesOf(limb);
-  if (!isPlayheadPlaced(session.view())) {
-    return rig::strongestStroke(strokes);
-  }
+std::optional<rig::Moment> proposedMoment(const Session& session, const std::string& limbId) {
   constexpr double nearSeconds = 0.25;
+  const std::vector<rig::Moment> own = session.momentsOf(limbId);
   const double rate = clipOf(session.document(), session.view().clip).framesPerSecond;
-  return rig::strokeAt(strokes, session.view().frame, nearSeconds * rate);
+  const rig::Moment* const proposed = isPlayheadPlaced(session.view())
+                                          ? rig::momentAt(own, session.view().frame, nearSeconds * rate)
+                                          : rig::strongestMoment(own);
+  return proposed == nullptr ? std::nullopt : std::optional(*proposed);
 }
 
 Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading) {
-  return ownOrLeading(session, proposedStroke(session, limb), leading, isPlayheadPlaced(session.view()));
+  return ownOrLeading(proposedMoment(session, limb.id), leading, isPlayheadPlaced(session.view()));
 }
 
 Vec2 rangeBesideStroke(const Session& session, const rig::Limb& limb, const Vec2& leading) {
-  const rig::Stroke* const stroke = rig::strokeAt(session.strokesOf(limb), 0.5 * (leading.x + leading.y));
-  return ownOrLeading(session, stroke, leading, true);
+  const std::vector<rig::Moment> own = session.momentsOf(limb.id);
+  const rig::Moment* const stroke = rig::momentAt(own, 0.5 * (leading.x + leading.y));
+  return ownOrLeading(stroke == nullptr ? std::nullopt : std::optional(*stroke), leading, true);
 }
 
-bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke) {
-  const std::vector<rig::Stroke>& strokes = session.strokesOf(limb);
+bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Moment& stroke) {
+  const std::vector<rig::Moment> strokes = session.momentsOf(limb.id);
   const double last = lastFrame(session.document(), session.view().clip);
-  const auto beginsThere = [](const rig::Stroke& one) { return one.startFrame < 0.5; };
-  const auto endsThere = [&](const rig::Stroke& one) { return one.endFrame > last - 0.5; };
+  const auto beginsThere = [](const rig::Moment& one) { return one.startFrame < 0.5; };
+  const auto endsThere = [&](const rig::Moment& one) { return one.endFrame > last - 0.5; };
   const bool wholeClip = beginsThere(stroke) && endsThere(stroke);
   return (beginsThere(stroke) || endsThere(stroke)) && !wholeClip &&
          std::any_of(strokes.begin(), strokes.end(), beginsThere) &&
@@ -101,11 +101,8 @@ bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Strok
 Vec2 proposedRange(const Session& session, const rig::Limb& limb) {
   const ViewState& view = session.view();
   const double last = lastFrame(session.document(), view.clip);
-  if (const rig::Stroke* const stroke = proposedStroke(session, limb)) {
-    return {stroke->startFrame, std::min(stroke->endFrame, last)};
-  }
-  if (const std::optional<rig::Stroke>& movement = session.movementOf(limb)) {
-    return {movement->startFrame, std::min(movement->endFrame, last)};
+  if (const std::optional<rig::Moment> moment = proposedMoment(session, limb.id)) {
+    return {moment->startFrame, moment->endFrame};
   }
   const double half =
       std::max(1.0, std::round(halfWindowSeconds * clipOf(session.document(), view.clip).framesPerSecond));

@@ -11,12 +11,13 @@ namespace stretch::app {
 // that is set by hand deselects a trail that does not lie in it; without either one of the limb's strokes is
 // proposed.
 
-/// The stroke that is proposed for a limb (rig/motion/stroke.h): the one at the playhead, the strongest near
-/// it, or the clip's strongest while the playhead stands at its start. Null where the limb makes none.
-[[nodiscard]] const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb);
+/// The moment that is proposed for a limb (rig/moments/moments.h): the one at the playhead, the strongest
+/// near it, or the clip's strongest while the playhead stands at its start. Nothing where the limb makes
+/// none.
+[[nodiscard]] std::optional<rig::Moment> proposedMoment(const Session& session, const std::string& limbId);
 
-/// The range that is proposed for a limb: its proposed stroke, its greatest movement where it makes none, or
-/// half a second about the playhead where it stands still. At least one frame long where the clip is.
+/// The range that is proposed for a limb: its proposed moment, or half a second about the playhead where it
+/// makes none. At least one frame long where the clip is.
 [[nodiscard]] Vec2 proposedRange(const Session& session, const rig::Limb& limb);
 
 /// Whether the working range was set, by hand or by selecting a trail.
@@ -35,7 +36,7 @@ namespace stretch::app {
 
 /// Whether the stroke goes on where the clip begins again: a limb that is in full swing at both ends of a
 /// clip whose last pose is its first makes one stroke there, of which a range holds a part.
-[[nodiscard]] bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke);
+[[nodiscard]] bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Moment& stroke);
 
 /// Sets the working range by hand: a selected trail that does not lie in it is selected no longer.
 void setRangeByHand(Session& session, const Vec2& range);

@@ -18,40 +18,42 @@ namespace stretch::app {
 namespace {
 
 /// The trail of the limb that is meant without being selected: the one in the range that was set, else the
-/// one at the playhead. 0 for none.
-int meantTrail(const Session& session, const std::string& limbId) {
+/// one at the playhead, else the one that has most of the range that is proposed. 0 for none.
+int meantTrail(const Session& session, const std::string& limbId, const Vec2& proposed) {
+  constexpr double most = 0.5; // Of the shorter one.
   const ViewState& view = session.view();
-  const bool isSet = isRangeSet(view);
-  const double start = isSet ? view.rangeStart : view.frame;
-  const double end = isSet ? view.rangeEnd : view.frame;
-  for (const rig::Trail& trail : session.document().trails) {
-    const bool shares = isSet ? trail.settings.startFrame < end && start < trail.settings.endFrame
-                              : trail.settings.startFrame <= start && end <= trail.settings.endFrame;
-    if (trail.limb == limbId && trail.clip == view.clip && shares) {
-      return trail.id;
-    }
+  const auto trailWhere = [&](auto&& isThere) {
+    const auto& trails = session.document().trails;
+    const auto found = std::ranges::find_if(trails, [&](const rig::Trail& trail) {
+      return trail.limb == limbId && trail.clip == view.clip &&
+             isThere(Vec2(trail.settings.startFrame, trail.settings.endFrame));
+    });
+    return found == trails.end() ? 0 : found->id;
+  };
+  if (isRangeSet(view)) {
+    return trailWhere(
+        [&](const Vec2& range) { return range.x < view.rangeEnd && view.rangeStart < range.y; });
   }
-  return 0;
+  const int here =
+      trailWhere([&](const Vec2& range) { return range.x <= view.frame && view.frame <= range.y; });
+  return here != 0 ? here : trailWhere([&](const Vec2& range) {
+    const double shared = std::min(range.y, proposed.y) - std::max(range.x, proposed.x);
+    return shared > most * std::min(range.y - range.x, proposed.y - proposed.x);
+  });
 }
 
-/// Of the selected limbs the one whose proposed stroke goes farthest and fastest; the first where none makes
-/// any.
+/// Of the selected limbs the one whose proposed moment is the strongest; the first where none makes any.
 Result<const rig::Limb*> leadingLimb(const Session& session) {
-  std::vector<rig::Stroke> strokes;
-  std::vector<const rig::Limb*> owners;
+  std::optional<rig::Moment> strongest;
   for (const std::string& limbId : session.view().selection.limbs()) {
     const rig::Limb* const limb = findLimb(session.document(), limbId);
     if (limb == nullptr) {
       return Error{"the character has no such limb", limbId, "pick a limb that was found"};
     }
-    if (const rig::Stroke* const stroke = proposedStroke(session, *limb)) {
-      strokes.push_back(*stroke);
-      owners.push_back(limb);
-    }
+    const std::optional<rig::Moment> moment = proposedMoment(session, limbId);
+    strongest = moment && (!strongest || moment->strength > strongest->strength) ? moment : strongest;
   }
-  const rig::Stroke* const strongest = rig::strongestStroke(strokes);
-  return strongest == nullptr ? findLimb(session.document(), session.view().selection.limbs().front())
-                              : owners[static_cast<std::size_t>(strongest - strokes.data())];
+  return findLimb(session.document(), strongest ? strongest->limb : session.view().selection.limbs().front());
 }
 
 /// What is exaggerated at once: limbs, and the range of the one that leads.
@@ -106,7 +108,7 @@ Status addMeantTrail(const Session& session, const std::string& limbId, const Wa
                      ExaggerateTargets& targets) {
   const ViewState& view = session.view();
   const Vec2 range = rangeOf(session, limbId, wanted);
-  if (const int meant = meantTrail(session, limbId); meant != 0) {
+  if (const int meant = meantTrail(session, limbId, range); meant != 0) {
     targets.trailIds.push_back(meant);
     return Success{};
   }
@@ -296,10 +298,9 @@ std::optional<Vec2> nextStroke(const Session& session, const ExaggerateTargets& 
     return std::nullopt;
   }
   std::vector<Vec2> free;
-  for (const rig::Stroke& stroke : session.strokesOf(*limb)) {
-    const double end = std::min(stroke.endFrame, lastFrame(before, leading.clip));
-    if (overlappingTrail(before, leading.limb, leading.clip, stroke.startFrame, end) == nullptr) {
-      free.emplace_back(stroke.startFrame, end);
+  for (const rig::Moment& stroke : session.momentsOf(limb->id)) {
+    if (overlappingTrail(before, limb->id, leading.clip, stroke.startFrame, stroke.endFrame) == nullptr) {
+      free.emplace_back(stroke.startFrame, stroke.endFrame);
     }
   }
   const double here = leading.settings.startFrame;

@@ -296,6 +296,20 @@ TEST_CASE("Every option of info, check and trail changes what they tell") {
       inputs);
 }
 
+TEST_CASE("Every option of moments changes what it tells") {
+  const TemporaryFolder inputs;
+  addCharacters(inputs);
+  checkTable({"moments", "--json",
+              joinedRows({{"FILE", "IN/gone.glb", "IN/dummy.glb"},
+                          {"--tolerant", "IN/odd.glb", "IN/odd.glb --tolerant"}},
+                         rowsBehind("IN/dummy.glb", joinedRows({{"--plan", "", "--plan quadruped"},
+                                                                {"--clip", "", "--clip Guard"},
+                                                                {"--fps", "", "--fps 12"},
+                                                                {"--all-clips", "", "--all-clips"}},
+                                                               reportRows)))},
+             inputs);
+}
+
 TEST_CASE("Every option of exaggerate changes the keys that it writes") {
   const TemporaryFolder inputs;
   addCharacters(inputs);
@@ -548,9 +562,9 @@ TEST_CASE("Every option of compare and flatten changes what they tell") {
 }
 
 TEST_CASE("Every verb has a table of its options") {
-  const std::set<std::string> tables{"info",     "check",       "trail",  "exaggerate", "elastic",
-                                     "pose",     "import-clip", "resave", "rig",        "bind",
-                                     "compress", "compare",     "flatten"};
+  const std::set<std::string> tables{"info",    "check",    "trail",       "moments", "exaggerate",
+                                     "elastic", "pose",     "import-clip", "resave",  "rig",
+                                     "bind",    "compress", "compare",     "flatten"};
   std::set<std::string> verbs;
   for (const Verb& verb : batchVerbs()) {
     verbs.insert(verb.name);

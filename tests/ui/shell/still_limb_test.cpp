@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
 #include "app/files/save.h"
 #include "tests/support/app/boxer.h"
 #include "ui/shell/shell_commands.h"
@@ -64,11 +66,10 @@ TEST_CASE("E on another stroke than the limb's strongest says which frames are t
   shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
   app::Session& session = *shell.open.character();
   session.view().selection.editTrails().limbs = {"left-arm"};
-  const rig::Limb& arm = *app::findLimb(session.document(), "left-arm");
-  const std::vector<rig::Stroke> strokes = session.strokesOf(arm);
+  const std::vector<rig::Moment> strokes = session.momentsOf("left-arm");
   REQUIRE(strokes.size() > 1);
-  const rig::Stroke strongest = *rig::strongestStroke(strokes);
-  const rig::Stroke other = strokes.front() == strongest ? strokes.back() : strokes.front();
+  const rig::Moment strongest = *rig::strongestMoment(strokes);
+  const rig::Moment other = strokes.front() == strongest ? strokes.back() : strokes.front();
   session.view().frame = std::floor(0.5 * (other.startFrame + other.endFrame));
   runCommand(shell, command::trailExaggerate);
   REQUIRE(shell.ui.toasts.size() == 1);
@@ -82,20 +83,48 @@ TEST_CASE("E on another stroke than the limb's strongest says which frames are t
   CHECK(shell.ui.toasts.empty()); // Nor does what was told before stay in the way.
 }
 
-TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as it is, says so") {
-  Boxing boxing;
-  Shell& shell = boxing.shell;
+namespace {
+
+/// The boxer whose left arm only sways.
+app::Document swayingBoxer() {
   app::Document document = test::boxer();
   std::vector<Clip> clips = *document.clips;
-  clips.front().tracks.front().edit([](Track& track) { // The arm only sways.
+  clips.front().tracks.front().edit([](Track& track) {
     for (std::size_t i = 0; i < track.values.size(); ++i) {
       track.values[i] = i % 4 == 3 ? 1.0F : 0.02F * track.values[i];
     }
   });
   document.clips = std::make_shared<const std::vector<Clip>>(clips);
-  shell.open.open(app::Opened{document});
+  return document;
+}
+
+} // namespace
+
+TEST_CASE("E on a limb that only sways is told that it makes no stroke; a range set by hand stretches it") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  shell.open.open(app::Opened{swayingBoxer()});
   app::Session& session = *shell.open.character();
   session.view().selection.editTrails().limbs = {"left-arm"};
+  runCommand(shell, command::trailExaggerate);
+  CHECK_FALSE(isRunning(shell.tool));
+  CHECK(session.document().trails.empty());
+  REQUIRE(shell.ui.toasts.size() == 1);
+  CHECK(shell.ui.toasts.front().text ==
+        "The left arm makes no stroke in this clip: set a range, or choose another clip");
+  app::setRangeByHand(session, {2.0, 10.0});
+  runCommand(shell, command::trailExaggerate);
+  CHECK(isRunning(shell.tool));
+  CHECK(session.document().trails.front().settings.endFrame == 10.0);
+}
+
+TEST_CASE("E on a limb that the floor keeps as long as it is, says so") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  shell.open.open(app::Opened{swayingBoxer()});
+  app::Session& session = *shell.open.character();
+  session.view().selection.editTrails().limbs = {"left-arm"};
+  app::setRangeByHand(session, {0.0, 10.0});
   REQUIRE(startExaggerate(session, shell.tool));
   auto& tool = std::get<ExaggerateTool>(shell.tool);
   CHECK_FALSE(standsStill(session, tool));
@@ -107,7 +136,40 @@ TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as
   CHECK(standsStill(session, tool));
   CHECK(stillNews(session, tool, [](const std::string&) {
           return "1";
-        }).find("only into the floor in frames") != std::string::npos);
+        }).find("only into the floor in frames 0 to 10") != std::string::npos);
+}
+
+TEST_CASE("E on a limb whose stroke has a trail goes on editing that trail, wherever the playhead stands") {
+  Shell shell;
+  const Result<app::Document> dummy = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(dummy);
+  shell.open.open(app::Opened{*dummy});
+  shell.commands = editorCommands();
+  shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  app::Session& session = *shell.open.character();
+  session.view().selection.editTrails().limbs = {"left-arm"};
+  app::setRangeByHand(session, {20.0, 26.0});
+  runCommand(shell, command::trailExaggerate);
+  auto& tool = std::get<ExaggerateTool>(shell.tool);
+  tool.modal.settings.scale = 3.0;
+  session.preview(*app::exaggeratedWith(tool.targets, tool.modal));
+  finishTool(session, shell.tool, true);
+  app::selectTrail(session, 0);
+  app::selectLimb(session, "left-arm", false);
+  session.view().frame = 0.0;
+  session.view().rangeEnd = session.view().rangeStart - 1.0;
+  session.view().selection.dropTrail();
+  const std::size_t steps = session.history().position();
+  runCommand(shell, command::trailExaggerate);
+  REQUIRE(isRunning(shell.tool));
+  REQUIRE(session.document().trails.size() == 1);
+  CHECK(session.document().trails.front().settings.scale == 3.0);
+  CHECK(session.document().trails.front().settings.startFrame == 20.0);
+  REQUIRE(shell.ui.toasts.size() == 1);
+  CHECK(shell.ui.toasts.front().text ==
+        "The left arm has a trail at its strongest stroke: that goes on, frames 20 to 26");
+  finishTool(session, shell.tool, true);
+  CHECK(session.history().position() <= steps + 1);
 }
 
 TEST_CASE("E on several limbs of which one moves opens the tool") {

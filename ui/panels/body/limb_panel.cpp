@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/moments.h"
 #include "app/commands/table/selection.h"
 #include "app/document.h"
 #include "app/edits/pose/adjustment_edits.h"
@@ -77,6 +78,19 @@ DiagramPart partOf(const PanelContext& context, const rig::PlannedLimb& planned,
   return state;
 }
 
+/// How strong a limb's strongest moment is, of the clip's strongest.
+void markMoments(const app::Session& session, std::vector<DiagramPart>& parts) {
+  const std::vector<rig::Moment> shown = app::shownMoments(session);
+  const rig::Moment* const strongest = rig::strongestMoment(shown);
+  for (DiagramPart& part : parts) {
+    for (const rig::Moment& moment : shown) {
+      const auto share = static_cast<float>(moment.strength / strongest->strength);
+      part.moment = moment.limb == part.id ? std::max(part.moment, share) : part.moment;
+    }
+    part.help.text += part.moment > 0.0F ? " A ring: it makes a stroke in this clip." : "";
+  }
+}
+
 /// Those that the plan shows, in the order of their keys.
 std::vector<DiagramPart> diagramParts(const PanelContext& context) {
   const app::Document& document = context.character().document();
@@ -88,6 +102,7 @@ std::vector<DiagramPart> diagramParts(const PanelContext& context) {
       parts.push_back(partOf(context, *planned, slot));
     }
   }
+  markMoments(context.character(), parts);
   return parts;
 }
 
@@ -248,6 +263,10 @@ void diagram(PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = std::min(width * 1.22F, context.theme.px(248.0F));
   const DiagramClick clicked = limbDiagram(widgetsOf(context), "limb", figure, height);
+  if (clicked.hovered && figure.parts[*clicked.hovered].moment > 0.0F) {
+    const std::vector<rig::Moment> own = session.momentsOf(figure.parts[*clicked.hovered].id);
+    context.ui.time.hoveredMoment = *rig::strongestMoment(own);
+  }
   const bool add = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
   if (!clicked.controller.empty()) {
     app::selectController(session, clicked.controller, add);

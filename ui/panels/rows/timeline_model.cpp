@@ -10,6 +10,7 @@
 #include "app/commands/keys/keys.h"
 #include "app/commands/pose/posing.h"
 #include "app/commands/table/frames.h"
+#include "app/commands/table/moments.h"
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "ui/panels/context/panel_support.h"
@@ -254,6 +255,22 @@ void addTrails(PanelContext& context, TimelineModel& model) {
   }
 }
 
+void addMoments(const app::Session& session, TimelineModel& model) {
+  const std::vector<rig::Moment> shown = app::shownMoments(session);
+  const std::optional<rig::Moment> current = app::currentMoment(session);
+  const rig::Moment* const strongest = rig::strongestMoment(shown);
+  for (const rig::Moment& moment : shown) {
+    model.moments.push_back({moment.startFrame,
+                             moment.tipFrame,
+                             static_cast<float>(moment.strength / strongest->strength),
+                             moment.kind == rig::MomentKind::cycle,
+                             moment == current,
+                             {app::momentText(session.document(), moment),
+                              "A click selects its limb and its range; E goes on from there.",
+                              {}}});
+  }
+}
+
 } // namespace
 
 Span visibleFrames(const PanelContext& context) {
@@ -299,6 +316,7 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.loops = app::isLooping(document, clip);
   model.turn = (shown.endSeconds - shown.startSeconds) * rate;
   addTrails(context, model);
+  addMoments(session, model);
   const bool isDopeSheet = detail == RowDetail::everyLimb;
   addHolds(context, isDopeSheet, model);
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selection.trail())) {

@@ -18,6 +18,8 @@ enum class FilePurpose {
   openProp,
   openClip,
   saveRecipe,
+  openStyle,
+  saveStyle,
   saveFrames,
   exportSequence,
   openModuli,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/edits/keys/retime.h"
+#include "rig/moments/moments.h"
 #include "rig/motion/motion.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/timeline.h"
@@ -122,7 +123,8 @@ struct TimePanes {
   RetimeState retime;
   BottomTab tab = BottomTab::timeline;
   TimelineGesture gesture;
-  std::string clipFilter; ///< Typed into the list of clips.
+  std::string clipFilter;                   ///< Typed into the list of clips.
+  std::optional<rig::Moment> hoveredMoment; ///< Its mark lies under the mouse: the viewport shows the path.
 };
 
 } // namespace stretch::ui

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/auto/exaggerate_clip.h"
 #include "core/scene/scene.h"
 #include "rig/motion/motion.h"
 
@@ -34,11 +35,28 @@ struct LookState {
 struct TakenStyle {
   std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
   std::vector<int> trails = {};            ///< Ids.
-  int style = 0;                           ///< Into app::styles().
+  int style = 0;                           ///< Into TrailPanels::styles.
+};
+
+/// The whole clip exaggerated in one style, while it is looked at before it is kept.
+struct ClipStyleState {
+  bool open = false;
+  int style = usualStyle; ///< Into TrailPanels::styles.
+  double strength = 1.0;
+  std::vector<rig::Moment> moments = {};  ///< Moments of the clip, strongest first.
+  std::vector<bool> on = {};              ///< Moments that are to be exaggerated.
+  std::vector<app::AutoMoment> made = {}; ///< Outcome of those that are on, as last worked out.
+  bool changed = false;                   ///< It is to be worked out anew.
+  bool working = false;                   ///< It is being worked out.
+  bool accepted = false;                  ///< It is to be kept, as soon as it is worked out.
+
+  static constexpr int usualStyle = 6; ///< The average of the measured ones.
 };
 
 /// The panels of trails and their settings.
 struct TrailPanels {
+  std::vector<rig::Style> styles = rig::builtInStyles(); ///< Styles that are offered: with the user's own.
+  ClipStyleState clipStyle;
   LookState look;
   TakenStyle takenStyle;
   RenameState rename;

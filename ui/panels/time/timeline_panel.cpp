@@ -3,6 +3,7 @@
 
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/moments.h"
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/group_edits.h"
@@ -197,6 +198,20 @@ void ownKeys(PanelContext& context, const TimelineOutcome& outcome) {
   pane = {outcome.hovered, false, outcome.mouseFrame, 0.0, 1.0, pane.pressTaken && !outcome.gestureEnded};
 }
 
+/// A press goes to the moment; under the mouse its path is shown.
+void applyMoments(PanelContext& context, const TimelineOutcome& outcome) {
+  if (!outcome.hoveredMoment && !outcome.clickedMoment) {
+    return;
+  }
+  app::Session& session = context.character();
+  const std::vector<rig::Moment> shown = app::shownMoments(session);
+  const std::size_t under = outcome.hoveredMoment ? *outcome.hoveredMoment : *outcome.clickedMoment;
+  context.ui.time.hoveredMoment = shown[under];
+  if (outcome.clickedMoment) {
+    app::goToMoment(session, shown[*outcome.clickedMoment]);
+  }
+}
+
 void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineModel model = timelineModel(context, detail);
   ImGui::BeginChild(id, ImGui::GetContentRegionAvail(), false,
@@ -206,6 +221,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
                                            timelineLabelWidth(context.theme, model), height);
   ImGui::EndChild();
   applyRange(context.character(), outcome);
+  applyMoments(context, outcome);
   const bool pressTaken = context.ui.time.keys.pressTaken;
   if (model.keysEditable) {
     ownKeys(context, outcome);

@@ -1,0 +1,133 @@
+#include "rig/moments/body_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/anim/frames.h"
+#include "rig/motion/solve_steps.h"
+#include "rig/trail/limb_path.h"
+
+namespace stretch::rig {
+
+namespace {
+
+// Samples from one to the next of which a difference is taken.
+std::ptrdiff_t spacingOf(double samplesPerSecond) {
+  constexpr double shortestSeconds = 1.0 / 60.0;
+  return std::max<std::ptrdiff_t>(1, std::lround(shortestSeconds * samplesPerSecond));
+}
+
+void setVelocities(PlaceMotion& motion, double samplesPerSecond) {
+  const std::ptrdiff_t spacing = spacingOf(samplesPerSecond);
+  const auto last = static_cast<std::ptrdiff_t>(motion.places.size()) - 1;
+  const auto within = [&](std::ptrdiff_t i) {
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last));
+  };
+  std::vector<Vec3> raw;
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    const std::size_t before = within(i - spacing);
+    const std::size_t after = within(i + spacing);
+    const double seconds = static_cast<double>(after - before) / samplesPerSecond;
+    raw.push_back(seconds > 0.0 ? (motion.places[after] - motion.places[before]) / seconds : Vec3(0.0));
+  }
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    motion.velocities.push_back(0.25 *
+                                (raw[within(i - spacing)] + 2.0 * raw[within(i)] + raw[within(i + spacing)]));
+    motion.speeds.push_back(glm::length(motion.velocities.back()));
+  }
+}
+
+// What a limb of this kind weighs: the trunk carries the limbs that act, a tail follows them.
+double weightOf(const Limb& limb) {
+  constexpr double trunk = 0.6;
+  constexpr double follower = 0.35;
+  return isTrunk(limb)                                                  ? trunk
+         : limb.kind == LimbKind::tail || limb.kind == LimbKind::feeler ? follower
+                                                                        : 1.0;
+}
+
+// The middle of the bases of the limbs of one side; nothing to go by where there are none.
+struct Middle {
+  Vec3 sum{0.0};
+  double count = 0.0;
+};
+
+Vec3 forwardOf(const std::vector<Limb>& limbs, const FrameState& frame) {
+  Middle left;
+  Middle right;
+  for (const Limb& limb : limbs) {
+    if (limb.side != LimbSide::middle && limb.kind != LimbKind::chain) {
+      Middle& side = limb.side == LimbSide::left ? left : right;
+      side.sum += stayingPosition(limb, frame);
+      side.count += 1.0;
+    }
+  }
+  if (left.count == 0.0 || right.count == 0.0) {
+    return Vec3(0.0);
+  }
+  const Vec3 forward = glm::cross(Vec3(0.0, 1.0, 0.0), right.sum / right.count - left.sum / left.count);
+  const double length = glm::length(forward);
+  return length > 0.0 ? forward / length : Vec3(0.0);
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void setReaches(BodyMotion& motion) {
+  std::vector<double> reaches;
+  for (LimbMotion& limb : motion.limbs) {
+    for (const Vec3& place : limb.places) {
+      limb.reach = std::max(limb.reach, glm::length(place));
+    }
+    reaches.push_back(limb.reach);
+  }
+  motion.reach = medianOf(std::move(reaches));
+}
+
+} // namespace
+
+BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
+                        const std::vector<Limb>& limbs) {
+  BodyMotion motion;
+  motion.samplesPerSecond = 2.0 * clip.framesPerSecond;
+  motion.limbs.resize(limbs.size());
+  std::vector<NodeIndex> nodes;
+  for (const Limb& limb : limbs) {
+    const std::vector<NodeIndex> own = jointsAndEnd(limb);
+    nodes.insert(nodes.end(), own.begin(), own.end());
+  }
+  if (body.hips.exists()) {
+    nodes.push_back(body.hips);
+  }
+  const NodeSampler sampler(scene, clip, nodes);
+  const double last = std::min(endInFrames(clip), longestFrames) + frameTolerance;
+  FrameState frame;
+  for (double at = 0.0; at <= last; at += 0.5) {
+    sampler.sample(at / clip.framesPerSecond, frame);
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+      motion.limbs[i].ends.push_back(leadingPosition(limbs[i], frame));
+      motion.limbs[i].places.push_back(motion.limbs[i].ends.back() - stayingPosition(limbs[i], frame));
+    }
+    if (body.hips.exists()) {
+      motion.hips.places.push_back(positionOf(frame.worlds[stretch::at(body.hips)]));
+    }
+    motion.forward.push_back(forwardOf(limbs, frame));
+  }
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    motion.limbs[i].weight = weightOf(limbs[i]);
+    setVelocities(motion.limbs[i], motion.samplesPerSecond);
+  }
+  setVelocities(motion.hips, motion.samplesPerSecond);
+  setReaches(motion);
+  return motion;
+}
+
+} // namespace stretch::rig

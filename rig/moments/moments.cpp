@@ -1,0 +1,123 @@
+#include "rig/moments/moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/anim/frames.h"
+#include "rig/moments/cycles.h"
+#include "rig/moments/landings.h"
+#include "rig/moments/strokes.h"
+
+namespace stretch::rig {
+
+namespace {
+
+// Whole frames, where animators key: half a frame is given to the stroke.
+Moment momentOf(const std::string& limb, MomentKind kind, const SampledStroke& stroke, double last) {
+  const double tip = std::min(std::ceil(0.5 * static_cast<double>(stroke.tip)), last);
+  const double start = std::min(std::floor(0.5 * static_cast<double>(stroke.start)), tip - 1.0);
+  return {limb, kind, std::max(0.0, start), tip, tip, stroke.strength};
+}
+
+void keepApart(std::vector<Moment>& moments) {
+  std::vector<Moment> apart;
+  for (Moment moment : moments) {
+    for (const Moment& stronger : apart) {
+      if (stronger.limb != moment.limb) {
+        continue;
+      }
+      if (moment.tipFrame > stronger.startFrame && moment.startFrame < stronger.startFrame) {
+        moment.tipFrame = moment.endFrame = stronger.startFrame;
+      } else if (moment.startFrame < stronger.endFrame && moment.tipFrame > stronger.endFrame) {
+        moment.startFrame = stronger.endFrame;
+      }
+    }
+    if (moment.startFrame < moment.tipFrame) {
+      apart.push_back(moment);
+    }
+  }
+  moments = std::move(apart);
+}
+
+bool isCycle(const Moment& moment) {
+  return moment.kind == MomentKind::cycle;
+}
+
+// What swings along with the steps of a walk, no stronger than these, is part of the walk.
+void joinSteps(std::vector<Moment>& moments) {
+  double strongest = 0.0;
+  for (const Moment& moment : moments) {
+    strongest = isCycle(moment) ? std::max(strongest, moment.strength) : strongest;
+  }
+  for (Moment& moment : moments) {
+    moment.kind = moment.strength < strongest ? MomentKind::cycle : moment.kind;
+  }
+}
+
+bool goBefore(const Moment& a, const Moment& b) {
+  return isCycle(a) != isCycle(b) ? isCycle(b) : a.strength > b.strength;
+}
+
+} // namespace
+
+const char* momentKindName(MomentKind kind) {
+  switch (kind) {
+  case MomentKind::cycle:
+    return "cycle";
+  case MomentKind::landing:
+    return "landing";
+  default:
+    return "stroke";
+  }
+}
+
+const Moment* momentAt(const std::vector<Moment>& moments, double frame, double nearFrames) {
+  const auto gap = [&](const Moment& moment) {
+    const double frames = std::max({0.0, moment.startFrame - frame, frame - moment.endFrame});
+    return frames > 0.0 ? std::max(frames, nearFrames) : 0.0;
+  };
+  const auto nearer = [&](const Moment& a, const Moment& b) {
+    return gap(a) != gap(b) ? gap(a) < gap(b) : a.strength > b.strength;
+  };
+  const auto found = std::ranges::min_element(moments, nearer);
+  return found == moments.end() ? nullptr : &*found;
+}
+
+const Moment* strongestMoment(const std::vector<Moment>& moments) {
+  const auto found = std::ranges::max_element(moments, {}, &Moment::strength);
+  return found == moments.end() ? nullptr : &*found;
+}
+
+std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& body,
+                              const std::vector<Limb>& chains) {
+  std::vector<Limb> limbs = body.limbs;
+  limbs.insert(limbs.end(), chains.begin(), chains.end());
+  std::erase_if(limbs, [](const Limb& limb) { return limb.joints.empty(); });
+  const BodyMotion motion = motionOfBody(scene, clip, body, limbs);
+  std::vector<Moment> moments;
+  if (!(motion.reach > 0.0)) {
+    return moments;
+  }
+  const double last = endInFrames(clip);
+  const std::vector<bool> cycles = limbsInCycles(motion, limbs);
+  bool steps = false;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    steps = steps || (cycles[i] && isLeg(limbs[i]));
+    const MomentKind kind = cycles[i] ? MomentKind::cycle : MomentKind::stroke;
+    for (const SampledStroke& stroke : strokesOf(motion, motion.limbs[i], cycles[i])) {
+      moments.push_back(momentOf(limbs[i].id, kind, stroke, last));
+    }
+  }
+  if (steps) {
+    joinSteps(moments);
+  } else {
+    for (const SampledStroke& landing : landingsOf(motion, limbs)) {
+      moments.push_back(momentOf(wholeBody, MomentKind::landing, landing, last));
+    }
+  }
+  std::ranges::stable_sort(moments, goBefore);
+  keepApart(moments);
+  return moments;
+}
+
+} // namespace stretch::rig

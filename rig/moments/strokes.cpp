@@ -1,0 +1,102 @@
+#include "rig/moments/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "rig/moments/moments.h"
+
+namespace stretch::rig {
+
+namespace {
+
+constexpr double slowShare = 0.25;   // Of the peak's speed: less is slow.
+constexpr double turnCosine = -0.2;  // Of the directions there and at the peak: less is a turn.
+constexpr double leastPeak = 0.25;   // R per second: no way is so far that less came to the least strength.
+constexpr double leastTravel = 0.15; // Of the reach: less only trembles.
+
+double cosineBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
+}
+
+/// The sample where the stroke with this peak ends, looking from the peak in one direction.
+std::size_t edgeOf(const LimbMotion& limb, std::size_t peak, std::ptrdiff_t direction) {
+  const auto count = static_cast<std::ptrdiff_t>(limb.speeds.size());
+  auto at = static_cast<std::ptrdiff_t>(peak);
+  const auto goesOn = [&](std::ptrdiff_t i) {
+    const auto sample = static_cast<std::size_t>(i);
+    return limb.speeds[sample] > slowShare * limb.speeds[peak] &&
+           cosineBetween(limb.velocities[sample], limb.velocities[peak]) > turnCosine;
+  };
+  while (at + direction >= 0 && at + direction < count && goesOn(at)) {
+    at += direction;
+  }
+  return static_cast<std::size_t>(at);
+}
+
+/// Whether the stroke takes the limb straight back to where the clip began.
+bool isWayBack(const LimbMotion& limb, const SampledStroke& stroke) {
+  constexpr double near = 0.15;    // Of the reach.
+  constexpr double straight = 0.8; // Of the stroke's length.
+  const double fromHome = glm::length(limb.places[stroke.start] - limb.places.front());
+  const double toHome = glm::length(limb.places[stroke.tip] - limb.places.front());
+  const double travel = glm::length(limb.places[stroke.tip] - limb.places[stroke.start]);
+  return toHome < near * limb.reach && fromHome - toHome > straight * travel;
+}
+
+/// Share of the stroke that is seen in the world: a hand that stays where it is while its shoulder moves
+/// does nothing.
+double seenShare(double travel, double travelInWorld) {
+  constexpr double leastShare = 0.2;
+  return std::clamp(travelInWorld / travel, leastShare, 1.0);
+}
+
+double strengthOf(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke) {
+  constexpr double forwardGain = 0.4;
+  const double travel = glm::length(limb.places[stroke.tip] - limb.places[stroke.start]);
+  const Vec3 way = limb.ends[stroke.tip] - limb.ends[stroke.start];
+  const double seen = seenShare(travel, glm::length(way));
+  const double out = glm::length(limb.places[stroke.tip]) / limb.reach;
+  const double forward = cosineBetween(way, motion.forward[stroke.peak]);
+  return limb.speeds[stroke.peak] / motion.reach * std::sqrt(travel / limb.reach * seen * out) *
+         std::exp(forwardGain * forward) * limb.weight;
+}
+
+bool isPeak(const std::vector<double>& speeds, std::size_t i) {
+  return speeds[i] > 0.0 && (i == 0 || speeds[i] > speeds[i - 1]) &&
+         (i + 1 == speeds.size() || speeds[i] >= speeds[i + 1]);
+}
+
+} // namespace
+
+std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb, bool goesRound) {
+  constexpr double wayBackShare = 0.5;
+  std::vector<SampledStroke> all;
+  for (std::size_t peak = 0; peak < limb.speeds.size(); ++peak) {
+    if (!isPeak(limb.speeds, peak) || limb.speeds[peak] < leastPeak * motion.reach) {
+      continue;
+    }
+    SampledStroke stroke{edgeOf(limb, peak, -1), peak, edgeOf(limb, peak, 1)};
+    if (glm::length(limb.places[stroke.tip] - limb.places[stroke.start]) >= leastTravel * limb.reach) {
+      const bool isBack = !goesRound && isWayBack(limb, stroke);
+      stroke.strength = strengthOf(motion, limb, stroke) * (isBack ? wayBackShare : 1.0);
+      all.push_back(stroke);
+    }
+  }
+  std::erase_if(all, [](const SampledStroke& stroke) { return stroke.strength < leastStrength; });
+  std::ranges::stable_sort(all, std::ranges::greater{}, &SampledStroke::strength);
+  std::vector<SampledStroke> apart;
+  for (const SampledStroke& stroke : all) {
+    const bool isApart = std::ranges::all_of(apart, [&](const SampledStroke& stronger) {
+      return stroke.tip <= stronger.start + 1 || stroke.start + 1 >= stronger.tip;
+    });
+    if (isApart) {
+      apart.push_back(stroke);
+    }
+  }
+  return apart;
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rig/moments/body_motion.h"
+
+namespace stretch::rig {
+
+/// A stroke by the samples of a motion (BodyMotion), from its start over the fastest sample to its tip.
+struct SampledStroke {
+  std::size_t start = 0;
+  std::size_t peak = 0;
+  std::size_t tip = 0;
+  double strength = 0.0;
+};
+
+/// The strokes of one limb of the motion, strongest first; they share at most their ends. `goesRound`: the
+/// limb is in a cycle, where every way leads back to the beginning.
+[[nodiscard]] std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb,
+                                                   bool goesRound);
+
+} // namespace stretch::rig
