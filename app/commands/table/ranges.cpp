@@ -77,7 +77,13 @@ std::optional<rig::Moment> proposedMoment(const Session& session, const std::str
 }
 
 Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading) {
-  return ownOrLeading(proposedMoment(session, limb.id), leading, isPlayheadPlaced(session.view()));
+  constexpr double asStrong = 0.5;
+  const std::optional<rig::Moment> proposed = proposedMoment(session, limb.id);
+  const std::vector<rig::Moment> own = session.momentsOf(limb.id);
+  const rig::Moment* const meanwhile = rig::momentAt(own, 0.5 * (leading.x + leading.y));
+  const bool movesAlong = proposed && meanwhile->strength >= asStrong * proposed->strength;
+  const bool isPlaced = isPlayheadPlaced(session.view());
+  return ownOrLeading(movesAlong && !isPlaced ? std::optional(*meanwhile) : proposed, leading, isPlaced);
 }
 
 Vec2 rangeBesideStroke(const Session& session, const rig::Limb& limb, const Vec2& leading) {

@@ -28,7 +28,8 @@ namespace stretch::app {
 
 /// The range of a limb that is exaggerated together with one that leads over its range: its own stroke, as if
 /// it were alone, but the leading range where the two share most of their time (limbs that move as one stay
-/// together), where the limb makes no stroke, or none there while the playhead stands at a place in time.
+/// together, and one of a limb's strokes that goes along is as good as its strongest if it is half as
+/// strong), where the limb makes no stroke, or none there while the playhead stands at a place in time.
 [[nodiscard]] Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading);
 
 /// Returns the range about another stroke of the leading limb, wherever the playhead stands.
