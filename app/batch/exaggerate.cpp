@@ -43,7 +43,26 @@ Result<PlacedTrails> appliedRecipe(const Document& document, const Recipe& recip
   return placed;
 }
 
-Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests) {
+// The last text of an option that may come more than once; empty without it.
+std::string lastOf(const CommandLine& line, const std::string& option) {
+  std::string last;
+  for (const auto& [name, text] : line.inOrder()) {
+    last = name == option ? text : last;
+  }
+  return last;
+}
+
+// A recipe's trails are judged by the camera that the command names, where they name none.
+void setCamera(const std::string& camera, Recipe& recipe) {
+  for (rig::Trail& trail : recipe.trails) {
+    if (!trail.settings.sight.hasCamera()) {
+      trail.settings.sight.camera = camera;
+    }
+  }
+}
+
+Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                     const std::string& camera) {
   if (arguments.recipe.empty() && requests.empty()) {
     return Error{"no limb was named", "--limb", "name one, such as --limb left-arm, or give a --recipe"};
   }
@@ -57,10 +76,11 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (!document) {
     return document.error();
   }
-  const Result<Recipe> recipe = wantedTrails(arguments, requests, *document);
+  Result<Recipe> recipe = wantedTrails(arguments, requests, *document);
   if (!recipe) {
     return recipe.error();
   }
+  setCamera(arguments.recipe.empty() ? std::string() : camera, *recipe);
   if (arguments.loops) {
     *document = setLooping(*document, recipe->clip, true);
   }
@@ -86,8 +106,10 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
 Verb exaggerateVerb() {
   return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CommandLine& line) {
             const auto arguments = std::make_shared<ExaggerateArguments>();
-            line.examples({"dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --axes xz",
-                           "dummy.glb -o punch.glb --recipe refined-punch.json"});
+            line.examples(
+                {"dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --axes xz",
+                 "dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --camera front --as-seen",
+                 "dummy.glb -o punch.glb --recipe refined-punch.json"});
             addFileArguments(line, arguments->input);
             addPlan(line, arguments->input);
             addOutputArguments(line, arguments->output);
@@ -97,7 +119,9 @@ Verb exaggerateVerb() {
                       "The clip is played as a loop: a limb's way back at its end goes on at its start");
             addTrailOptions(line);
             addJson(line, arguments->json);
-            return [arguments, line] { return runExaggerate(*arguments, requestsOf(line)); };
+            return [arguments, line] {
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
+            };
           }};
 }
 

@@ -29,11 +29,17 @@ void showCharacter(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   app::Session& session = *shell.open.character();
   viewport.shown = {};
+  viewport.through.reset();
+  viewport.throughName.clear();
+  viewport.bookmarks = {};
   viewport.facingYawRadians = facingYaw(session.document(), 0);
   viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
   viewport.framePending = true;
   if (const auto text = readText(viewPath(shell.files.path()))) {
-    readView(*text, session.document(), session.view(), viewport.camera);
+    ViewBookmark now{viewport.camera};
+    readView(*text, session.document(), session.view(), now, viewport.bookmarks);
+    viewport.camera = now.camera;
+    viewport.throughName = now.through;
     session.followSelection();
     viewport.framePending = false;
   }
@@ -43,7 +49,8 @@ void showCharacter(Shell& shell) {
 void leaveCharacter(Shell& shell) {
   app::Session& session = *shell.open.character();
   finishTool(session, shell.tool, false);
-  const std::string view = viewText(session.view(), shell.viewport.camera);
+  const std::string view =
+      viewText(session.view(), {shell.viewport.camera, shell.viewport.throughName}, shell.viewport.bookmarks);
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));
   if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
     tellProblem(shell, writeText(viewPath(session.savePath()), view));

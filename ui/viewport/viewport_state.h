@@ -6,6 +6,7 @@
 
 #include "ui/render/view/camera.h"
 #include "ui/viewport/limb_hover.h"
+#include "ui/viewport/look_through.h"
 #include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"
 #include "ui/viewport/tangent_handles.h"
@@ -30,6 +31,9 @@ enum class ViewportGesture {
 /// Memory of the viewport between frames.
 struct ViewportState {
   Camera camera;
+  std::string throughName = {};              ///< Camera of the file that is looked through; empty: none.
+  std::optional<ThroughCamera> through = {}; ///< It, where it stands at the playhead.
+  ViewBookmarks bookmarks = {};
   View view;                  ///< View in this frame; pixels are the framebuffer's.
   Rect box;                   ///< The picture's place, window units.
   double pixelsPerUnit = 1.0; ///< Framebuffer pixels per window unit.

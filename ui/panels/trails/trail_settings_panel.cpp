@@ -60,6 +60,9 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
   if (section(widgets, "trail/section-limb", "Limb", closed)) {
     trailSection(context, trail, "limb");
   }
+  if (section(widgets, "trail/section-sight", "Camera", closed)) {
+    sightRows(context, trail);
+  }
   if (section(widgets, "trail/section-release", "Back to the original motion", closed)) {
     releaseRows(context, trail);
   }
