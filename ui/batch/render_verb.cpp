@@ -441,10 +441,6 @@ Status renderCharacter(const RenderArguments& arguments) {
 
 /// What no option can say by itself.
 Status checkTogether(const RenderArguments& arguments) {
-  if (arguments.output.empty() && arguments.video.empty()) {
-    return Error{"nothing says where the picture goes", "--output",
-                 "give -o picture.png, or --video punch.mp4"};
-  }
   if (arguments.sheet && (!arguments.video.empty() || !arguments.beside.empty())) {
     return Error{"a contact sheet is one picture of one file", "--sheet",
                  "leave it out, or --video and --beside"};
@@ -481,56 +477,57 @@ void addSequenceOptions(app::CommandLine& line, RenderArguments& arguments) {
 } // namespace
 
 app::Verb renderVerb() {
-  return {
-      "render",
-      "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet, a "
-      "video.",
-      [](app::CommandLine& line) {
-        const auto arguments = std::make_shared<RenderArguments>();
-        line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
-                       "punch.glb -o sheet.png --sheet --frames 18:36:2",
-                       "punch.glb --video punch.mp4 --beside dummy.glb --safe-frame"});
-        line.options("FILE", arguments->files,
-                     std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
-            .required()
-            .takes(1, 2);
-        app::addTolerant(line, arguments->input);
-        app::addPlan(line, arguments->input);
-        const app::DeclaredOption output =
-            line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN");
-        line.option(
-                "--video", arguments->video,
-                "The .mp4, .webm or .gif to write by ffmpeg, in place of -o; default: the whole clip, at its "
-                "speed")
-            .excludes(output);
-        app::addClipArguments(line, arguments->input);
-        const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
-        line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
-        line.option("--beside", arguments->beside,
-                    "Another file with the clip, such as the source, drawn on the left");
-        line.flag("--sheet", arguments->sheet,
-                  "One contact sheet: the frames of --frames, else twelve over the whole clip");
-        line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
-        const app::DeclaredOption view =
-            line.option("--view", arguments->view,
-                        "front, side, top, three-quarter, or best: what shows the first trail best")
-                .showDefault();
-        line.option("--camera", arguments->camera, "A camera of the file, which the clip may move")
-            .excludes(view);
-        line.flag("--safe-frame", arguments->safeFrame,
-                  "Outline the nine tenths of the picture that every screen shows");
-        line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
-        line.flag("--no-trails", arguments->withoutTrails,
-                  "Draw the character alone: trails of the file or recipe move it, and are not drawn");
-        line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
-            .between(0, 20);
-        line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
-        line.option(
-            "--weights", arguments->weights,
-            "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
-        addSequenceOptions(line, *arguments);
-        return [arguments] { return runRender(*arguments); };
-      }};
+  return {"render",
+          "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet, a "
+          "video.",
+          [](app::CommandLine& line) {
+            const auto arguments = std::make_shared<RenderArguments>();
+            line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
+                           "punch.glb -o sheet.png --sheet --frames 18:36:2",
+                           "punch.glb --video punch.mp4 --beside dummy.glb --safe-frame"});
+            line.options("FILE", arguments->files,
+                         std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
+                .required()
+                .takes(1, 2);
+            app::addTolerant(line, arguments->input);
+            app::addPlan(line, arguments->input);
+            const app::DeclaredOption output =
+                line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN");
+            const app::DeclaredOption video =
+                line.option("--video", arguments->video,
+                            "The .mp4, .webm or .gif to write by ffmpeg, in place of -o; default: the whole "
+                            "clip, at its speed");
+            video.excludes(output);
+            line.requireOne(output, video);
+            app::addClipArguments(line, arguments->input);
+            const app::DeclaredOption frame =
+                line.option("--frame", arguments->frame, "One frame; default: 0");
+            line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
+            line.option("--beside", arguments->beside,
+                        "Another file with the clip, such as the source, drawn on the left");
+            line.flag("--sheet", arguments->sheet,
+                      "One contact sheet: the frames of --frames, else twelve over the whole clip");
+            line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
+            const app::DeclaredOption view =
+                line.option("--view", arguments->view,
+                            "front, side, top, three-quarter, or best: what shows the first trail best")
+                    .showDefault();
+            line.option("--camera", arguments->camera, "A camera of the file, which the clip may move")
+                .excludes(view);
+            line.flag("--safe-frame", arguments->safeFrame,
+                      "Outline the nine tenths of the picture that every screen shows");
+            line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
+            line.flag("--no-trails", arguments->withoutTrails,
+                      "Draw the character alone: trails of the file or recipe move it, and are not drawn");
+            line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
+                .between(0, 20);
+            line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+            line.option(
+                "--weights", arguments->weights,
+                "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
+            addSequenceOptions(line, *arguments);
+            return [arguments] { return runRender(*arguments); };
+          }};
 }
 
 } // namespace stretch::ui
