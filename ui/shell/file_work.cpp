@@ -117,6 +117,9 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
     break;
+  case FilePurpose::saveFilm:
+    startFilm(shell, choice.path);
+    break;
   case FilePurpose::openModel:
   case FilePurpose::saveFrames:
   case FilePurpose::exportSequence:
@@ -219,6 +222,7 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
   const fs::path near = character->proposedSavePath();
   return purpose == FilePurpose::exportClean  ? near.stem().string() + "-clean.glb"
          : purpose == FilePurpose::saveRecipe ? near.stem().string() + "-recipe.json"
+         : purpose == FilePurpose::saveFilm   ? near.stem().string() + ".mp4"
                                               : near.filename().string();
 }
 
@@ -284,6 +288,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
   updateBinding(shell);
+  updateFilm(shell);
   updateFitting(shell);
   updateClipImport(shell);
   takeAnswers(shell);

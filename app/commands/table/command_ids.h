@@ -11,6 +11,7 @@ inline constexpr const char* fileSave = "file.save";
 inline constexpr const char* fileSaveAs = "file.save-as";
 inline constexpr const char* fileSaveIncremental = "file.save-incremental";
 inline constexpr const char* fileExportClean = "file.export-clean";
+inline constexpr const char* fileFilm = "file.film";
 inline constexpr const char* fileQuit = "file.quit";
 inline constexpr const char* recipeSave = "recipe.save";
 inline constexpr const char* recipeLoad = "recipe.load";

@@ -193,7 +193,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+             fileExportClean, fileFilm, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
