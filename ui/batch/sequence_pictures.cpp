@@ -10,7 +10,7 @@
 #include "ui/render/picture/image_edits.h"
 #include "ui/render/scene/sequence_scene.h"
 #include "ui/viewport/assemble_picture.h"
-#include "ui/viewport/look_through.h"
+#include "ui/viewport/camera/look_through.h"
 
 namespace stretch::ui {
 

@@ -29,17 +29,17 @@ void showCharacter(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   app::Session& session = *shell.open.character();
   viewport.shown = {};
-  viewport.through.reset();
-  viewport.throughName.clear();
-  viewport.bookmarks = {};
-  viewport.facingYawRadians = facingYaw(session.document(), 0);
-  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
+  viewport.look.through.reset();
+  viewport.look.name.clear();
+  viewport.look.kept = {};
+  viewport.look.facingYawRadians = facingYaw(session.document(), 0);
+  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.look.facingYawRadians);
   viewport.framePending = true;
   if (const auto text = readText(viewPath(shell.files.path()))) {
     ViewBookmark now{viewport.camera};
-    readView(*text, session.document(), session.view(), now, viewport.bookmarks);
+    readView(*text, session.document(), session.view(), now, viewport.look.kept);
     viewport.camera = now.camera;
-    viewport.throughName = now.through;
+    viewport.look.name = now.through;
     session.followSelection();
     viewport.framePending = false;
   }
@@ -50,7 +50,7 @@ void leaveCharacter(Shell& shell) {
   app::Session& session = *shell.open.character();
   finishTool(session, shell.tool, false);
   const std::string view =
-      viewText(session.view(), {shell.viewport.camera, shell.viewport.throughName}, shell.viewport.bookmarks);
+      viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name}, shell.viewport.look.kept);
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));
   if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
     tellProblem(shell, writeText(viewPath(session.savePath()), view));

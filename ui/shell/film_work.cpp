@@ -40,7 +40,7 @@ FilmRequest requestOf(Shell& shell) {
   request.look.ghosts = overlays.ghosts ? overlays.ghostsBefore : 0;
   request.look.trails = false;
   request.look.labelled = true;
-  request.look.camera = cameraNamed(*request.document.scene, shell.viewport.throughName);
+  request.look.camera = cameraNamed(*request.document.scene, shell.viewport.look.name);
   request.options.safeFrame = overlays.safeFrame;
   request.options.camera = shell.viewport.camera;
   return request;

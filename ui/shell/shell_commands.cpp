@@ -16,7 +16,6 @@
 #include "app/edits/pose/offset_edits.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/bind_work.h"
-#include "ui/shell/camera_commands.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/fit_work.h"
 #include "ui/shell/input.h"
@@ -128,9 +127,9 @@ ShellCommand switchCommand(const char* id, const char* label, const char* help,
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
   return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
-                 lookFreely(shell.viewport);
+                 lookFreely(shell.viewport.look, shell.viewport.camera);
                  shell.viewport.camera =
-                     lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
+                     lookFrom(shell.viewport.camera, direction, shell.viewport.look.facingYawRadians);
                }));
 }
 

@@ -5,7 +5,7 @@
 #include "app/session.h"
 #include "ui/panels/state/ui_state.h"
 #include "ui/shell/pane_layout.h"
-#include "ui/viewport/look_through.h"
+#include "ui/viewport/camera/look_through.h"
 
 namespace stretch::ui {
 

@@ -365,7 +365,7 @@ void drawEaseCurve(ViewportContext& context) {
 /// The picture of the file's camera, with what lies outside of it dimmed, and the safe frame.
 void drawCameraFrame(ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
-  const auto aspect = viewport.through ? viewport.through->lens.aspect : std::nullopt;
+  const auto aspect = viewport.look.through ? viewport.look.through->lens.aspect : std::nullopt;
   const auto boxOf = [&](double share) {
     const PixelBox pixels = frameIn(viewport.view.viewport, aspect, share);
     const auto corner = [&](const Vec2& place) {
@@ -376,7 +376,7 @@ void drawCameraFrame(ViewportContext& context) {
   };
   ImDrawList* const draw = ImGui::GetWindowDrawList();
   const Rect frame = boxOf(1.0);
-  if (viewport.through && aspect) {
+  if (viewport.look.through && aspect) {
     const ImU32 dim = faded(context.theme.colours.background, 0.6F);
     draw->AddRectFilled(viewport.box.min, {viewport.box.max.x, frame.min.y}, dim);
     draw->AddRectFilled({viewport.box.min.x, frame.max.y}, viewport.box.max, dim);
@@ -391,11 +391,11 @@ void drawCameraFrame(ViewportContext& context) {
   }
 }
 
-/// The lens, and how many frames a second the clip has.
+/// The lens, and the rate of the clip.
 void drawLens(ViewportContext& context) {
   const Theme& theme = context.theme;
   const app::Session& session = *context.open.character();
-  std::string text = lensText(context.viewport);
+  std::string text = lensText(context.viewport.look, context.viewport.camera);
   if (app::hasClip(session.document(), session.view().clip)) {
     text += fmt::format(", {:.4g} fps", app::clipOf(session.document(), session.view().clip).framesPerSecond);
   }

@@ -56,7 +56,7 @@ void navigate(ViewportState& viewport) {
   const Viewport& size = viewport.view.viewport;
   if (moved != Vec2(0.0) && viewport.gesture <= ViewportGesture::zoom &&
       viewport.gesture != ViewportGesture::none) {
-    lookFreely(viewport);
+    lookFreely(viewport.look, viewport.camera);
   }
   switch (viewport.gesture) {
   case ViewportGesture::orbit:
@@ -313,7 +313,7 @@ void turnWheel(ViewportContext& context, double steps) {
     return;
   }
   ViewportState& viewport = context.viewport;
-  lookFreely(viewport);
+  lookFreely(viewport.look, viewport.camera);
   viewport.camera =
       zoomed(viewport.camera, viewport.view.viewport, std::pow(0.88, steps), viewport.mousePixels);
 }

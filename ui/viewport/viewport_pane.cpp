@@ -119,12 +119,12 @@ void lookThrough(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   app::Session* const session = context.open.character();
   const SceneCamera* const camera =
-      session != nullptr ? cameraNamed(*session->document().scene, viewport.throughName) : nullptr;
-  viewport.through =
+      session != nullptr ? cameraNamed(*session->document().scene, viewport.look.name) : nullptr;
+  viewport.look.through =
       camera != nullptr ? throughCamera(session->document(), *camera, session->shownAt(session->view().frame))
                         : std::nullopt;
-  if (!viewport.through) {
-    viewport.throughName.clear();
+  if (!viewport.look.through) {
+    viewport.look.name.clear();
   }
 }
 
@@ -135,7 +135,8 @@ void updateView(ViewportContext& context) {
   size.heightPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.height()));
   size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(context.theme.scale);
   lookThrough(context);
-  viewport.view = viewport.through ? viewThrough(*viewport.through, size) : makeView(viewport.camera, size);
+  viewport.view =
+      viewport.look.through ? viewThrough(*viewport.look.through, size) : makeView(viewport.camera, size);
   if (context.open.character() != nullptr) {
     context.open.character()->view().cameraAxes =
         Mat3(viewRight(viewport.view), viewUp(viewport.view), -viewport.view.forward);
@@ -295,7 +296,7 @@ void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything) {
     box = gpu.bounds->boxOf(*session.document().scene, session.shownAt(session.view().frame));
     box.add(everything ? selectionBox(session, context.viewport.shown) : Box{});
   }
-  lookFreely(context.viewport);
+  lookFreely(context.viewport.look, context.viewport.camera);
   context.viewport.camera = fitted(context.viewport.camera, context.viewport.view.viewport, box, 0.1);
 }
 

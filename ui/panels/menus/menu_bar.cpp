@@ -184,6 +184,32 @@ void drawKeysMenu(PanelContext& context) {
            false);
 }
 
+void viewMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"View", {viewFrameSelection,
+                              viewFrameAll,
+                              viewBest,
+                              "",
+                              viewFront,
+                              viewSide,
+                              viewTop,
+                              viewPerspective,
+                              viewCamera,
+                              viewSafeFrame,
+                              "",
+                              viewControllers,
+                              viewSkeleton,
+                              viewWire,
+                              viewJointNames,
+                              viewWeights,
+                              viewHeatMap,
+                              viewGhosts,
+                              viewFrameNumbers,
+                              viewGrid,
+                              viewSideBySide}},
+           false);
+}
+
 } // namespace
 
 void drawMenuBar(PanelContext& context) {
@@ -232,28 +258,7 @@ void drawMenuBar(PanelContext& context) {
                      "",          timeEveryFrame, timeOnTwos,  "",          clipPrevious,   clipNext,
                      clipRate24,  clipRate25,     clipRate30,  clipRateOwn}},
            false);
-  drawMenu(context, {"View", {viewFrameSelection,
-                              viewFrameAll,
-                              viewBest,
-                              "",
-                              viewFront,
-                              viewSide,
-                              viewTop,
-                              viewPerspective,
-                              viewCamera,
-                              viewSafeFrame,
-                              "",
-                              viewControllers,
-                              viewSkeleton,
-                              viewWire,
-                              viewJointNames,
-                              viewWeights,
-                              viewHeatMap,
-                              viewGhosts,
-                              viewFrameNumbers,
-                              viewGrid,
-                              viewSideBySide}},
-           false);
+  viewMenu(context);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);

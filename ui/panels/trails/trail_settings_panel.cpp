@@ -60,9 +60,6 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
   if (section(widgets, "trail/section-limb", "Limb", closed)) {
     trailSection(context, trail, "limb");
   }
-  if (section(widgets, "trail/section-sight", "Camera", closed)) {
-    sightRows(context, trail);
-  }
   if (section(widgets, "trail/section-release", "Back to the original motion", closed)) {
     releaseRows(context, trail);
   }
@@ -72,6 +69,9 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
   if (section(widgets, "trail/section-space", "Space", closed)) {
     spaceRows(context, trail);
     stopRows(context, trail);
+  }
+  if (section(widgets, "trail/section-sight", "Camera", closed)) {
+    sightRows(context, trail);
   }
   weightSection(context, trail.limb);
   holdSection(context);

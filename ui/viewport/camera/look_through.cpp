@@ -1,4 +1,4 @@
-#include "ui/viewport/look_through.h"
+#include "ui/viewport/camera/look_through.h"
 
 #include <algorithm>
 
@@ -7,7 +7,6 @@
 
 #include "app/evaluate/seen.h"
 #include "core/math/transform.h"
-#include "ui/viewport/viewport_state.h"
 
 namespace stretch::ui {
 
@@ -23,21 +22,19 @@ std::optional<ThroughCamera> throughCamera(const app::Document& document, const 
                        std::max(0.5 * document.body.height, glm::distance(body, place->position))};
 }
 
-void lookFreely(ViewportState& viewport) {
-  if (viewport.through) {
-    viewport.camera = orbitingFrom(*viewport.through);
+void lookFreely(ViewportLook& look, Camera& camera) {
+  if (look.through) {
+    camera = orbitingFrom(*look.through);
   }
-  viewport.through.reset();
-  viewport.throughName.clear();
+  look.through.reset();
+  look.name.clear();
 }
 
-std::string lensText(const ViewportState& viewport) {
-  const bool isThrough = viewport.through.has_value();
-  const bool isPerspective = isThrough ? viewport.through->lens.kind == CameraKind::perspective
-                                       : viewport.camera.projection == ProjectionKind::perspective;
-  const double angle =
-      isThrough ? viewport.through->lens.fieldOfViewRadians : viewport.camera.fieldOfViewRadians;
-  return (isThrough ? viewport.throughName + ", " : std::string()) +
+std::string lensText(const ViewportLook& look, const Camera& camera) {
+  const bool isPerspective = look.through ? look.through->lens.kind == CameraKind::perspective
+                                          : camera.projection == ProjectionKind::perspective;
+  const double angle = look.through ? look.through->lens.fieldOfViewRadians : camera.fieldOfViewRadians;
+  return (look.through ? look.name + ", " : std::string()) +
          (isPerspective ? fmt::format("perspective, {:.0f} mm", focalLength(angle)) : "orthographic");
 }
 

@@ -10,8 +10,6 @@
 
 namespace stretch::ui {
 
-struct ViewportState;
-
 /// A view that is kept under a number.
 struct ViewBookmark {
   Camera camera;
@@ -23,6 +21,15 @@ struct ViewBookmark {
 /// The views that the user keeps, with the file's settings.
 using ViewBookmarks = std::array<std::optional<ViewBookmark>, 9>;
 
+/// From where the viewport looks, beside its own camera.
+struct ViewportLook {
+  std::string name = {};                     ///< Camera of the file that is looked through; empty: none.
+  std::optional<ThroughCamera> through = {}; ///< It, where it stands at the playhead.
+  ViewBookmarks kept = {};
+  double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
+                                 ///< start.
+};
+
 /// A camera of the file in a frame of the document, to be looked through; nothing where its node is squashed
 /// flat.
 [[nodiscard]] std::optional<ThroughCamera> throughCamera(const app::Document& document,
@@ -30,9 +37,9 @@ using ViewBookmarks = std::array<std::optional<ViewBookmark>, 9>;
 
 /// Takes the view's own camera to where the file's camera stands, and looks through it no longer: what the
 /// hand moves is never the file's.
-void lookFreely(ViewportState& viewport);
+void lookFreely(ViewportLook& look, Camera& camera);
 
-/// The lens that the viewport looks through, in words: "Side, perspective, 39 mm".
-[[nodiscard]] std::string lensText(const ViewportState& viewport);
+/// The lens that is looked through, in words: "Side, perspective, 39 mm".
+[[nodiscard]] std::string lensText(const ViewportLook& look, const Camera& camera);
 
 } // namespace stretch::ui
