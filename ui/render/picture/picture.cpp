@@ -109,7 +109,7 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   if (parts.options.safeFrame) {
     const Viewport size{static_cast<double>(image.width), static_cast<double>(image.height)};
     const auto aspect = picture.through ? picture.through->lens.aspect : std::nullopt;
-    outline(image, frameIn(size, aspect, safeFrame), style.palette.label);
+    outline(image, frameIn(size, aspect, safeFrame), glm::vec3(style.palette.label));
   }
   if (picture.legend) {
     drawLegend(image, parts.face, margin, *picture.legend, style.palette.label);
