@@ -402,7 +402,8 @@ void drawLens(ViewportContext& context) {
   ImFont* const font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text.c_str());
   const Rect& box = context.viewport.box;
-  const ImVec2 corner{box.min.x + theme.unit() * 1.5F, box.min.y + theme.unit() * 1.5F};
+  // Above the label of what the picture shows; messages come at the top.
+  const ImVec2 corner{box.min.x + theme.unit() * 1.5F, box.max.y - theme.unit() * 1.5F - theme.px(38.0F)};
   if (corner.x + size.x < box.max.x - theme.px(120.0F)) {
     label(context, corner, text, theme.colours.quietText);
     context.items.add("viewport/lens", corner, {corner.x + size.x, corner.y + size.y});
