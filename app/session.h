@@ -44,6 +44,7 @@ struct ViewState {
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
   bool showOriginal = false; ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
+  CameraPlace camera;   ///< The view itself; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< Trail that Paste pastes.
   /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
   std::optional<OffsetPose> copiedPose;

@@ -45,9 +45,29 @@ Result<PlacedTrails> appliedRecipe(const Document& document, const Recipe& recip
   return placed;
 }
 
-Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests) {
-  if (arguments.every.wanted && !(arguments.recipe.empty() && requests.empty())) {
-    return Error{"stands beside trails of your own", "--auto", "leave out --limb and --recipe, or --auto"};
+// The last text of an option that may come more than once; empty without it.
+std::string lastOf(const CommandLine& line, const std::string& option) {
+  std::string last;
+  for (const auto& [name, text] : line.inOrder()) {
+    last = name == option ? text : last;
+  }
+  return last;
+}
+
+// A recipe's trails are judged by the camera that the command names, where they name none.
+void setCamera(const std::string& camera, Recipe& recipe) {
+  for (rig::Trail& trail : recipe.trails) {
+    if (!trail.settings.sight.hasCamera()) {
+      trail.settings.sight.camera = camera;
+    }
+  }
+}
+
+Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                 const std::string& camera) {
+  if (arguments.every.wanted && !(arguments.recipe.empty() && requests.empty() && camera.empty())) {
+    return Error{"stands beside trails of your own", "--auto",
+                 "leave out --limb, --camera and --recipe, or --auto"};
   }
   if (!arguments.every.wanted && arguments.every.givesAny()) {
     return Error{"a style is for every moment at once", "--style", "give --auto as well"};
@@ -64,11 +84,13 @@ Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRe
 
 // The trails that were named, or of the recipe.
 Result<gltf::Json> exaggerated(const ExaggerateArguments& arguments,
-                               const std::vector<TrailRequest>& requests, Document& document) {
-  const Result<Recipe> recipe = wantedTrails(arguments, requests, document);
+                               const std::vector<TrailRequest>& requests, const std::string& camera,
+                               Document& document) {
+  Result<Recipe> recipe = wantedTrails(arguments, requests, document);
   if (!recipe) {
     return recipe.error();
   }
+  setCamera(arguments.recipe.empty() ? std::string() : camera, *recipe);
   if (arguments.loops) {
     document = setLooping(document, recipe->clip, true);
   }
@@ -80,8 +102,9 @@ Result<gltf::Json> exaggerated(const ExaggerateArguments& arguments,
   return exaggerationJson(document, recipe->clip, placed->trailIds);
 }
 
-Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests) {
-  if (Status oneWay = checkWays(arguments, requests); !oneWay) {
+Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                     const std::string& camera) {
+  if (Status oneWay = checkWays(arguments, requests, camera); !oneWay) {
     return oneWay;
   }
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
@@ -93,7 +116,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   }
   const bool isAuto = arguments.every.wanted;
   const Result<gltf::Json> report = isAuto ? autoExaggerated(arguments.every, arguments.input, *document)
-                                           : exaggerated(arguments, requests, *document);
+                                           : exaggerated(arguments, requests, camera, *document);
   if (!report) {
     return report.error();
   }
@@ -126,7 +149,9 @@ Verb exaggerateVerb() {
             addAutoOptions(line, arguments->every);
             addTrailOptions(line);
             addJson(line, arguments->json);
-            return [arguments, line] { return runExaggerate(*arguments, requestsOf(line)); };
+            return [arguments, line] {
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
+            };
           }};
 }
 

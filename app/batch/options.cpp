@@ -1,11 +1,13 @@
 #include "app/batch/options.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "app/edits/body/limb_edits.h"
 #include "app/edits/keys/rate_edits.h"
@@ -204,6 +206,17 @@ const std::string* textOf(const SettingTexts& texts, const SettingFacts& setting
   }
   const auto value = texts.values.find(setting.option);
   return value == texts.values.end() || value->second.empty() ? nullptr : &value->second;
+}
+
+skinning::Proceed terminalProgress(const std::string& doing) {
+  if (isatty(STDERR_FILENO) == 0) {
+    return {};
+  }
+  return [doing](double share) {
+    fmt::print(stderr, "\r{}: {:.0f} %{}", doing, 100.0 * share, share < 1.0 ? "" : "\r\033[K");
+    std::fflush(stderr);
+    return true;
+  };
 }
 
 } // namespace stretch::app

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/gltf/json/json.h"
 #include "skinning/elastic/moduli.h"
+#include "skinning/fit/alternate.h"
 
 namespace stretch::app {
 
@@ -149,6 +150,9 @@ template <typename Settings>
   setting.write(*value, settings);
   return Success{};
 }
+
+/// Tells how far work is where somebody looks: at a terminal. `doing`: "compressing".
+[[nodiscard]] skinning::Proceed terminalProgress(const std::string& doing);
 
 template <typename Settings>
 [[nodiscard]] Status setFromTexts(const Schema<Settings>& schema, const SettingTexts& texts,

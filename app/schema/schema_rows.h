@@ -30,6 +30,8 @@ template <typename Value>
     return SettingKind::ease;
   } else if constexpr (std::is_same_v<Value, std::array<bool, 3>>) {
     return SettingKind::axes;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return SettingKind::text;
   } else {
     static_assert(std::is_same_v<Value, Vec3>, "a setting of this type needs a kind");
     return SettingKind::vector;
@@ -75,6 +77,8 @@ void take(const gltf::Json& json, const std::vector<SettingChoice>& choices, Val
     }
   } else if constexpr (std::is_same_v<Value, Vec3>) {
     value = Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    value = json.get<std::string>();
   } else {
     value = static_cast<Value>(json.get<std::conditional_t<std::is_same_v<Value, bool>, bool, double>>());
   }

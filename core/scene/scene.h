@@ -14,6 +14,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/math/transform.h"
+#include "core/scene/camera.h"
 #include "core/scene/node_index.h"
 #include "core/scene/texture_use.h"
 
@@ -122,6 +123,7 @@ struct Scene {
   /// one.
   std::map<std::string, NodeIndex> humanoid;
   std::vector<BindChain> bindChains; ///< Chains of a file that this program stretched.
+  std::vector<SceneCamera> cameras;  ///< In the order of their nodes.
 };
 
 /// Node indices ordered so that every parent comes before its children. Files are checked for loops when they
@@ -139,6 +141,9 @@ struct Scene {
 
 /// The nodes, and all below them; ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
+
+/// The camera of this name; null where there is none.
+[[nodiscard]] const SceneCamera* cameraNamed(const Scene& scene, const std::string& name);
 
 /// Nodes that are a joint of any skin.
 [[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);

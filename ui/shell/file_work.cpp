@@ -31,11 +31,17 @@ void showCharacter(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   app::Session& session = *shell.open.character();
   viewport.shown = {};
-  viewport.facingYawRadians = facingYaw(session.document(), 0);
-  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
+  viewport.look.through.reset();
+  viewport.look.name.clear();
+  viewport.look.kept = {};
+  viewport.look.facingYawRadians = facingYaw(session.document(), 0);
+  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.look.facingYawRadians);
   viewport.framePending = true;
   if (const auto text = readText(viewPath(shell.files.path()))) {
-    readView(*text, session.document(), session.view(), viewport.camera);
+    ViewBookmark now{viewport.camera};
+    readView(*text, session.document(), session.view(), now, viewport.look.kept);
+    viewport.camera = now.camera;
+    viewport.look.name = now.through;
     session.followSelection();
     viewport.framePending = false;
   }
@@ -45,7 +51,8 @@ void showCharacter(Shell& shell) {
 void leaveCharacter(Shell& shell) {
   app::Session& session = *shell.open.character();
   finishTool(session, shell.tool, false);
-  const std::string view = viewText(session.view(), shell.viewport.camera);
+  const std::string view =
+      viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name}, shell.viewport.look.kept);
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));
   if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
     tellProblem(shell, writeText(viewPath(session.savePath()), view));
@@ -117,6 +124,9 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
     break;
   case FilePurpose::saveStyle:
     exportStyle(shell, choice.path);
+    break;
+  case FilePurpose::saveFilm:
+    startFilm(shell, choice.path);
     break;
   case FilePurpose::openModel:
   case FilePurpose::saveFrames:
@@ -221,6 +231,7 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
   return purpose == FilePurpose::exportClean  ? near.stem().string() + "-clean.glb"
          : purpose == FilePurpose::saveStyle  ? app::fileOfStyle({}, chosenStyle(shell).name).string()
          : purpose == FilePurpose::saveRecipe ? near.stem().string() + "-recipe.json"
+         : purpose == FilePurpose::saveFilm   ? near.stem().string() + ".mp4"
                                               : near.filename().string();
 }
 
@@ -286,6 +297,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
   updateBinding(shell);
+  updateFilm(shell);
   updateFitting(shell);
   updateClipImport(shell);
   updateClipStyle(shell);

@@ -27,7 +27,7 @@ bool isMeshAlone(const Shell& shell) {
 bool canStop(const Shell& shell) {
   const app::SequenceSession* const sequence = shell.open.sequence();
   return shell.fitting.job != nullptr || shell.binding.job != nullptr || shell.clipImport.job != nullptr ||
-         (sequence != nullptr && sequence->isWorking());
+         shell.film.job != nullptr || (sequence != nullptr && sequence->isWorking());
 }
 
 Status stop(Shell& shell) {
@@ -39,6 +39,7 @@ Status stop(Shell& shell) {
   cancel(shell.fitting.job);
   cancel(shell.binding.job);
   cancel(shell.clipImport.job);
+  cancel(shell.film.job);
   if (shell.open.sequence() != nullptr) {
     shell.open.sequence()->cancelWork();
   }
@@ -89,8 +90,9 @@ std::vector<app::Command<Shell>> stopCommands() {
   app::Command<Shell> command;
   command.id = app::command::workStop;
   command.label = "Stop what is in progress";
-  command.help = "Ends binding, fitting locators, importing a clip, compressing or exporting before it is "
-                 "done; what is open stays as it is.";
+  command.help =
+      "Ends binding, fitting locators, importing a clip, drawing a video, compressing or exporting before "
+      "it is done; what is open stays as it is.";
   command.keys = {"Esc"};
   command.enabled = canStop;
   command.run = stop;

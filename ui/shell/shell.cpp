@@ -45,6 +45,9 @@ EditorStatus statusOf(const Shell& shell) {
   } else if (shell.fitting.job != nullptr) {
     status.busyText = "Fitting locators";
     status.busyFraction = static_cast<float>(shell.fitting.job->share());
+  } else if (shell.film.job != nullptr) {
+    status.busyText = "Drawing " + shell.film.path.filename().string();
+    status.busyFraction = static_cast<float>(shell.film.job->share());
   } else if (shell.binding.job != nullptr) {
     status.busyText = "Binding the mesh";
     status.busyFraction = static_cast<float>(shell.binding.job->share());

@@ -13,6 +13,7 @@
 #include "app/sequence/job.h"
 #include "ui/panels/context/panel_context.h"
 #include "ui/shell/bind_work.h"
+#include "ui/shell/film_work.h"
 #include "ui/shell/fit_work.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/style_work.h"
@@ -45,6 +46,7 @@ struct Shell {
   FitWork fitting;
   ClipImport clipImport;
   StyleWork styling;
+  FilmWork film;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   app::KeyboardLayout keyboard; ///< The operating system's, as of this frame.

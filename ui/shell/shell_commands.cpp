@@ -81,6 +81,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::viewWeights, &overlays.weights},
       {command::viewGrid, &overlays.grid},
       {command::viewFrameNumbers, &overlays.trailFrameNumbers},
+      {command::viewSafeFrame, &overlays.safeFrame},
       {command::viewSideBySide, &overlays.sideBySide},
       {command::viewLeftPane, &panes.leftOpen},
       {command::viewBottomPane, &panes.bottomOpen},
@@ -127,8 +128,9 @@ ShellCommand switchCommand(const char* id, const char* label, const char* help,
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
   return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
+                 lookFreely(shell.viewport.look, shell.viewport.camera);
                  shell.viewport.camera =
-                     lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
+                     lookFrom(shell.viewport.camera, direction, shell.viewport.look.facingYawRadians);
                }));
 }
 
@@ -327,6 +329,9 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::fileExportClean, "Export clean",
             "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
+      entry(command::fileFilm, "Playblast: video or pictures",
+            "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.",
+            {}, {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
       entry(command::recipeSave, "Save a recipe",
             "Writes the clip's poses, trails and weight, to be replayed on another clip or character.", {},
             {hasWork, "make a trail or pose a controller first"}, askingFor(FilePurpose::saveRecipe)),
@@ -419,6 +424,8 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),
+      switchCommand(command::viewSafeFrame, "Safe frame",
+                    "Outlines the nine tenths of the picture that every screen shows.", {}),
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", {}),
       entry(command::viewFrameSelection, "Frame the selection",
@@ -427,18 +434,20 @@ std::vector<ShellCommand> viewCommands() {
       entry(command::viewFrameAll, "Frame everything",
             "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.framePending = true; })),
-      directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Numpad 1",
+      directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Ctrl+Numpad 1",
                        ViewDirection::front),
-      directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Numpad 3",
+      directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Ctrl+Numpad 3",
                        ViewDirection::side),
-      directionCommand(command::viewTop, "Top view", "Looks down on the character.", "Numpad 7",
+      directionCommand(command::viewTop, "Top view", "Looks down on the character.", "Ctrl+Numpad 7",
                        ViewDirection::top),
       directionCommand(command::viewPerspective, "Perspective view",
-                       "Looks with perspective, from the front and above.", "Numpad 5",
+                       "Looks with perspective, from the front and above.", "Ctrl+Numpad 5",
                        ViewDirection::threeQuarter),
-      switchCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", {"Ctrl+1"}),
-      switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", {"Ctrl+2"}),
-      switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", {"Ctrl+3"}),
+      switchCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", {"Ctrl+Alt+1"}),
+      switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.",
+                    {"Ctrl+Alt+2"}),
+      switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.",
+                    {"Ctrl+Alt+3"}),
       entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
             {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
       entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
@@ -484,6 +493,7 @@ std::vector<ShellCommand> editorCommands() {
   append(all, stopCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
+  append(all, cameraCommands());
   append(all, helpCommands());
   return all;
 }

@@ -11,6 +11,7 @@ inline constexpr const char* fileSave = "file.save";
 inline constexpr const char* fileSaveAs = "file.save-as";
 inline constexpr const char* fileSaveIncremental = "file.save-incremental";
 inline constexpr const char* fileExportClean = "file.export-clean";
+inline constexpr const char* fileFilm = "file.film";
 inline constexpr const char* fileQuit = "file.quit";
 inline constexpr const char* recipeSave = "recipe.save";
 inline constexpr const char* recipeLoad = "recipe.load";
@@ -109,6 +110,17 @@ inline constexpr const char* viewFront = "view.front";
 inline constexpr const char* viewSide = "view.side";
 inline constexpr const char* viewTop = "view.top";
 inline constexpr const char* viewPerspective = "view.perspective";
+inline constexpr const char* viewCamera = "view.camera";
+inline constexpr const char* viewBest = "view.best";
+inline constexpr const char* viewSafeFrame = "view.safe-frame";
+/// Commands of the keys Ctrl+1 to Ctrl+9: the view is kept under that number.
+inline constexpr std::array<const char*, 9> keepView{"view.keep-1", "view.keep-2", "view.keep-3",
+                                                     "view.keep-4", "view.keep-5", "view.keep-6",
+                                                     "view.keep-7", "view.keep-8", "view.keep-9"};
+/// Commands of the keys 1 to 9 of the numpad: to that view.
+inline constexpr std::array<const char*, 9> keptView{"view.kept-1", "view.kept-2", "view.kept-3",
+                                                     "view.kept-4", "view.kept-5", "view.kept-6",
+                                                     "view.kept-7", "view.kept-8", "view.kept-9"};
 
 inline constexpr const char* sequenceCompress = "sequence.compress";
 inline constexpr const char* sequenceCancel = "sequence.cancel";

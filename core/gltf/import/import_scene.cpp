@@ -157,6 +157,7 @@ Scene importScene(const Source& source, Problems& problems) {
   scene.materials = importMaterials(source, problems);
   scene.images = importImages(source, scene.materials, problems);
   scene.humanoid = importHumanoid(source, problems);
+  scene.cameras = importCameras(source, problems);
   if (!problems.hasErrors()) {
     foldBindLeaves(scene);
   }

@@ -234,6 +234,8 @@ RowEdit settingControl(PanelContext& context, const std::string& id, const app::
     return axesControl(context, id, value);
   case app::SettingKind::ease:
     return easeControl(context, id, setting, value);
+  case app::SettingKind::text: // a name is chosen from a list of its own
+    return {{}, value};
   case app::SettingKind::vector:
     break;
   }

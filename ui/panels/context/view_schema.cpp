@@ -19,6 +19,8 @@ app::Schema<ViewportOverlays> shownThings() {
       setting<V>({.name = "weights", .help = "How much the mesh follows one joint, as colour."}, &V::weights),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
+      setting<V>({.name = "safe_frame", .help = "The part of the picture that every screen shows."},
+                 &V::safeFrame),
       setting<V>({.name = "side_by_side", .help = "The original beside the exaggerated character."},
                  &V::sideBySide),
       setting<V>({.name = "trail_frame_numbers", .help = "Numbers of frames along trails."},

@@ -65,6 +65,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".glb", ".gltf", ".vrm"};
   case FilePurpose::openClip:
     return {".glb", ".gltf", ".vrm", ".vrma"};
+  case FilePurpose::saveFilm:
+    return {".mp4", ".webm", ".gif", ".png"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -106,6 +108,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Save moduli";
   case FilePurpose::openSkeleton:
     return "Take the bones of a file";
+  case FilePurpose::saveFilm:
+    return "Save a video or numbered pictures";
   case FilePurpose::saveFrames:
     break;
   }

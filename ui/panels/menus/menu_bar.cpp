@@ -218,6 +218,32 @@ void drawKeysMenu(PanelContext& context) {
            false);
 }
 
+void viewMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"View", {viewFrameSelection,
+                              viewFrameAll,
+                              viewBest,
+                              "",
+                              viewFront,
+                              viewSide,
+                              viewTop,
+                              viewPerspective,
+                              viewCamera,
+                              viewSafeFrame,
+                              "",
+                              viewControllers,
+                              viewSkeleton,
+                              viewWire,
+                              viewJointNames,
+                              viewWeights,
+                              viewHeatMap,
+                              viewGhosts,
+                              viewFrameNumbers,
+                              viewGrid,
+                              viewSideBySide}},
+           false);
+}
+
 } // namespace
 
 void drawMenuBar(PanelContext& context) {
@@ -227,7 +253,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+             fileExportClean, fileFilm, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
@@ -263,12 +289,7 @@ void drawMenuBar(PanelContext& context) {
              clipRate30,
              clipRateOwn}},
            false);
-  drawMenu(context,
-           {"View",
-            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
-             viewControllers, viewSkeleton, viewWire, viewJointNames, viewWeights, viewHeatMap, viewGhosts,
-             viewFrameNumbers, viewGrid, viewSideBySide}},
-           false);
+  viewMenu(context);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);

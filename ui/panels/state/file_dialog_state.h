@@ -24,7 +24,8 @@ enum class FilePurpose {
   exportSequence,
   openModuli,
   saveModuli,
-  openSkeleton
+  openSkeleton,
+  saveFilm
 };
 
 /// One row of a folder's listing.

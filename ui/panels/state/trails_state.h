@@ -31,6 +31,15 @@ struct LookState {
   bool bodyTravels = false;                        ///< Why a new trail there starts in the space root.
 };
 
+/// How much of the selected trail is seen, as last looked for.
+struct SeenState {
+  std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
+  int trailId = 0;
+  CameraPlace camera = {};
+  std::string text = {};
+  double share = 1.0;
+};
+
 /// The style that was taken last, and for which trails of which character.
 struct TakenStyle {
   std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
@@ -58,6 +67,7 @@ struct TrailPanels {
   std::vector<rig::Style> styles = rig::builtInStyles(); ///< Styles that are offered: with the user's own.
   ClipStyleState clipStyle;
   LookState look;
+  SeenState seen;
   TakenStyle takenStyle;
   RenameState rename;
   bool allWarnings = false; ///< Every warning of the trail is listed, not the first alone.

@@ -25,6 +25,8 @@ struct ShownStyle {
                                     const std::vector<int>& trails);
 /// Tells what became of the tip: its length, and why it is not what was asked for.
 void tipMessages(PanelContext& context, int trailId);
+/// The camera that judges the trail, what it sees, and the scale as it sees it.
+void sightRows(PanelContext& context, const rig::Trail& trail);
 void releaseRows(PanelContext& context, const rig::Trail& trail);
 void sphereRows(PanelContext& context, const rig::Trail& trail);
 /// "Up to here and not past it": an axis-aligned plane that the limb's end does not pass.

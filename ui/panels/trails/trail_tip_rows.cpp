@@ -8,6 +8,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/seen.h"
 #include "app/evaluate/way_back.h"
 #include "rig/motion/solve.h"
 #include "ui/panels/context/setting_rows.h"
@@ -91,8 +92,8 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
 /// Why the limb does not get as long or as short as it should, and what to do.
 std::string reachProblem(const PanelContext& context, const rig::SolvedTrail& solved) {
   const rig::TipSolution& tip = solved.tip;
-  if (tip.outcome == rig::TipOutcome::nothingToScale || tip.reached()) {
-    return {};
+  if (tip.outcome == rig::TipOutcome::nothingToScale || tip.reached() || tip.seen) {
+    return {}; // as seen: the trail's own warning says it
   }
   const bool tooLong = tip.reachedLength > tip.wantedLength;
   const std::string limb = app::limbTitle(context.character().document(), solved.trail.limb);
@@ -122,6 +123,9 @@ LookState lookNow(const app::Document& document, std::shared_ptr<const rig::Moti
   LookState look;
   look.trailId = solved.trail.id;
   look.warnings = app::motionWarnings(document, *motion, solved, whatToLookAt(*motion, solved));
+  for (const std::string& warning : app::seenWarnings(document, *motion, solved)) {
+    look.warnings.push_back(warning);
+  }
   if (const auto wayBack = app::wayBackProblem(document, *motion, solved)) {
     look.warnings.push_back(wayBack->what);
     look.clipCouldLoop = wayBack->loopHelps;
