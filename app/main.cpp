@@ -62,6 +62,7 @@ int main(int argumentCount, char** arguments) {
   std::signal(SIGXFSZ, SIG_IGN); // A limit on the size of files is an error of writing, and told as one.
   std::vector<Verb> verbs = stretch::app::batchVerbs();
   verbs.push_back(stretch::ui::renderVerb());
+  verbs.push_back(stretch::app::batchVerb(verbs));
   const std::vector<std::string_view> words(arguments + std::min(argumentCount, 1),
                                             arguments + argumentCount);
   if (startsEditor(verbs, words)) {

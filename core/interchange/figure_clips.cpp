@@ -293,8 +293,7 @@ private:
       const Transform pose = toTransform(localAt(node, *time));
       if (time != times.begin()) {
         constexpr int mostHalvings = 3; // Of one frame.
-        addBetween(node, made.translation.times.back(), lastOf(made), *time, pose, allowed, mostHalvings,
-                   made);
+        addBetween(node, lastOf(made), {*time, pose}, allowed, mostHalvings, made);
       }
       push(*time, pose, made);
     }
@@ -306,8 +305,14 @@ private:
     double angle = 0.0;
   };
 
-  static Transform lastOf(const Driven& made) {
-    return {made.translation.values.back(), made.rotation.values.back(), made.scale.values.back()};
+  struct PoseAt {
+    double time = 0.0;
+    Transform pose;
+  };
+
+  static PoseAt lastOf(const Driven& made) {
+    return {made.translation.times.back(),
+            {made.translation.values.back(), made.rotation.values.back(), made.scale.values.back()}};
   }
 
   static void push(double time, const Transform& pose, Driven& made) {
@@ -322,17 +327,17 @@ private:
   }
 
   // Keys between two that are there, where the motion is not what glTF makes of those.
-  void addBetween(const FigureNode& node, double startTime, const Transform& start, double endTime,
-                  const Transform& end, const Allowed& allowed, int halvings, Driven& made) const {
-    const bool isOneFrame = endTime - startTime < 1.001 * secondsOfTick_;
-    if (halvings == 0 || isStraight(node, startTime, start, endTime, end, allowed)) {
+  void addBetween(const FigureNode& node, const PoseAt& start, const PoseAt& end, const Allowed& allowed,
+                  int halvings, Driven& made) const {
+    if (halvings == 0 || isStraight(node, start, end, allowed)) {
       return;
     }
-    const double middle = middleOf(startTime, endTime);
-    const Transform pose = toTransform(localAt(node, middle));
-    addBetween(node, startTime, start, middle, pose, allowed, halvings - (isOneFrame ? 1 : 0), made);
-    push(middle, pose, made);
-    addBetween(node, middle, pose, endTime, end, allowed, halvings - (isOneFrame ? 1 : 0), made);
+    const int left = halvings - (end.time - start.time < 1.001 * secondsOfTick_ ? 1 : 0);
+    const double time = middleOf(start.time, end.time);
+    const PoseAt middle{time, toTransform(localAt(node, time))};
+    addBetween(node, start, middle, allowed, left, made);
+    push(middle.time, middle.pose, made);
+    addBetween(node, middle, end, allowed, left, made);
   }
 
   // On a whole frame of the file where one is between.
@@ -343,10 +348,12 @@ private:
                                                                                                 : middle;
   }
 
-  bool isStraight(const FigureNode& node, double startTime, const Transform& start, double endTime,
-                  const Transform& end, const Allowed& allowed) const {
+  bool isStraight(const FigureNode& node, const PoseAt& from, const PoseAt& to,
+                  const Allowed& allowed) const {
+    const Transform& start = from.pose;
+    const Transform& end = to.pose;
     for (const double share : {0.25, 0.5, 0.75}) {
-      const Transform is = toTransform(localAt(node, startTime + share * (endTime - startTime)));
+      const Transform is = toTransform(localAt(node, from.time + share * (to.time - from.time)));
       const double turn = std::abs(glm::dot(is.rotation, glm::slerp(start.rotation, end.rotation, share)));
       const bool isNear = glm::length(is.translation - glm::mix(start.translation, end.translation, share)) <=
                               allowed.length &&

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <optional>
+#include <string_view>
 
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -36,6 +40,42 @@ std::string oneLine(std::string text) {
   constexpr std::size_t most = 160;
   return text.substr(0, most);
 }
+
+// What the library leaves out without a word but in its log.
+class LeftOut : public Assimp::LogStream {
+public:
+  void write(const char* message) override {
+    ++count;
+    const std::string_view text(message);
+    const std::size_t origin = text.find(": "); // "Error, T0: "
+    first = first.empty()
+                ? oneLine(std::string(text.substr(origin == std::string_view::npos ? 0 : origin + 2)))
+                : first;
+    isOutOfMemory = isOutOfMemory || std::string_view(message).find("bad_alloc") != std::string_view::npos;
+  }
+
+  std::size_t count = 0;
+  std::string first;
+  bool isOutOfMemory = false;
+};
+
+// Listens to the log while it lives.
+class Listening {
+public:
+  explicit Listening(LeftOut& to) : to_(to) {
+    Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(&to, Assimp::Logger::Err);
+  }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+  ~Listening() {
+    Assimp::DefaultLogger::get()->detachStream(&to_, Assimp::Logger::Err);
+    Assimp::DefaultLogger::kill();
+  }
+
+private:
+  LeftOut& to_;
+};
 
 const aiScene* readScene(Assimp::Importer& importer, const Bytes& bytes, Format format) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -180,7 +220,13 @@ Result<Converted> converted(const std::filesystem::path& file) {
     head = *known;
   }
   Assimp::Importer importer;
+  LeftOut leftOut;
+  const Listening listening(leftOut);
   const aiScene* const scene = readScene(importer, *bytes, *format);
+  if (leftOut.isOutOfMemory ||
+      std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos) {
+    throw std::bad_alloc();
+  }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return Error{fmt::format("is {} that cannot be read ({})",
                              nameOf(*format) == "FBX" ? "an FBX" : "a " + nameOf(*format) + " file",
@@ -190,7 +236,12 @@ Result<Converted> converted(const std::filesystem::path& file) {
   if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0 && scene->mRootNode->mNumChildren == 0) {
     return Error{"holds neither a skeleton nor a mesh nor a clip", "", exportAgain};
   }
-  return convertedScene(*scene, file, *format, *bytes, head);
+  Result<Converted> made = convertedScene(*scene, file, *format, *bytes, head);
+  if (made && leftOut.count > 0) {
+    made.value().warnings.push_back(fmt::format(
+        "what the reader calls faulty is left out ({} times, first: {})", leftOut.count, leftOut.first));
+  }
+  return made;
 }
 
 } // namespace stretch::interchange

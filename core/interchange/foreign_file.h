@@ -19,8 +19,8 @@ struct Converted {
 
 /// Makes glTF of a file in a process of its own, so that neither a crash nor an endless loop of the library
 /// that reads it costs this one anything. That process may use 64 bytes for each byte of the file and 800 MB,
-/// 60 seconds of processor time and 120 by the clock. Metres, Y up; the same bytes for the same file. Error:
-/// the file cannot be read, holds nothing to show, or asks for more than that.
+/// 60 seconds of processor time, and may be silent for 120. Metres, Y up; the same bytes for the same file.
+/// Error: the file cannot be read, holds nothing to show, or asks for more than that.
 [[nodiscard]] Result<Converted> convertedInProcess(const std::filesystem::path& file, Format format,
                                                    std::uintmax_t fileBytes);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -17,8 +16,9 @@
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
+#include <unistd.h> // environ
 
+#include "core/base/descriptor.h"
 #include "core/gltf/json/json.h"
 #include "core/interchange/foreign_file.h"
 
@@ -27,31 +27,12 @@ namespace stretch::interchange {
 namespace {
 
 using gltf::Json;
-using Clock = std::chrono::steady_clock;
 
 constexpr const char* hiddenVerb = "read-foreign-file";
 constexpr std::uintmax_t bytesOfOne = 64; // As docs/trust.md says of every file.
 constexpr std::uintmax_t bytesOfAny = 800ULL << 20U;
 constexpr rlim_t processorSeconds = 60;
-constexpr std::chrono::seconds longestWait{120};
-
-// A file descriptor that is closed in the end.
-class Descriptor {
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-  void close() {
-    if (number_ >= 0) {
-      ::close(std::exchange(number_, -1));
-    }
-  }
-  [[nodiscard]] int number() const { return number_; }
-
-private:
-  int number_;
-};
+constexpr int longestSilence = 120'000; // Milliseconds: one that waits, and uses no processor, is ended too.
 
 // This program once more, with the hidden verb; its standard output goes to the pipe. -1: could not be
 // started.
@@ -75,12 +56,10 @@ enum class Ending { whole, tooLate, tooMuch };
 
 // All that the reader writes, up to `most` bytes.
 Ending readAll(int input, std::uintmax_t most, Bytes& all) {
-  const Clock::time_point latest = Clock::now() + longestWait;
   std::array<std::uint8_t, 1U << 16U> part{};
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(latest - Clock::now()).count();
     pollfd waited{input, POLLIN, 0};
-    const int ready = left > 0 ? poll(&waited, 1, static_cast<int>(left)) : 0;
+    const int ready = poll(&waited, 1, longestSilence);
     if (ready == 0) {
       return Ending::tooLate;
     }

@@ -376,7 +376,8 @@ app::Verb renderVerb() {
         line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
                        "punch.glb -o sheet.png --sheet --frames 18:36:2"});
         line.options("FILE", arguments->files,
-                     std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
+                     std::string("A .glb, .gltf, .vrm, .fbx, .bvh or .dae file, or a mesh sequence: ") +
+                         app::sequenceWords)
             .required()
             .takes(1, 2);
         app::addTolerant(line, arguments->input);
