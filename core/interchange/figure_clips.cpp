@@ -130,10 +130,18 @@ public:
     }
     // A clip that begins before 0 is brought to it: glTF has no such time.
     for (const auto& [node, driven] : driven_) {
+      noteGaps(driven.translation);
+      noteGaps(driven.rotation);
       start_ = std::min({start_, driven.translation.times.front(), driven.rotation.times.front(),
                          driven.scale.times.front()});
     }
     animation_ = {{"name", from.mName.C_Str()}, {"channels", Json::array()}, {"samplers", Json::array()}};
+    // Collada counts in thousandths of a second, which are no frames.
+    if (const double rate = std::round(1e3 / secondsOfTick_) / 1e3; rate < 1000.0) {
+      const double whole = std::round(rate);
+      animation_["extras"] = {
+          {"stretch_engine", {{"frames_per_second", std::abs(rate - whole) < 1e-4 * rate ? whole : rate}}}};
+    }
   }
 
   void addMotion() {
@@ -391,16 +399,16 @@ private:
         append(keys.values[i], values);
       }
     }
-    noteGaps(keys, tolerance);
     addChannel(node, path, times, values, values.size() / times.size() == 4 ? "VEC4" : "VEC3");
   }
 
+  // In the keys of the file: those that are made of them lie closer.
   template <typename Value>
-  void noteGaps(const ForeignKeys<Value>& keys, double tolerance) {
+  void noteGaps(const ForeignKeys<Value>& keys) {
+    constexpr double moving = 1e-4;
     for (std::size_t i = 1; i < keys.times.size(); ++i) {
       const bool isWide = keys.times[i] - keys.times[i - 1] > 1.5 * secondsOfTick_;
-      notes_.hasGaps =
-          notes_.hasGaps || (isWide && apartOf(keys.values[i], keys.values[i - 1]) > 100.0 * tolerance);
+      notes_.hasGaps = notes_.hasGaps || (isWide && apartOf(keys.values[i], keys.values[i - 1]) > moving);
     }
   }
 
