@@ -91,8 +91,8 @@ double metresOfBvh(double height, std::string& note) {
   const bool isMetres = height > 0.5 && height < 3.0;
   const bool isCentimetres = height >= 50.0 && height < 300.0;
   const double metres = isMetres ? 1.0 : isCentimetres ? 0.01 : height > 0.0 ? person / height : 1.0;
-  note = fmt::format("BVH names no unit: the figure, {:.4g} high, is taken to be {:.2f} m", height,
-                     metres * height);
+  note =
+      fmt::format("names no unit: the figure, {:.4g} high, is taken to be {:.2f} m", height, metres * height);
   return metres;
 }
 

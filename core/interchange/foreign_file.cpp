@@ -45,13 +45,16 @@ std::string oneLine(std::string text) {
 class LeftOut : public Assimp::LogStream {
 public:
   void write(const char* message) override {
-    ++count;
     const std::string_view text(message);
+    if (text.find("setting default material") != std::string_view::npos) {
+      return; // Nothing is lost.
+    }
+    ++count;
     const std::size_t origin = text.find(": "); // "Error, T0: "
     first = first.empty()
                 ? oneLine(std::string(text.substr(origin == std::string_view::npos ? 0 : origin + 2)))
                 : first;
-    isOutOfMemory = isOutOfMemory || std::string_view(message).find("bad_alloc") != std::string_view::npos;
+    isOutOfMemory = isOutOfMemory || text.find("bad_alloc") != std::string_view::npos;
   }
 
   std::size_t count = 0;
@@ -94,19 +97,19 @@ std::vector<std::string> warningsOfBytes(const Bytes& bytes, Format format, cons
                                          const FbxHead& head) {
   std::vector<std::string> warnings;
   if (head.layersOnTop > 0) {
-    warnings.push_back("the file has animation layers on top of each other; they are not blended: one of "
-                       "them is played. Bake them before exporting");
+    warnings.emplace_back("the file has animation layers on top of each other; they are not blended: one of "
+                          "them is played. Bake them before exporting");
   }
   if (head.hasTangents && clips.hasGaps) {
-    warnings.push_back("curves that bend between keys are read as straight lines: bake the clip at every "
-                       "frame when exporting");
+    warnings.emplace_back("curves that bend between keys are read as straight lines: bake the clip at every "
+                          "frame when exporting");
   }
   if (head.hasRepetition) {
-    warnings.push_back(
+    warnings.emplace_back(
         "curves that go on beyond their keys are held there instead: bake the whole clip when exporting");
   }
   if (clips.hasUnevenShed) {
-    warnings.push_back(
+    warnings.emplace_back(
         "a scale that is not inherited is uneven above a joint: what hangs there is as near as can be");
   }
   const BvhFrames frames = format == Format::bvh ? bvhFramesOf(bytes) : BvhFrames{};
