@@ -222,6 +222,29 @@ std::vector<Mat4> restWorlds(const Figure& figure) {
   return worlds;
 }
 
+namespace {
+
+// A BVH rests about the place of its root, mostly 0, and its motion carries that over a floor at 0: at rest
+// it stands on the same floor.
+void standOnFloor(const aiScene& scene, Figure& figure) {
+  const std::vector<Mat4> worlds = restWorlds(figure);
+  double lowest = 0.0;
+  for (const Mat4& world : worlds) {
+    lowest = std::min(lowest, positionOf(world).y);
+  }
+  FigureNode& root = figure.nodes.front();
+  for (unsigned c = 0; scene.mNumAnimations > 0 && c < scene.mAnimations[0]->mNumChannels; ++c) {
+    const aiNodeAnim& channel = *scene.mAnimations[0]->mChannels[c];
+    if (root.name == channel.mNodeName.C_Str() && channel.mNumPositionKeys > 0) {
+      const double carried =
+          root.lengths * vectorOf(channel.mPositionKeys[0].mValue).y - positionOf(worlds[0]).y;
+      root.restLift = carried > -0.5 * lowest ? -lowest : 0.0;
+    }
+  }
+}
+
+} // namespace
+
 Figure figureOf(const aiScene& scene, Format format) {
   FigureMaker maker(scene, format);
   Figure figure = maker.make();
@@ -235,6 +258,9 @@ Figure figureOf(const aiScene& scene, Format format) {
     whole = glm::scale(whole, Vec3(figure.worldOfUnit));
   }
   placeTop(whole, figure);
+  if (format == Format::bvh) {
+    standOnFloor(scene, figure);
+  }
   const double ofNodes = largestOf(extentOf(restWorlds(figure)));
   const double ofMeshes = largestOf(extentOfMeshes(scene)) * toTransform(whole).scale.y;
   figure.height = ofNodes > 0.0 ? ofNodes : ofMeshes > 0.0 ? ofMeshes : 1.0;

@@ -22,6 +22,7 @@ struct FigureNode {
   std::vector<const aiNode*> chain; ///< Outermost first; the last one bears the name. At least one.
   Mat4 before{1.0};                 ///< Units, axes and root of the file, on the topmost nodes.
   double lengths = 1.0;    ///< Factor of its translation and of its vertices, where `before` does not scale.
+  double restLift = 0.0;   ///< Metres by which it rests higher than the file says: see standOnFloor.
   bool shedsScale = false; ///< The parent's own scale does not reach it (FBX, InheritType Rrs).
 };
 

@@ -171,7 +171,9 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   GlbParts parts;
   std::vector<gltf::JsonDocument> nodes;
   for (const FigureNode& node : figure.nodes) {
-    nodes.emplace_back(nodeJson(node, localOf(figure, node, restOf)));
+    Mat4 local = localOf(figure, node, restOf);
+    local[3].y += node.restLift;
+    nodes.emplace_back(nodeJson(node, local));
   }
   const std::vector<int> materials = addMaterials(scene, file, parts, made.warnings);
   const MeshNotes meshes = addMeshes(scene, figure, materials, nodes, parts);

@@ -75,6 +75,20 @@ TEST_CASE("A BVH is a clip on a skeleton: metres, its own rate, its own frames")
   CHECK_FALSE(tells(loaded, "frames and holds"));
 }
 
+TEST_CASE("A BVH rests on the floor that its motion is over, and as it is where nothing carries it") {
+  const gltf::Loaded carried = loadedText("person.bvh", test::personBvh());
+  const auto restOf = [](const gltf::Loaded& loaded, const std::string& name) {
+    return positionOf(worldMatrices(*loaded.scene, restPose(*loaded.scene))[nodeNamed(*loaded.scene, name)]);
+  };
+  checkNear(restOf(carried, "Hips"), {0.0, 0.8, 0.0}, 1e-6);
+  checkNear(restOf(carried, "EndSite_Leg"), {0.0, 0.0, 0.0}, 1e-6);
+  std::string text = test::personBvh();
+  for (std::size_t at = text.find(" 80 0 0 0"); at != std::string::npos; at = text.find(" 80 0 0 0")) {
+    text.replace(at, 9, " 0 0 0 0");
+  }
+  checkNear(restOf(loadedText("person.bvh", text), "Hips"), {0.0, 0.0, 0.0}, 1e-6);
+}
+
 TEST_CASE("The unit of a BVH is guessed from the size of the figure, and told") {
   const double unit = GENERATE(0.01, 1.0, 0.2, 10.0);
   const gltf::Loaded loaded = loadedText("person.bvh", test::personBvh(3, 3, unit));

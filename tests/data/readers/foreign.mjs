@@ -112,7 +112,10 @@ function framesOf(clip) {
   return times;
 }
 
-const rest = worstJoint(placesOf('own'), placesOf('other', scale));
+// At rest a BVH is stood on the floor that its motion is over.
+const atRest = { own: placesOf('own'), other: placesOf('other', scale) };
+const lift = isBvh ? atRest.own[0][1] - atRest.other[0][1] : 0;
+const rest = worstJoint(atRest.own, atRest.other.map(([x, y, z]) => [x, y + lift, z]));
 const vertices = [worstVertex(ownPoints(), otherPoints())];
 const clips = [];
 for (const [index, clip] of foreign.clips.entries()) {
