@@ -5,7 +5,7 @@ set -euo pipefail
 list=$1 logs=$2 hosts=${3:-}
 program=${PROGRAM:-stretch-engine} block=${BLOCK:-20}
 mkdir -p "$logs/lists"
-awk -v block="$block" -v to="$logs/lists" 'NF && !/^[ \t]*#/ { print > sprintf("%s/%06d", to, int(n++ / block)) }' "$list"
+awk -v block="$block" -v to="$logs/lists" 'NF && !/^[ \t]*#/ { print > sprintf("%s/%06d", to, int((n++) / block)) }' "$list"
 where=()
 [ -z "$hosts" ] || where=(--sshloginfile "$hosts" --workdir "$PWD")
 find "$logs/lists" -type f | sort |
