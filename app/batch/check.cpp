@@ -76,7 +76,7 @@ Verb checkVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
             line.examples({"punch.glb"});
-            line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
+            line.option("FILE", arguments->file, "A .glb, .gltf, .vrm, .fbx, .bvh or .dae file").required();
             addJson(line, arguments->json);
             return [arguments] { return runCheck(*arguments); };
           }};

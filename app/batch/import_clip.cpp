@@ -126,11 +126,13 @@ Verb importClipVerb() {
             const auto arguments = std::make_shared<ImportArguments>();
             line.examples({"knight.glb -o dancing.glb --from dance.glb",
                            "knight.glb -o walking.glb --from 'human.glb#Walk'",
-                           "knight.glb -o waving.glb --from hello.vrma --name hello"});
+                           "knight.glb -o waving.glb --from hello.vrma --name hello",
+                           "knight.glb -o walking.glb --from walking.fbx"});
             addFileArguments(line, arguments->input);
             addOutputArguments(line, arguments->output);
             line.option("--from", arguments->from,
-                        "The other file (.glb, .gltf, .vrm, .vrma), or FILE#CLIP for one of its clips")
+                        "The other file (.glb, .gltf, .vrm, .vrma, .fbx, .bvh, .dae), or FILE#CLIP for one "
+                        "of its clips")
                 .required();
             line.option("--from-clip", arguments->fromClip,
                         "The one clip that is wanted, by name or #index; else all of them");

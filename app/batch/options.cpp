@@ -31,7 +31,7 @@ constexpr double fastestRate = 10000.0;
 } // namespace
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
-  line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
+  line.option("FILE", arguments.file, "A .glb, .gltf, .vrm, .fbx, .bvh or .dae file").required();
   addTolerant(line, arguments);
 }
 

@@ -39,5 +39,7 @@ struct Verb {
 [[nodiscard]] Verb elasticVerb();
 [[nodiscard]] Verb flattenVerb();
 [[nodiscard]] Verb bindVerb();
+/// Many commands of these verbs, one in each line of a list.
+[[nodiscard]] Verb batchVerb(const std::vector<Verb>& verbs);
 
 } // namespace stretch::app

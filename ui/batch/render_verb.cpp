@@ -486,7 +486,8 @@ app::Verb renderVerb() {
                            "punch.glb -o sheet.png --sheet --frames 18:36:2",
                            "punch.glb --video punch.mp4 --beside dummy.glb --safe-frame"});
             line.options("FILE", arguments->files,
-                         std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
+                         std::string("A .glb, .gltf, .vrm, .fbx, .bvh or .dae file, or a mesh sequence: ") +
+                             app::sequenceWords)
                 .required()
                 .takes(1, 2);
             app::addTolerant(line, arguments->input);

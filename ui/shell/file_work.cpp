@@ -14,6 +14,7 @@
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/added_file.h"
+#include "core/interchange/file_kind.h"
 #include "ui/panels/files/file_listing.h"
 #include "ui/shell/clip_import.h"
 #include "ui/shell/sequence_work.h"
@@ -197,8 +198,11 @@ void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
   const std::vector<fs::path> paths = droppedPaths(drops);
   DroppedFile dropped{paths.front()};
   if (!isAsked && character != nullptr && paths.size() == 1) {
-    dropped.canBeHeld = !app::handsForProp(*character).empty() && gltf::looksLikeThing(paths.front());
-    dropped.hasClips = !app::factsOf(paths.front()).clips.empty();
+    // A file of another program is not read to ask: it may be a clip.
+    const bool isForeign = interchange::isForeignName(paths.front().extension().string());
+    dropped.canBeHeld =
+        !isForeign && !app::handsForProp(*character).empty() && gltf::looksLikeThing(paths.front());
+    dropped.hasClips = isForeign || !app::factsOf(paths.front()).clips.empty();
   }
   if (dropped.canBeHeld || dropped.hasClips) {
     shell.ui.dialogs.dropped = dropped;

@@ -316,8 +316,9 @@ ShellCommand bundledCommand(const app::BundledClip& clip) {
 
 std::vector<ShellCommand> fileCommands() {
   return {
-      entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
-            {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
+      entry(command::fileOpen, "Open",
+            "Opens a character (.glb, .gltf, .vrm, .fbx, .bvh, .dae) or a mesh sequence.", {"Ctrl+O"},
+            nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
             "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
             exportNeeded, doing([](Shell& shell) { saveFile(shell); })),

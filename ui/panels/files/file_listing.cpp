@@ -29,7 +29,7 @@ std::vector<FileType> fileTypesOf(FilePurpose purpose) {
     return {};
   }
   return {{"All", extensionsOf(purpose)},
-          {"Characters", {".glb", ".gltf", ".vrm", ".vrma"}},
+          {"Characters", {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae"}},
           {"Sequences", {".obj", ".ply", ".pc2", ".mdd"}}};
 }
 
@@ -48,7 +48,7 @@ std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, st
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return {".glb", ".gltf", ".vrm", ".vrma", ".pc2", ".mdd", ".obj", ".ply"};
+    return {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae", ".pc2", ".mdd", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:
@@ -62,9 +62,9 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
   case FilePurpose::saveModuli:
     return {".json"};
   case FilePurpose::openSkeleton:
-    return {".glb", ".gltf", ".vrm"};
+    return {".glb", ".gltf", ".vrm", ".fbx", ".bvh", ".dae"};
   case FilePurpose::openClip:
-    return {".glb", ".gltf", ".vrm", ".vrma"};
+    return {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae"};
   case FilePurpose::saveFilm:
     return {".mp4", ".webm", ".gif", ".png"};
   case FilePurpose::saveFrames:
