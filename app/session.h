@@ -12,6 +12,7 @@
 #include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
+#include "app/files/saved_form.h"
 #include "app/selection.h"
 #include "rig/motion/stroke.h"
 
@@ -97,7 +98,7 @@ public:
   /// That, or another name beside the source; in the user's documents for a bundled clip and for one whose
   /// folder cannot be written.
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
-  Status save(const std::filesystem::path& path, bool clean);
+  Status save(const std::filesystem::path& path, bool clean, const SavedForm& form = {});
 
   /// The strokes of a limb in the viewed clip, which exists.
   [[nodiscard]] const std::vector<rig::Stroke>& strokesOf(const rig::Limb& limb) const;

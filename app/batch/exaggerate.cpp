@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -68,8 +68,8 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (!placed) {
     return placed.error();
   }
-  const gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
-  if (Status saved = saveDocument(placed->document, arguments.output.file.path, arguments.output.save);
+  gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
+  if (Status saved = saveReported(placed->document, arguments.output, report);
       !saved) {
     return saved;
   }
@@ -77,6 +77,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     arguments.json.print(report);
   } else {
     printExaggeration(report);
+    printSaved(report);
   }
   return Success{};
 }
