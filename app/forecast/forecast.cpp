@@ -180,8 +180,8 @@ private:
          .limb = looks.limb,
          .frame = looks.frame,
          .share = looks.share(),
-         .what = fmt::format("{} turns normals by the joints' own matrices: at frame {:g} {} of {} moved "
-                             "vertices are shaded more than 20 degrees off, at worst {:.0f} degrees",
+         .what = fmt::format("{} turns normals by the joints' own matrices: at frame {:g} {} of the {} "
+                             "vertices that a stretch moves are shaded more than 20 degrees off, at worst {:.0f} degrees",
                              engine_.name, looks.frame, looks.wronglyShaded, looks.moved, looks.worstDegrees),
          .remedy = useVolume},
         looks.clip);
@@ -204,8 +204,7 @@ private:
                                isSure ? "does not play" : "imports, and drops under per-bone retargeting,",
                                joinedLimbs(lost.limbs));
     finding.what.insert(finding.what.find("channels"), fmt::format("{} ", lost.channels));
-    finding.remedy = isSure ? useVolume : "set the retargeting of these bones to Animation, or save it with --form "
-                                          "volume";
+    finding.remedy = isSure ? useVolume : "set the retargeting of these bones to Animation";
     add(std::move(finding), clip);
   }
 

@@ -33,15 +33,68 @@ struct WrongShading {
   double worstDegrees = 0.0;
 };
 
-WrongShading wrongShadingOf(const Scene& scene, FrameState frame, const std::vector<Vec3>& places,
-                            const std::vector<Vec3>& atRest, double height) {
-  constexpr double still = 1e-4; // of the height
+bool scalesUnequally(const Mat3& matrix) {
+  constexpr double seen = 0.02;
+  const Mat3 products = glm::transpose(matrix) * matrix;
+  const double mean = (products[0][0] + products[1][1] + products[2][2]) / 3.0;
+  double most = 0.0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      most = std::max(most, std::abs(products[column][row] - (row == column ? mean : 0.0)));
+    }
+  }
+  return most > seen * mean;
+}
+
+// Whether each node's mesh is on a joint that scales unequally, or below the joint of one.
+std::vector<bool> stretchedNodes(const Scene& scene, const FrameState& frame) {
+  std::vector<bool> stretched(scene.nodes.size(), false);
+  for (const Skin& skin : scene.skins) {
+    const std::vector<Mat4> matrices = skinMatrices(skin, frame);
+    for (std::size_t slot = 0; slot < matrices.size(); ++slot) {
+      stretched[at(skin.joints[slot])] = stretched[at(skin.joints[slot])] || scalesUnequally(Mat3(matrices[slot]));
+    }
+  }
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    stretched[at(node)] = stretched[at(node)] || (parent.exists() && stretched[at(parent)]);
+  }
+  return stretched;
+}
+
+// One for each drawn vertex, in their order: whether it follows a stretched node.
+std::vector<bool> movedVertices(const Scene& scene, const std::vector<bool>& stretched) {
+  std::vector<bool> moved;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    const Node& holder = scene.nodes[at(node)];
+    for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
+      for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+        bool follows = false;
+        for (std::size_t i = 0; holder.skin >= 0 && !primitive.influences.empty() && i < VertexInfluences::capacity; ++i) {
+          const VertexInfluences& vertex = primitive.influences[v];
+          const std::vector<NodeIndex>& joints = scene.skins[at(holder.skin)].joints;
+          follows = follows || (vertex.weights[i] > 0.0F && vertex.joints[i] < joints.size() &&
+                                stretched[at(joints[vertex.joints[i]])]);
+        }
+        moved.push_back(follows);
+      }
+    }
+  }
+  return moved;
+}
+
+WrongShading wrongShadingOf(const Scene& scene, FrameState frame) {
   forgetCorners(scene, frame);
+  const std::vector<bool> stretched = stretchedNodes(scene, frame);
+  if (std::ranges::find(stretched, true) == stretched.end()) {
+    return {};
+  }
+  const std::vector<bool> moved = movedVertices(scene, stretched);
   const std::vector<Vec3> exact = skinning::skinnedNormals(scene, frame);
   const std::vector<Vec3> plain = skinning::skinnedNormals(scene, frame, skinning::NormalMatrix::plain);
   WrongShading wrong;
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    if (glm::length(places[v] - atRest[v]) <= still * height) {
+  for (std::size_t v = 0; v < moved.size(); ++v) {
+    if (!moved[v]) {
       continue;
     }
     ++wrong.moved;
@@ -91,9 +144,7 @@ Bounds restBox(const Document& document) {
 ClipLooks clipLooks(const Document& document, int clipIndex) {
   const Scene& scene = *document.scene;
   const Clip& clip = clipOf(document, clipIndex);
-  const std::vector<Vec3> atRest =
-      skinning::skinnedPositions(scene, frameOf(scene, restPose(scene), 0.0));
-  const double most = std::max(2.0, mostVertices / std::max(1.0, static_cast<double>(atRest.size())));
+  const double most = std::max(2.0, mostVertices / std::max(1.0, static_cast<double>(vertexCount(scene))));
   const double step = std::max(1.0, std::ceil(lastFrame(clip) / most));
   ClipLooks looks{.clip = clipIndex};
   std::vector<std::size_t> wrongVertices;
@@ -101,7 +152,7 @@ ClipLooks clipLooks(const Document& document, int clipIndex) {
     const FrameState state = rig::sampledFrame(scene, clip, frame / clip.framesPerSecond);
     const std::vector<Vec3> places = skinning::skinnedPositions(scene, state);
     std::ranges::for_each(places, [&](const Vec3& place) { looks.box.add(place); });
-    WrongShading wrong = wrongShadingOf(scene, state, places, atRest, document.body.height);
+    WrongShading wrong = wrongShadingOf(scene, state);
     looks.worstDegrees = std::max(looks.worstDegrees, wrong.worstDegrees);
     if (wrong.vertices.size() > looks.wronglyShaded || frame <= 0.0) {
       looks.wronglyShaded = wrong.vertices.size();

@@ -12,7 +12,7 @@ namespace stretch::app {
 struct ClipLooks {
   int clip = -1;
   Bounds box = {};             ///< Of all drawn vertices, over the frames looked at.
-  std::size_t moved = 0;       ///< Vertices that are not where they are at rest, at the frame below.
+  std::size_t moved = 0;       ///< Vertices on joints that scale unequally, or below those, at the frame below.
   std::size_t wronglyShaded = 0; ///< Of them, by the plain matrix, more than 20 degrees off.
   double frame = 0.0;          ///< Frame with the most of them.
   double worstDegrees = 0.0;   ///< At any frame.

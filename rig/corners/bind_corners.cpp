@@ -17,6 +17,8 @@ namespace stretch::rig {
 
 namespace {
 
+constexpr std::size_t furtherCorners = 12; // of a joint, to fit a few influences by
+
 using CornerOfJoint = std::pair<NodeIndex, int>;
 using Splits = std::vector<std::vector<VertexSplit::Answer>>; // of a mesh: by primitive and vertex
 
@@ -27,7 +29,8 @@ public:
 
   CornerFit bind(const std::vector<ClipStretches>& clips) {
     const std::vector<MovedMesh> meshes = meshesOf(scene_, jointsOf(clips));
-    sets_ = cornerSets(scene_, clips, meshes);
+    const std::size_t further = options_.mostInfluences < VertexInfluences::capacity ? furtherCorners : 0;
+    sets_ = cornerSets(scene_, clips, meshes, further);
     for (const MovedMesh& mesh : meshes) {
       if (getsCorners(mesh)) {
         bindMesh(mesh);
@@ -58,8 +61,7 @@ private:
     for (const NodeIndex joint : isNew ? mesh.joints : std::vector<NodeIndex>{}) {
       const BindChain* const chain = findBindChain(scene_, joint);
       if (chain != nullptr && !chain->corners.empty() && !sets_.contains(joint)) {
-        CornerSet& set = sets_[joint] = {joint, {}, chain};
-        std::ranges::transform(chain->corners, std::back_inserter(set.places), &BindCorner::place);
+        sets_.emplace(joint, madeSet(*chain));
       }
     }
     return isNew;

@@ -15,11 +15,17 @@ namespace stretch::rig {
 namespace {
 
 constexpr std::size_t cornersOfTetrahedron = 4;
+constexpr float wholeWeight = 0.98F; // of a vertex that its other joints hardly move
 
-// Places of all vertices that each joint moves, in its space.
-std::map<NodeIndex, std::vector<Vec3>> pointsOf(const Scene& scene, const std::vector<MovedMesh>& meshes,
+// Places of vertices that a joint moves, in its space.
+struct MovedPoints {
+  std::vector<Vec3> all;
+  std::vector<Vec3> shared; // which another joint moves as well
+};
+
+std::map<NodeIndex, MovedPoints> pointsOf(const Scene& scene, const std::vector<MovedMesh>& meshes,
                                                 const std::set<NodeIndex>& joints) {
-  std::map<NodeIndex, std::vector<Vec3>> points;
+  std::map<NodeIndex, MovedPoints> points;
   std::set<std::pair<int, int>> seen; // meshes under skins
   for (const MovedMesh& mesh : meshes) {
     const int index = scene.nodes[at(mesh.node)].mesh;
@@ -31,9 +37,13 @@ std::map<NodeIndex, std::vector<Vec3>> pointsOf(const Scene& scene, const std::v
       for (std::size_t v = 0; v < influences.size(); ++v) {
         for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
           const std::size_t slot = influences[v].joints[i];
-          if (influences[v].weights[i] > 0.0F && slot < mesh.joints.size() && joints.contains(mesh.joints[slot])) {
-            points[mesh.joints[slot]].push_back(
-                transformPoint(mesh.inverseBind[slot], Vec3(primitive.positions[v])));
+          const float weight = influences[v].weights[i];
+          if (weight > 0.0F && slot < mesh.joints.size() && joints.contains(mesh.joints[slot])) {
+            MovedPoints& moved = points[mesh.joints[slot]];
+            moved.all.push_back(transformPoint(mesh.inverseBind[slot], Vec3(primitive.positions[v])));
+            if (weight < wholeWeight) {
+              moved.shared.push_back(moved.all.back());
+            }
           }
         }
       }
@@ -62,24 +72,54 @@ bool onlyLengthen(const std::vector<const StretchKeys*>& stretches, const Vec3& 
   });
 }
 
-CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const StretchKeys*>& stretches,
-                const std::vector<Vec3>& points) {
-  CornerSet set{joint, {}, findBindChain(scene, joint)};
-  if (set.made != nullptr) {
-    for (const BindCorner& corner : set.made->corners) {
-      set.places.push_back(corner.place);
+// Points that are spread over the others as far apart from each other as they go, a little outside of them.
+std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
+  constexpr double outwards = 1.1;
+  Vec3 centre(0.0);
+  for (const Vec3& point : points) {
+    centre += point / static_cast<double>(points.size());
+  }
+  std::vector<double> distances;
+  std::ranges::transform(points, std::back_inserter(distances),
+                         [&](const Vec3& point) { return glm::length(point - centre); });
+  std::vector<Vec3> chosen;
+  while (chosen.size() < std::min(count, points.size())) {
+    const auto farthest = std::ranges::max_element(distances) - distances.begin();
+    const Vec3& next = points[static_cast<std::size_t>(farthest)];
+    if (distances[static_cast<std::size_t>(farthest)] <= 0.0) {
+      break;
     }
-    const bool isEnough = set.places.size() >= cornersOfTetrahedron ||
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double distance = glm::length(points[i] - next);
+      distances[i] = chosen.empty() ? distance : std::min(distances[i], distance);
+    }
+    chosen.push_back(next);
+  }
+  for (Vec3& place : chosen) {
+    place = centre + outwards * (place - centre);
+  }
+  return chosen;
+}
+
+CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const StretchKeys*>& stretches,
+                const MovedPoints& points, std::size_t further) {
+  CornerSet set{joint, {}, 0, findBindChain(scene, joint)};
+  if (set.made != nullptr) {
+    set = madeSet(*set.made);
+    const bool isEnough = set.enclosing >= cornersOfTetrahedron ||
                           onlyLengthen(stretches, glm::normalize(set.places.front()));
     if (isEnough) {
       return set;
     }
-    set.made = nullptr;
+    set = {joint, {}, 0, nullptr};
   }
   const Vec3 direction = axisOf(*stretches.front());
-  set.places = onlyLengthen(stretches, direction)
-                   ? enclosingEnds(points, direction)
-                   : enclosingTetrahedron(points, stretches.front()->axes.front());
+  const bool hasEnds = onlyLengthen(stretches, direction);
+  set.places = hasEnds ? enclosingEnds(points.all, direction)
+                       : enclosingTetrahedron(points.all, stretches.front()->axes.front());
+  set.enclosing = set.places.size();
+  const std::vector<Vec3> more = spread(points.shared, hasEnds ? 0 : further);
+  set.places.insert(set.places.end(), more.begin(), more.end());
   return set;
 }
 
@@ -138,6 +178,15 @@ private:
 
 } // namespace
 
+CornerSet madeSet(const BindChain& made) {
+  CornerSet set{made.joint, {}, 0, &made};
+  for (const BindCorner& corner : made.corners) {
+    set.places.push_back(corner.place);
+  }
+  set.enclosing = std::min(set.places.size(), cornersOfTetrahedron);
+  return set;
+}
+
 std::vector<MovedMesh> meshesOf(const Scene& scene, const std::vector<NodeIndex>& joints) {
   const std::set<NodeIndex> wanted(joints.begin(), joints.end());
   std::vector<MovedMesh> meshes;
@@ -166,7 +215,7 @@ std::vector<VertexInfluences> influencesOf(const Primitive& primitive, const Mov
 }
 
 std::map<NodeIndex, CornerSet> cornerSets(const Scene& scene, const std::vector<ClipStretches>& clips,
-                                          const std::vector<MovedMesh>& meshes) {
+                                          const std::vector<MovedMesh>& meshes, std::size_t further) {
   std::map<NodeIndex, std::vector<const StretchKeys*>> stretches;
   std::set<NodeIndex> joints;
   for (const ClipStretches& clip : clips) {
@@ -175,11 +224,11 @@ std::map<NodeIndex, CornerSet> cornerSets(const Scene& scene, const std::vector<
       joints.insert(stretch.node);
     }
   }
-  const std::map<NodeIndex, std::vector<Vec3>> points = pointsOf(scene, meshes, joints);
+  const std::map<NodeIndex, MovedPoints> points = pointsOf(scene, meshes, joints);
   std::map<NodeIndex, CornerSet> sets;
   for (const auto& [joint, ofJoint] : stretches) {
     if (const auto moved = points.find(joint); moved != points.end()) {
-      sets.emplace(joint, setOf(scene, joint, ofJoint, moved->second));
+      sets.emplace(joint, setOf(scene, joint, ofJoint, moved->second, further));
     }
   }
   return sets;

@@ -105,9 +105,23 @@ Fit reduced(const MissProducts& products, Fit fit, std::size_t limit) {
   return fit;
 }
 
+// The best fit that one more place makes of this one.
+Fit extended(const MissProducts& products, const Fit& fit) {
+  Fit best = fit;
+  for (std::size_t candidate = 0; candidate < products.count; ++candidate) {
+    if (std::ranges::find(fit.places, candidate) == fit.places.end()) {
+      Places places = fit.places;
+      places.push_back(candidate);
+      Fit tried = fitOf(products, std::move(places));
+      best = tried.miss < best.miss ? std::move(tried) : best;
+    }
+  }
+  return best;
+}
+
 // The best fit that one exchange, or one more place, makes of this one.
 Fit exchanged(const MissProducts& products, const Fit& fit, std::size_t limit) {
-  Fit best = fit;
+  Fit best = fit.places.size() < limit ? extended(products, fit) : fit;
   for (std::size_t candidate = 0; candidate < products.count; ++candidate) {
     if (std::ranges::find(fit.places, candidate) != fit.places.end()) {
       continue;
@@ -118,25 +132,36 @@ Fit exchanged(const MissProducts& products, const Fit& fit, std::size_t limit) {
       Fit tried = fitOf(products, std::move(places));
       best = tried.miss < best.miss ? std::move(tried) : best;
     }
-    if (fit.places.size() < limit) {
-      Places places = fit.places;
-      places.push_back(candidate);
-      Fit tried = fitOf(products, std::move(places));
-      best = tried.miss < best.miss ? std::move(tried) : best;
-    }
   }
   return best;
+}
+
+// All of a few candidates, taken away one after the other; of many those that are best to add.
+Fit firstFit(const MissProducts& products, std::size_t limit) {
+  constexpr std::size_t few = 12;
+  if (products.count <= few) {
+    Places all(products.count);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i] = i;
+    }
+    return reduced(products, fitOf(products, std::move(all)), limit);
+  }
+  Fit fit;
+  for (std::size_t count = 0; count < limit; ++count) {
+    const Fit more = extended(products, fit);
+    if (!(more.miss < fit.miss)) {
+      break;
+    }
+    fit = more;
+  }
+  return fit;
 }
 
 } // namespace
 
 std::vector<double> fewWeights(const MissProducts& products, std::size_t limit) {
   constexpr int mostExchanges = 8;
-  Places all(products.count);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] = i;
-  }
-  Fit fit = reduced(products, fitOf(products, std::move(all)), limit);
+  Fit fit = firstFit(products, limit);
   for (int i = 0; i < mostExchanges; ++i) {
     Fit better = exchanged(products, fit, limit);
     if (!(better.miss < fit.miss)) {

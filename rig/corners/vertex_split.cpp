@@ -57,7 +57,7 @@ VertexSplit::Answer VertexSplit::of(const VertexInfluences& vertex, const Vec3& 
     double ofJoint = 1.0;
     if (set != nullptr) {
       const std::vector<double> shares =
-          affineCoordinates(set->places, transformPoint(mesh_.inverseBind[slot], place));
+          affineCoordinates(set->enclosingPlaces(), transformPoint(mesh_.inverseBind[slot], place));
       for (std::size_t k = 0; k < shares.size(); ++k) {
         ofJoint -= shares[k];
         answer.parts.push_back({slot, static_cast<int>(k), weight * shares[k]});

@@ -8,6 +8,9 @@
 import * as three from 'three';
 import { play, read } from './reader.mjs';
 
+// The loader makes the first four weights sum to 1, in the accessor itself.
+three.SkinnedMesh.prototype.normalizeSkinWeights = () => {};
+
 async function influencesOf(model, attributes) {
   const sets = [];
   for (let set = 0; attributes[`JOINTS_${set}`] !== undefined; ++set) {
