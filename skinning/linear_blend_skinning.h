@@ -13,8 +13,8 @@ namespace stretch::skinning {
 [[nodiscard]] std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame);
 
 /// Which matrix turns the normals of skinned meshes: the one that keeps them upright on the surface, or the
-/// joints' own, as three.js, Godot and others take it, which is wrong where they scale unequally. Rigid meshes
-/// have the right one either way.
+/// joints' own, as three.js, Godot and others take it, which is wrong where they scale unequally. Rigid
+/// meshes have the right one either way.
 enum class NormalMatrix { inverseTranspose, plain };
 
 /// Normals of the same vertices in the same order, unit length.

@@ -41,12 +41,9 @@ Json forecastJson(const std::vector<EngineForecast>& forecasts) {
   for (const EngineForecast& one : forecasts) {
     Json findings = Json::array();
     for (const ForecastFinding& finding : one.findings) {
-      Json json = {{"id", finding.id},
-                   {"severity", severityName(finding.severity)},
-                   {"clip", finding.clip},
-                   {"limb", finding.limb},
-                   {"what", finding.what},
-                   {"remedy", finding.remedy}};
+      Json json = {{"id", finding.id},     {"severity", severityName(finding.severity)},
+                   {"clip", finding.clip}, {"limb", finding.limb},
+                   {"what", finding.what}, {"remedy", finding.remedy}};
       json["frame"] = finding.frame ? Json(*finding.frame) : Json();
       json["share"] = finding.share ? Json(*finding.share) : Json();
       findings.push_back(std::move(json));
@@ -61,7 +58,8 @@ void printForecast(const Json& forecasts) {
     for (const Json& finding : one["findings"]) {
       const auto text = [&](const char* key) { return finding[key].get<std::string>(); };
       fmt::print("{} {}{}: {}; {} [{}]\n", one["engine"].get<std::string>(), text("severity"),
-                 text("clip").empty() ? "" : " in '" + text("clip") + "'", text("what"), text("remedy"), text("id"));
+                 text("clip").empty() ? "" : " in '" + text("clip") + "'", text("what"), text("remedy"),
+                 text("id"));
     }
     std::string subjects;
     for (const Json& subject : one["not_judged"]) {
@@ -155,25 +153,26 @@ Status runCheck(const CheckArguments& arguments) {
 } // namespace
 
 Verb checkVerb() {
-  return {"check",
-          "Reports every problem of a file, residual shear of stretched files included, and its extensions; on "
-          "request what engines make of it, and what an edit made worse.",
-          [](CommandLine& line) {
-            const auto arguments = std::make_shared<CheckArguments>();
-            line.examples({"punch.glb", "punch.glb --engine all", "punch.glb --before dummy.glb"});
-            line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
-            line.option("--engine", arguments->engines,
-                        "Forecasts what engines show: all, or some of three,godot,babylon,unity-generic,"
-                        "unity-humanoid,unreal,roblox (docs/engines.md)")
-                .check([](const std::string& text) {
-                  const Result<std::vector<std::string>> ids = engineIdsOf(text);
-                  return ids ? std::string() : withoutPlace(ids.error());
-                });
-            line.option("--before", arguments->before,
-                        "The file that this one was made from: tells what is worse than there");
-            addJson(line, arguments->json);
-            return [arguments] { return runCheck(*arguments); };
-          }};
+  return {
+      "check",
+      "Reports every problem of a file, residual shear of stretched files included, and its extensions; on "
+      "request what engines make of it, and what an edit made worse.",
+      [](CommandLine& line) {
+        const auto arguments = std::make_shared<CheckArguments>();
+        line.examples({"punch.glb", "punch.glb --engine all", "punch.glb --before dummy.glb"});
+        line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
+        line.option("--engine", arguments->engines,
+                    "Forecasts what engines show: all, or some of three,godot,babylon,unity-generic,"
+                    "unity-humanoid,unreal,roblox (docs/engines.md)")
+            .check([](const std::string& text) {
+              const Result<std::vector<std::string>> ids = engineIdsOf(text);
+              return ids ? std::string() : withoutPlace(ids.error());
+            });
+        line.option("--before", arguments->before,
+                    "The file that this one was made from: tells what is worse than there");
+        addJson(line, arguments->json);
+        return [arguments] { return runCheck(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

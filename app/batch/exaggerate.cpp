@@ -69,8 +69,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     return placed.error();
   }
   gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
-  if (Status saved = saveReported(placed->document, arguments.output, report);
-      !saved) {
+  if (Status saved = saveReported(placed->document, arguments.output, report); !saved) {
     return saved;
   }
   if (arguments.json) {

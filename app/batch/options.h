@@ -57,7 +57,6 @@ void addOutputFile(CommandLine& line, OutputFile& output, const std::string& hel
 /// Refuses an output that is one of the files that are read, under whatever name, unless that was asked for.
 [[nodiscard]] Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs);
 
-
 /// The report of a verb as JSON, on standard output, which holds nothing else then.
 struct JsonOutput {
   bool wanted = false;

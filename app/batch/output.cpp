@@ -36,8 +36,9 @@ Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
     json["corners"] = fit.corners;
     json["vertices"] = fit.vertices;
     json["fitted_vertices"] = fit.fitted;
-    json["miss_percent_of_height"] = {
-        {"median", 100.0 * fit.median}, {"percentile_99", 100.0 * fit.percentile99}, {"worst", 100.0 * fit.worst}};
+    json["miss_percent_of_height"] = {{"median", 100.0 * fit.median},
+                                      {"percentile_99", 100.0 * fit.percentile99},
+                                      {"worst", 100.0 * fit.worst}};
   }
   return json;
 }

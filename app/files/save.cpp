@@ -94,9 +94,8 @@ VertexInfluences strongestOf(const VertexInfluences& vertex) {
 void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
     const Node& shown = scene.nodes[node];
-    const bool isBound = std::ranges::any_of(edits.boundMeshes, [&](const gltf::BoundMesh& bound) {
-      return bound.node == NodeIndex(node);
-    });
+    const bool isBound = std::ranges::any_of(
+        edits.boundMeshes, [&](const gltf::BoundMesh& bound) { return bound.node == NodeIndex(node); });
     if (shown.mesh < 0 || shown.skin < 0 || isBound) {
       continue;
     }
@@ -113,9 +112,10 @@ void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
   }
 }
 
-// Moments at which vertices with too many influences are fitted: of every clip, those that are stretched most of
-// all, and the rest pose.
-std::vector<FrameState> fittedMoments(const Document& seen, const std::vector<rig::ClipStretches>& stretches) {
+// Moments at which vertices with too many influences are fitted: of every clip, those that are stretched most
+// of all, and the rest pose.
+std::vector<FrameState> fittedMoments(const Document& seen,
+                                      const std::vector<rig::ClipStretches>& stretches) {
   constexpr double ofStretchedClip = 96.0;
   constexpr double ofOthers = 96.0; // together
   const std::size_t clips = seen.clips->size();
@@ -137,8 +137,8 @@ std::vector<FrameState> fittedMoments(const Document& seen, const std::vector<ri
 }
 
 // Parts the stretches by what carries them: a joint that has leaves or corners keeps them.
-void addStretches(const Document& seen, const std::vector<rig::ClipStretches>& stretches, const SavedForm& form,
-                  SavedEdits& saved) {
+void addStretches(const Document& seen, const std::vector<rig::ClipStretches>& stretches,
+                  const SavedForm& form, SavedEdits& saved) {
   std::vector<rig::ClipStretches> onLeaves;
   std::vector<rig::ClipStretches> onCorners;
   for (const rig::ClipStretches& clip : stretches) {

@@ -22,8 +22,8 @@ struct SavedEdits {
 };
 
 /// Edits that saving makes in the file: the clips re-keyed with the connected trails and the weight of limbs,
-/// bind leaves or corners, skin slots, and the work. A joint that a file of ours stretches already keeps the form
-/// that it has there.
+/// bind leaves or corners, skin slots, and the work. A joint that a file of ours stretches already keeps the
+/// form that it has there.
 [[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.

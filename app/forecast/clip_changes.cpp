@@ -26,12 +26,12 @@ constexpr double mostVertices = 4e6; // looked at in one clip
 
 // What is compared of one clip.
 struct Measures {
-  double seamPlace = 0.0; // of the height
-  double seamTurn = 0.0;  // degrees
-  double seamSpeed = 0.0; // heights per second
+  double seamPlace = 0.0;     // of the height
+  double seamTurn = 0.0;      // degrees
+  double seamSpeed = 0.0;     // heights per second
   std::vector<double> slides; // of the height, by leg
-  double below = 0.0;     // of the height
-  double flips = 0.0;     // pairs of keys
+  double below = 0.0;         // of the height
+  double flips = 0.0;         // pairs of keys
 };
 
 struct Standing {
@@ -125,13 +125,13 @@ private:
     const FrameState last = watched.at(end);
     const FrameState before = watched.at(end - step);
     const NodeIndex hips = body_.body.hips;
-    Vec3 travel = hips.exists() ? positionOf(last.worlds[at(hips)]) - positionOf(first.worlds[at(hips)]) : Vec3(0.0);
+    Vec3 travel =
+        hips.exists() ? positionOf(last.worlds[at(hips)]) - positionOf(first.worlds[at(hips)]) : Vec3(0.0);
     travel.y = 0.0;
     for (const NodeIndex node : skinJoints(*source_.scene)) {
       const auto place = [&](const FrameState& frame) { return positionOf(frame.worlds[at(node)]); };
       const double apart = glm::length(place(last) - place(first) - travel);
-      const double speed =
-          glm::length((place(last) - place(before)) - (place(second) - place(first))) / step;
+      const double speed = glm::length((place(last) - place(before)) - (place(second) - place(first))) / step;
       const Quat turn = glm::inverse(rotationOf(first.worlds[at(node)])) * rotationOf(last.worlds[at(node)]);
       const double radians = 2.0 * std::acos(std::min(1.0, std::abs(turn.w)));
       measures.seamPlace = std::max(measures.seamPlace, apart / body_.body.height);
@@ -158,11 +158,13 @@ private:
   [[nodiscard]] static double flipsOf(const Clip& clip) {
     double flips = 0.0;
     for (const CopyOnWrite<Track>& track : clip.tracks) {
-      const bool isLinearTurn = track->channel == Channel::rotation && track->interpolation == Interpolation::linear;
+      const bool isLinearTurn =
+          track->channel == Channel::rotation && track->interpolation == Interpolation::linear;
       for (std::size_t key = 1; isLinearTurn && key < track->times.size(); ++key) {
         double dot = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
-          dot += static_cast<double>(track->values[4 * key + i]) * static_cast<double>(track->values[4 * key - 4 + i]);
+          dot += static_cast<double>(track->values[4 * key + i]) *
+                 static_cast<double>(track->values[4 * key - 4 + i]);
         }
         flips += dot < 0.0 ? 1.0 : 0.0;
       }
@@ -180,9 +182,8 @@ private:
 
 WatchedClip watchedClip(const Document& document, int clip) {
   const Clip& own = clipOf(document, clip);
-  return {document.scene.get(), own, [&document, &own](double time) {
-            return rig::sampledFrame(*document.scene, own, time);
-          }};
+  return {document.scene.get(), own,
+          [&document, &own](double time) { return rig::sampledFrame(*document.scene, own, time); }};
 }
 
 // The index of the clip of a name, the one at the same place before others; -1: none.
@@ -223,7 +224,8 @@ std::vector<ClipChange> worseThanSource(const Document& body, int clip, const Wa
   };
   compare("loop-seam-place", before.seamPlace, after.seamPlace, seenPlace, 100.0, "% of the height");
   compare("loop-seam-turn", before.seamTurn, after.seamTurn, seenTurn, 1.0, "degrees");
-  compare("loop-seam-speed", before.seamSpeed, after.seamSpeed, seenSpeed, 100.0, "% of the height per second");
+  compare("loop-seam-speed", before.seamSpeed, after.seamSpeed, seenSpeed, 100.0,
+          "% of the height per second");
   for (std::size_t leg = 0; leg < measuring.legs().size(); ++leg) {
     compare("foot-slide", before.slides[leg], after.slides[leg], seenPlace, 100.0, "% of the height",
             measuring.legs()[leg].id);

@@ -27,19 +27,19 @@ struct ClipChange {
   std::string unit; ///< "% of the height", "degrees", "% of the height per second", "keys"
 };
 
-/// What the result of an edit made worse: where the source loops the seam (place, turn, speed); feet that slide
-/// while the source's stand; the deepest vertex below the floor; neighbouring keys of rotations in opposite
-/// hemispheres. `body`: the document whose limbs, height and floor count; nodes stand under the same indices
-/// in both.
-[[nodiscard]] std::vector<ClipChange> worseThanSource(const Document& body, int clip, const WatchedClip& source,
-                                                      const WatchedClip& result);
+/// What the result of an edit made worse: where the source loops the seam (place, turn, speed); feet that
+/// slide while the source's stand; the deepest vertex below the floor; neighbouring keys of rotations in
+/// opposite hemispheres. `body`: the document whose limbs, height and floor count; nodes stand under the same
+/// indices in both.
+[[nodiscard]] std::vector<ClipChange> worseThanSource(const Document& body, int clip,
+                                                      const WatchedClip& source, const WatchedClip& result);
 
 /// The clips of a document that these edited tracks change, against what the source has.
-[[nodiscard]] std::vector<ClipChange> worseThanSource(const Document& document,
-                                                      const std::vector<std::pair<int, std::vector<Track>>>& edited);
+[[nodiscard]] std::vector<ClipChange>
+worseThanSource(const Document& document, const std::vector<std::pair<int, std::vector<Track>>>& edited);
 
-/// The clips of a file against those of the same name in the file that it was made from. Error: the one is not
-/// made from the other.
+/// The clips of a file against those of the same name in the file that it was made from. Error: the one is
+/// not made from the other.
 [[nodiscard]] Result<std::vector<ClipChange>> worseThanFile(const Document& result, const Document& source);
 
 [[nodiscard]] gltf::Json changesToJson(const std::vector<ClipChange>& changes);

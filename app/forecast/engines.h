@@ -10,8 +10,8 @@ enum class JointScale { plays, mayBeDropped, notSupported };
 
 /// What is known of an engine (docs/engines.md, with sources): what the forecast goes by.
 struct Engine {
-  std::string id;   ///< "unity-generic"
-  std::string name; ///< For people.
+  std::string id;                   ///< "unity-generic"
+  std::string name;                 ///< For people.
   bool turnsNormalsPlainly = false; ///< By the joints' own matrices.
   JointScale scale = JointScale::plays;
   bool dropsMappedChannels = false; ///< Of mapped bones: scale, and translation but for a few.

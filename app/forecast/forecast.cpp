@@ -88,8 +88,8 @@ std::set<NodeIndex> deforming(const Scene& scene) {
   return nodes;
 }
 
-// Bones that a humanoid map names and whose translation it leaves out: all but chest, neck, shoulders and upper
-// legs, and the hips, which carry the body.
+// Bones that a humanoid map names and whose translation it leaves out: all but chest, neck, shoulders and
+// upper legs, and the hips, which carry the body.
 std::set<NodeIndex> mappedAndHeld(const Document& document) {
   std::set<NodeIndex> held;
   for (const rig::Limb& limb : document.body.limbs) {
@@ -180,9 +180,10 @@ private:
          .limb = looks.limb,
          .frame = looks.frame,
          .share = looks.share(),
-         .what = fmt::format("{} turns normals by the joints' own matrices: at frame {:g} {} of the {} "
-                             "vertices that a stretch moves are shaded more than 20 degrees off, at worst {:.0f} degrees",
-                             engine_.name, looks.frame, looks.wronglyShaded, looks.moved, looks.worstDegrees),
+         .what = fmt::format(
+             "{} turns normals by the joints' own matrices: at frame {:g} {} of the {} "
+             "vertices that a stretch moves are shaded more than 20 degrees off, at worst {:.0f} degrees",
+             engine_.name, looks.frame, looks.wronglyShaded, looks.moved, looks.worstDegrees),
          .remedy = useVolume},
         looks.clip);
   }
@@ -225,9 +226,10 @@ private:
                                          std::tuple("scale-of-mapped-bones", scales, "scale")}) {
       if (lost.channels > 0) {
         ForecastFinding finding = findingOf(id, gltf::Severity::error, lost);
-        finding.what = fmt::format("{} leaves out {} channels that {} mapped bones ({}): joints stay where the "
-                                   "avatar has them",
-                                   engine_.name, lost.channels, word, joinedLimbs(lost.limbs));
+        finding.what =
+            fmt::format("{} leaves out {} channels that {} mapped bones ({}): joints stay where the "
+                        "avatar has them",
+                        engine_.name, lost.channels, word, joinedLimbs(lost.limbs));
         finding.remedy = "import it with a generic rig";
         add(std::move(finding), clip);
       }
@@ -242,9 +244,10 @@ private:
       return;
     }
     add({.id = "culled-by-the-box-at-rest",
-         .what = fmt::format("{} may hide the mesh near the edge of the picture: the clip reaches {:.2f} heights "
-                             "beyond the box at rest",
-                             engine_.name, heights),
+         .what =
+             fmt::format("{} may hide the mesh near the edge of the picture: the clip reaches {:.2f} heights "
+                         "beyond the box at rest",
+                         engine_.name, heights),
          .remedy = engine_.cullingRemedy},
         looks.clip);
   }
@@ -267,18 +270,19 @@ private:
       return;
     }
     add({.id = "influences-left-out",
-         .share = static_cast<double>(file_.beyondFour) / static_cast<double>(std::max<std::size_t>(1, file_.vertices)),
-         .what = fmt::format("{} reads {} influences of a vertex: {} of {} vertices have more, the heaviest that "
-                             "is left out weighs {:.2f}",
-                             engine_.name, engine_.mostInfluences, file_.beyondFour, file_.vertices, file_.tail),
+         .share = static_cast<double>(file_.beyondFour) /
+                  static_cast<double>(std::max<std::size_t>(1, file_.vertices)),
+         .what =
+             fmt::format("{} reads {} influences of a vertex: {} of {} vertices have more, the heaviest that "
+                         "is left out weighs {:.2f}",
+                         engine_.name, engine_.mostInfluences, file_.beyondFour, file_.vertices, file_.tail),
          .remedy = "save it with --form volume --influences 4"},
         -1);
   }
 
   [[nodiscard]] bool carriesMesh(NodeIndex node) const {
-    return std::ranges::any_of(deforming_, [&](NodeIndex below) {
-      return isAncestorOrSelf(*document_.scene, node, below);
-    });
+    return std::ranges::any_of(
+        deforming_, [&](NodeIndex below) { return isAncestorOrSelf(*document_.scene, node, below); });
   }
 
   [[nodiscard]] bool hasOtherInterpolations() const {
@@ -373,7 +377,9 @@ Result<std::vector<std::string>> engineIdsOf(const std::string& text) {
     }
     ids.push_back(word);
   }
-  return ids.empty() ? Result<std::vector<std::string>>(Error{"names no engine", "--engine", "give all, or some of " + listed}) : ids;
+  return ids.empty() ? Result<std::vector<std::string>>(
+                           Error{"names no engine", "--engine", "give all, or some of " + listed})
+                     : ids;
 }
 
 } // namespace stretch::app

@@ -52,7 +52,8 @@ std::vector<bool> stretchedNodes(const Scene& scene, const FrameState& frame) {
   for (const Skin& skin : scene.skins) {
     const std::vector<Mat4> matrices = skinMatrices(skin, frame);
     for (std::size_t slot = 0; slot < matrices.size(); ++slot) {
-      stretched[at(skin.joints[slot])] = stretched[at(skin.joints[slot])] || scalesUnequally(Mat3(matrices[slot]));
+      stretched[at(skin.joints[slot])] =
+          stretched[at(skin.joints[slot])] || scalesUnequally(Mat3(matrices[slot]));
     }
   }
   for (const NodeIndex node : parentsFirst(scene)) {
@@ -70,7 +71,8 @@ std::vector<bool> movedVertices(const Scene& scene, const std::vector<bool>& str
     for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
       for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
         bool follows = false;
-        for (std::size_t i = 0; holder.skin >= 0 && !primitive.influences.empty() && i < VertexInfluences::capacity; ++i) {
+        for (std::size_t i = 0;
+             holder.skin >= 0 && !primitive.influences.empty() && i < VertexInfluences::capacity; ++i) {
           const VertexInfluences& vertex = primitive.influences[v];
           const std::vector<NodeIndex>& joints = scene.skins[at(holder.skin)].joints;
           follows = follows || (vertex.weights[i] > 0.0F && vertex.joints[i] < joints.size() &&

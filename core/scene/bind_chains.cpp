@@ -91,7 +91,8 @@ bool isNamed(const Scene& scene, int skin, std::size_t slot) {
 bool isCornerOfChain(const Scene& scene, NodeIndex node) {
   const BindChain* const chain =
       scene.nodes[at(node)].isBindCorner ? findBindChain(scene, scene.nodes[at(node)].parent) : nullptr;
-  return chain != nullptr && std::ranges::find(chain->corners, node, &BindCorner::node) != chain->corners.end();
+  return chain != nullptr &&
+         std::ranges::find(chain->corners, node, &BindCorner::node) != chain->corners.end();
 }
 
 // Joints whose slots their leaves took stand once more at the end of the list, where no vertex names them
@@ -142,8 +143,8 @@ std::optional<BindCorner> cornerAt(const Scene& scene, NodeIndex node) {
     if (slot == count) {
       continue;
     }
-    if (joint == count || !standsByJoint(skin, static_cast<std::size_t>(slot), static_cast<std::size_t>(joint),
-                                         corner.place)) {
+    if (joint == count ||
+        !standsByJoint(skin, static_cast<std::size_t>(slot), static_cast<std::size_t>(joint), corner.place)) {
       return std::nullopt;
     }
     corner.slotOf[static_cast<int>(s)] = static_cast<int>(slot);
@@ -191,22 +192,11 @@ bool isMovedByOneSkin(const Scene& scene, int mesh) {
 }
 
 void follow(const std::map<std::uint16_t, std::uint16_t>& jointOfCorner, VertexInfluences& vertex) {
-  VertexInfluences followed;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-    if (vertex.weights[i] <= 0.0F) {
-      continue;
-    }
-    const auto joint = jointOfCorner.find(vertex.joints[i]);
-    const std::uint16_t slot = joint == jointOfCorner.end() ? vertex.joints[i] : joint->second;
-    const auto end = followed.joints.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto known = static_cast<std::size_t>(std::find(followed.joints.begin(), end, slot) -
-                                                followed.joints.begin());
-    followed.joints[known] = slot;
-    followed.weights[known] += vertex.weights[i];
-    count = std::max(count, known + 1);
+  for (std::uint16_t& slot : vertex.joints) {
+    const auto joint = jointOfCorner.find(slot);
+    slot = joint == jointOfCorner.end() ? slot : joint->second;
   }
-  vertex = followed;
+  vertex = withoutRepeats(vertex);
 }
 
 void foldCorners(Scene& scene) {
@@ -264,6 +254,22 @@ std::vector<NodeIndex> BindChain::nodes() const {
   std::ranges::copy_if(std::array{leaf, endLeaf}, std::back_inserter(all), &NodeIndex::exists);
   std::ranges::transform(corners, std::back_inserter(all), &BindCorner::node);
   return all;
+}
+
+VertexInfluences withoutRepeats(const VertexInfluences& vertex) {
+  VertexInfluences once;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+    const auto end = once.joints.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto known =
+        static_cast<std::size_t>(std::find(once.joints.begin(), end, vertex.joints[i]) - once.joints.begin());
+    if (vertex.weights[i] > 0.0F) {
+      once.joints[known] = vertex.joints[i];
+      once.weights[known] += vertex.weights[i];
+      count = std::max(count, known + 1);
+    }
+  }
+  return once;
 }
 
 const BindChain* findBindChain(const Scene& scene, NodeIndex joint) {

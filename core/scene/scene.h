@@ -32,8 +32,8 @@ struct Node {
   int mesh = -1;
   int skin = -1;
   std::vector<float> morphWeights; ///< Instead of the mesh's defaults; empty where the node gives none.
-  bool isBindLeaf = false; ///< Made by this program to carry a stretch (marked in the file's extras): no
-                           ///< joint of a limb.
+  bool isBindLeaf = false;   ///< Made by this program to carry a stretch (marked in the file's extras): no
+                             ///< joint of a limb.
   bool isBindCorner = false; ///< A bind leaf that carries its part of the stretch by its translation.
 };
 
@@ -109,7 +109,7 @@ struct Material {
 /// (docs/rig.md, Corners).
 struct BindCorner {
   NodeIndex node;
-  Vec3 place{0.0};            ///< In the joint's space, at rest.
+  Vec3 place{0.0};           ///< In the joint's space, at rest.
   std::map<int, int> slotOf; ///< Its slot in the file's list of joints, by skin.
 };
 

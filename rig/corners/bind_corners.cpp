@@ -17,7 +17,7 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr std::size_t furtherCorners = 12; // of a joint, to fit a few influences by
+constexpr std::size_t furtherCorners = 12; // of a joint, to fit by where a vertex has too many influences
 
 using CornerOfJoint = std::pair<NodeIndex, int>;
 using Splits = std::vector<std::vector<VertexSplit::Answer>>; // of a mesh: by primitive and vertex
@@ -29,8 +29,7 @@ public:
 
   CornerFit bind(const std::vector<ClipStretches>& clips) {
     const std::vector<MovedMesh> meshes = meshesOf(scene_, jointsOf(clips));
-    const std::size_t further = options_.mostInfluences < VertexInfluences::capacity ? furtherCorners : 0;
-    sets_ = cornerSets(scene_, clips, meshes, further);
+    sets_ = cornerSets(scene_, clips, meshes, furtherCorners);
     for (const MovedMesh& mesh : meshes) {
       if (getsCorners(mesh)) {
         bindMesh(mesh);
@@ -174,7 +173,9 @@ private:
     return sets_.at(corner.first).places[at(corner.second)];
   }
 
-  [[nodiscard]] NodeIndex nextNode() const { return NodeIndex(scene_.nodes.size() + edits_.addedNodes.size()); }
+  [[nodiscard]] NodeIndex nextNode() const {
+    return NodeIndex(scene_.nodes.size() + edits_.addedNodes.size());
+  }
 
   NodeIndex nodeOf(const CornerOfJoint& corner) {
     if (const BindChain* const made = sets_.at(corner.first).made; made != nullptr) {
@@ -227,8 +228,9 @@ private:
     std::ranges::sort(misses_);
     fit_.vertices = misses_.size();
     const auto share = [&](double part) {
-      return misses_.empty() ? 0.0
-                             : misses_[static_cast<std::size_t>(part * static_cast<double>(misses_.size() - 1))];
+      return misses_.empty()
+                 ? 0.0
+                 : misses_[static_cast<std::size_t>(part * static_cast<double>(misses_.size() - 1))];
     };
     fit_.median = share(0.5);
     fit_.percentile99 = share(0.99);
@@ -240,11 +242,11 @@ private:
   const CornerOptions& options_;
   gltf::Edits& edits_;
   std::map<NodeIndex, CornerSet> sets_;
-  std::map<std::pair<int, int>, gltf::BoundMesh> bound_;          // by mesh and skin
-  std::map<CornerOfJoint, NodeIndex> nodes_;                      // of new corners
+  std::map<std::pair<int, int>, gltf::BoundMesh> bound_;         // by mesh and skin
+  std::map<CornerOfJoint, NodeIndex> nodes_;                     // of new corners
   std::map<std::pair<int, CornerOfJoint>, std::uint16_t> slots_; // of new corners, by skin
-  std::map<int, std::size_t> addedTo_;                            // joints that skins get
-  std::vector<double> misses_;                                    // of the moved vertices
+  std::map<int, std::size_t> addedTo_;                           // joints that skins get
+  std::vector<double> misses_;                                   // of the moved vertices
   CornerFit fit_;
 };
 

@@ -24,7 +24,7 @@ struct MovedPoints {
 };
 
 std::map<NodeIndex, MovedPoints> pointsOf(const Scene& scene, const std::vector<MovedMesh>& meshes,
-                                                const std::set<NodeIndex>& joints) {
+                                          const std::set<NodeIndex>& joints) {
   std::map<NodeIndex, MovedPoints> points;
   std::set<std::pair<int, int>> seen; // meshes under skins
   for (const MovedMesh& mesh : meshes) {
@@ -106,8 +106,8 @@ CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const Str
   CornerSet set{joint, {}, 0, findBindChain(scene, joint)};
   if (set.made != nullptr) {
     set = madeSet(*set.made);
-    const bool isEnough = set.enclosing >= cornersOfTetrahedron ||
-                          onlyLengthen(stretches, glm::normalize(set.places.front()));
+    const bool isEnough =
+        set.enclosing >= cornersOfTetrahedron || onlyLengthen(stretches, glm::normalize(set.places.front()));
     if (isEnough) {
       return set;
     }
@@ -161,9 +161,10 @@ private:
       return;
     }
     const float time =
-        to < 1.0 ? static_cast<float>(stretch_.times[key] +
-                                      to * (static_cast<double>(stretch_.times[key + 1]) - stretch_.times[key]))
-                 : stretch_.times[key + 1];
+        to < 1.0
+            ? static_cast<float>(stretch_.times[key] +
+                                 to * (static_cast<double>(stretch_.times[key + 1]) - stretch_.times[key]))
+            : stretch_.times[key + 1];
     if (time > times_.back() && (to >= 1.0 || time < stretch_.times[key + 1])) {
       times_.push_back(time);
       values_.push_back(placeBetween(key, to));

@@ -10,8 +10,9 @@ namespace stretch::rig {
 /// The corners that carry the stretch of one joint.
 struct CornerSet {
   NodeIndex joint;
-  std::vector<Vec3> places;   ///< In the joint's space, at rest.
-  std::size_t enclosing = 0;  ///< The first of them, which hold every vertex; further ones are there to fit by.
+  std::vector<Vec3> places;  ///< In the joint's space, at rest.
+  std::size_t enclosing = 0; ///< The first of them, which hold every vertex; further ones are there to fit
+                             ///< by.
   /// The file's own, which are used again; null: new ones.
   const BindChain* made = nullptr;
 
@@ -37,11 +38,12 @@ struct MovedMesh {
 /// How the vertices of a primitive follow the mesh's joints.
 [[nodiscard]] std::vector<VertexInfluences> influencesOf(const Primitive& primitive, const MovedMesh& mesh);
 
-/// The corners for every stretched joint that a mesh follows, by joint. `further`: with so many more among the
-/// vertices that another joint moves as well.
+/// The corners for every stretched joint that a mesh follows, by joint. `further`: with so many more among
+/// the vertices that another joint moves as well.
 [[nodiscard]] std::map<NodeIndex, CornerSet> cornerSets(const Scene& scene,
                                                         const std::vector<ClipStretches>& clips,
-                                                        const std::vector<MovedMesh>& meshes, std::size_t further);
+                                                        const std::vector<MovedMesh>& meshes,
+                                                        std::size_t further);
 
 /// The motion of a corner under a stretch: translations, with keys between those of the stretch where its
 /// axes turn, so that no corner is off by more than 1e-5 of its distance from the joint.

@@ -88,7 +88,8 @@ std::vector<Vec3> enclosingTetrahedron(const std::vector<Vec3>& points, const Qu
     box.add(seen.back());
   }
   const Vec3 centre = 0.5 * (box.low + box.high);
-  const double longest = std::max(box.largestExtent(), std::numeric_limits<double>::min() * 1e6);
+  const double farthest = glm::length(centre);
+  const double longest = std::max(box.largestExtent(), farthest > 0.0 ? thinnest * farthest : 1.0);
   const Vec3 half = 0.5 * glm::max(box.high - box.low, Vec3(thinnest * longest));
   for (Vec3& point : seen) {
     point = (point - centre) / half;
@@ -135,7 +136,8 @@ std::vector<double> affineCoordinates(const std::vector<Vec3>& corners, const Ve
     return shares;
   }
   const Vec3& base = corners[3];
-  const Vec3 three = glm::inverse(Mat3(corners[0] - base, corners[1] - base, corners[2] - base)) * (point - base);
+  const Vec3 three =
+      glm::inverse(Mat3(corners[0] - base, corners[1] - base, corners[2] - base)) * (point - base);
   shares = {three.x, three.y, three.z, 1.0 - three.x - three.y - three.z};
   double sum = 0.0;
   for (double& share : shares) {

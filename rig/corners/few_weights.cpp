@@ -136,32 +136,26 @@ Fit exchanged(const MissProducts& products, const Fit& fit, std::size_t limit) {
   return best;
 }
 
-// All of a few candidates, taken away one after the other; of many those that are best to add.
-Fit firstFit(const MissProducts& products, std::size_t limit) {
-  constexpr std::size_t few = 12;
-  if (products.count <= few) {
-    Places all(products.count);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      all[i] = i;
-    }
-    return reduced(products, fitOf(products, std::move(all)), limit);
-  }
+// The better of two: what is left of the exact ones, and those that are best to add one after the other.
+Fit firstFit(const MissProducts& products, const Places& exact, std::size_t limit) {
   Fit fit;
   for (std::size_t count = 0; count < limit; ++count) {
-    const Fit more = extended(products, fit);
+    Fit more = extended(products, fit);
     if (!(more.miss < fit.miss)) {
       break;
     }
-    fit = more;
+    fit = std::move(more);
   }
-  return fit;
+  Fit left = reduced(products, fitOf(products, exact), limit);
+  return left.miss < fit.miss ? left : fit;
 }
 
 } // namespace
 
-std::vector<double> fewWeights(const MissProducts& products, std::size_t limit) {
+std::vector<double> fewWeights(const MissProducts& products, const std::vector<std::size_t>& exact,
+                               std::size_t limit) {
   constexpr int mostExchanges = 8;
-  Fit fit = firstFit(products, limit);
+  Fit fit = firstFit(products, exact, limit);
   for (int i = 0; i < mostExchanges; ++i) {
     Fit better = exchanged(products, fit, limit);
     if (!(better.miss < fit.miss)) {

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/bind_chains.h"
 #include "rig/corners/enclosing_corners.h"
 #include "rig/corners/few_weights.h"
 
@@ -44,7 +45,8 @@ const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
   return slot;
 }
 
-VertexSplit::Answer VertexSplit::of(const VertexInfluences& vertex, const Vec3& place) {
+VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const Vec3& place) {
+  const VertexInfluences vertex = withoutRepeats(asRead);
   Answer answer;
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
     const auto weight = static_cast<double>(vertex.weights[i]);
@@ -90,6 +92,30 @@ std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& v
   return candidates;
 }
 
+// Normals turn with the joints: a joint should keep its share of the vertex, where there is room for that.
+void VertexSplit::addShading(const std::vector<CornerInfluence>& exact,
+                             const std::vector<CornerInfluence>& candidates, MissProducts& products) const {
+  constexpr double shareAsHeights = 0.05; // a vertex wholly on another joint misses by so much
+  if (options_.mostInfluences < VertexInfluences::capacity) {
+    return;
+  }
+  std::map<std::uint16_t, double> shares;
+  for (const CornerInfluence& part : exact) {
+    shares[part.slot] += part.weight;
+  }
+  const double length = shareAsHeights * options_.height;
+  const double scale = length * length * static_cast<double>(options_.moments.size());
+  for (const auto& [slot, share] : shares) {
+    for (std::size_t a = 0; a < candidates.size(); ++a) {
+      for (std::size_t b = 0; b < candidates.size(); ++b) {
+        products.products[a * candidates.size() + b] += scale *
+                                                        ((candidates[a].slot == slot ? 1.0 : 0.0) - share) *
+                                                        ((candidates[b].slot == slot ? 1.0 : 0.0) - share);
+      }
+    }
+  }
+}
+
 void VertexSplit::fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place) {
   std::vector<CornerInfluence> candidates = candidatesOf(vertex);
   const auto placeOf = [&](const CornerInfluence& part, std::size_t moment) {
@@ -117,7 +143,16 @@ void VertexSplit::fit(Answer& answer, const VertexInfluences& vertex, const Vec3
       products.products[b * candidates.size() + a] = products.at(a, b);
     }
   }
-  const std::vector<double> weights = fewWeights(products, options_.mostInfluences);
+  addShading(answer.parts, candidates, products);
+  std::vector<std::size_t> exact;
+  for (std::size_t a = 0; a < candidates.size(); ++a) {
+    if (std::ranges::any_of(answer.parts, [&](const CornerInfluence& part) {
+          return part.slot == candidates[a].slot && part.corner == candidates[a].corner;
+        })) {
+      exact.push_back(a);
+    }
+  }
+  const std::vector<double> weights = fewWeights(products, exact, options_.mostInfluences);
   for (std::size_t moment = 0; moment < options_.moments.size(); ++moment) {
     Vec3 miss(0.0);
     for (std::size_t a = 0; a < candidates.size(); ++a) {

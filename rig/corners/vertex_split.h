@@ -6,6 +6,7 @@
 
 #include "rig/corners/bind_corners.h"
 #include "rig/corners/corner_set.h"
+#include "rig/corners/few_weights.h"
 
 namespace stretch::rig {
 
@@ -20,7 +21,8 @@ struct CornerInfluence {
 class VertexSplit {
 public:
   /// What is given stays as it is while the splitting lasts.
-  VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets, const CornerOptions& options);
+  VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
+              const CornerOptions& options);
 
   struct Answer {
     std::vector<CornerInfluence> parts; ///< Heaviest first, at most as many as allowed.
@@ -39,6 +41,8 @@ private:
 
   void fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place);
   [[nodiscard]] std::vector<CornerInfluence> candidatesOf(const VertexInfluences& vertex) const;
+  void addShading(const std::vector<CornerInfluence>& exact, const std::vector<CornerInfluence>& candidates,
+                  MissProducts& products) const;
   const Slot& prepared(std::uint16_t slot);
 
   const MovedMesh& mesh_;

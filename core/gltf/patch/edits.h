@@ -17,7 +17,7 @@ struct AddedNode {
   Transform rest;
   NodeIndex meshFrom; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
                       ///< None: no mesh.
-  bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
+  bool isBindLeaf = true;    ///< Marked in extras, so that readers of ours know it.
   bool isBindCorner = false; ///< Marked so beside it.
 };
 
@@ -51,14 +51,15 @@ struct AddedSkin {
 };
 
 /// A node whose mesh is bound to a skin. The attributes JOINTS_0 and WEIGHTS_0 of its primitives point to new
-/// accessors, those of the second set where a vertex needs it; other sets go. A mesh that nodes show which are not bound, or bound in another way,
-/// is left to them: the node gets a copy, which shares every other accessor.
+/// accessors, those of the second set where a vertex needs it; other sets go. A mesh that nodes show which
+/// are not bound, or bound in another way, is left to them: the node gets a copy, which shares every other
+/// accessor.
 struct BoundMesh {
   NodeIndex node; ///< Node of the source that holds a mesh, or an added one that takes it over.
   int skin = -1;  ///< Skin of the source or added.
   /// For each primitive of Mesh::primitives (core/scene/scene.h) an entry per vertex, the slots with weight
-  /// first. Points and lines, which are not among those, stay as they are on the skin that moves them already,
-  /// and follow the first joint of another.
+  /// first. Points and lines, which are not among those, stay as they are on the skin that moves them
+  /// already, and follow the first joint of another.
   std::vector<std::vector<VertexInfluences>> influences;
 };
 

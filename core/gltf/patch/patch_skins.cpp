@@ -53,7 +53,8 @@ void patchSkins(const Source& source, const Edits& edits, Journal& journal, Appe
   const auto numbersOf = [&](int skin) {
     const auto [numbers, isNew] = matrices.try_emplace(skin);
     if (isNew) {
-      numbers->second = inverseBindNumbers(source, element(source.json, "skins", static_cast<std::size_t>(skin)));
+      numbers->second =
+          inverseBindNumbers(source, element(source.json, "skins", static_cast<std::size_t>(skin)));
     }
     return numbers;
   };

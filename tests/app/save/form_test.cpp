@@ -6,8 +6,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/files/save.h"
 #include "app/evaluate/evaluate.h"
+#include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/gltf/import/accessor.h"
 #include "core/gltf/json/json.h"
@@ -35,7 +35,8 @@ Document opened(const fs::path& path) {
 }
 
 Document punch(double volume = 1.0) {
-  Document document = test::withNewTrail(opened(dummyPath), {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
+  Document document =
+      test::withNewTrail(opened(dummyPath), {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
   document.trails.front().settings.volume = volume;
   return document;
 }
@@ -52,8 +53,8 @@ struct Vertex {
   Vec3 normal{0.0}; // turned by the inverse transpose
 };
 
-// A viewer that knows nothing of leaves or corners: nodes by the clip, joints and matrices of the first skin and every
-// set of influences as the file has them.
+// A viewer that knows nothing of leaves or corners: nodes by the clip, joints and matrices of the first skin
+// and every set of influences as the file has them.
 class Viewer {
 public:
   explicit Viewer(const fs::path& path) {
@@ -61,7 +62,8 @@ public:
     REQUIRE(loaded);
     file_ = std::move(*loaded);
     const Json& skin = (*file_.source->json)["skins"][0];
-    const std::vector<float> numbers = gltf::readFloats(*file_.source, skin["inverseBindMatrices"].get<int>());
+    const std::vector<float> numbers =
+        gltf::readFloats(*file_.source, skin["inverseBindMatrices"].get<int>());
     for (std::size_t i = 0; i < skin["joints"].size(); ++i) {
       joints_.emplace_back(skin["joints"][i].get<int>());
       inverseBind_.push_back(Mat4(glm::make_mat4(numbers.data() + 16 * i)));
@@ -72,10 +74,12 @@ public:
   [[nodiscard]] const Scene& scene() const { return *file_.scene; }
 
   [[nodiscard]] std::vector<Vertex> at(double frame) const {
-    const std::vector<Mat4> worlds = worldMatrices(scene(), samplePose(scene(), file_.clips[0], frame / 24.0));
+    const std::vector<Mat4> worlds =
+        worldMatrices(scene(), samplePose(scene(), file_.clips[0], frame / 24.0));
     std::vector<Vertex> all;
     for (const Json& node : json()["nodes"]) {
-      for (const Json& primitive : node.contains("skin") ? json()["meshes"][node["mesh"].get<int>()]["primitives"] : Json::array()) {
+      for (const Json& primitive :
+           node.contains("skin") ? json()["meshes"][node["mesh"].get<int>()]["primitives"] : Json::array()) {
         addSkinned(primitive["attributes"], worlds, all);
       }
     }
@@ -85,7 +89,8 @@ public:
 private:
   void addSkinned(const Json& attributes, const std::vector<Mat4>& worlds, std::vector<Vertex>& all) const {
     const auto numbers = [&](const std::string& name) {
-      return attributes.contains(name) ? gltf::readFloats(*file_.source, attributes[name].get<int>()) : std::vector<float>{};
+      return attributes.contains(name) ? gltf::readFloats(*file_.source, attributes[name].get<int>())
+                                       : std::vector<float>{};
     };
     const std::vector<float> positions = numbers("POSITION");
     const std::vector<float> normals = numbers("NORMAL");
@@ -96,10 +101,13 @@ private:
         const std::vector<float>& slots = kept(std::string("JOINTS_") + set, attributes);
         for (std::size_t i = 0; i < 4 && !weights.empty(); ++i) {
           const auto slot = static_cast<std::size_t>(slots[4 * v + i]);
-          matrix += static_cast<double>(weights[4 * v + i]) * worlds[stretch::at(joints_[slot])] * inverseBind_[slot];
+          matrix += static_cast<double>(weights[4 * v + i]) * worlds[stretch::at(joints_[slot])] *
+                    inverseBind_[slot];
         }
       }
-      const auto three = [&](const std::vector<float>& from) { return Vec3(from[3 * v], from[3 * v + 1], from[3 * v + 2]); };
+      const auto three = [&](const std::vector<float>& from) {
+        return Vec3(from[3 * v], from[3 * v + 1], from[3 * v + 2]);
+      };
       all.push_back({transformPoint(matrix, three(positions)),
                      glm::normalize(glm::transpose(glm::inverse(Mat3(matrix))) * three(normals))});
     }
@@ -171,7 +179,8 @@ TEST_CASE("Corners put every vertex where the scale of leaves puts it, and shade
   CHECK(corners(scale.scene()) == 0);
   CHECK(corners(corner.scene()) > 0);
   for (const Json& animation : corner.json()["animations"]) {
-    CHECK(std::ranges::none_of(animation["channels"], [](const Json& channel) { return channel["target"]["path"] == "scale"; }));
+    CHECK(std::ranges::none_of(animation["channels"],
+                               [](const Json& channel) { return channel["target"]["path"] == "scale"; }));
   }
 }
 
@@ -229,7 +238,8 @@ TEST_CASE("The form is an option of the verbs that write, with another word for 
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
   const auto run = [&](std::vector<std::string> more) {
-    std::vector<std::string> words{"exaggerate", dummyPath, "-o", out, "--limb", "left-arm", "--range", "21:27", "--scale", "3", "--clean", "--json"};
+    std::vector<std::string> words{"exaggerate", dummyPath, "-o",      out, "--limb",  "left-arm",
+                                   "--range",    "21:27",   "--scale", "3", "--clean", "--json"};
     words.insert(words.end(), more.begin(), more.end());
     return test::runVerb(words);
   };

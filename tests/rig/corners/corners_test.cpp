@@ -78,7 +78,8 @@ StretchKeys longer(const Vec3& factors) {
 
 } // namespace
 
-TEST_CASE("A tetrahedron of corners holds every point: affine coordinates are none below 0 and give the point back") {
+TEST_CASE("A tetrahedron of corners holds every point: affine coordinates are none below 0 and give the "
+          "point back") {
   const std::vector<Vec3> points = tube(slanted);
   const std::vector<Vec3> corners = enclosingTetrahedron(points, slanted);
   REQUIRE(corners.size() == 4);
@@ -100,8 +101,9 @@ TEST_CASE("The tetrahedron is no larger than one around the tube has to be") {
 }
 
 TEST_CASE("Corners of points in a plane, on a line and of a single point still hold them") {
-  for (const std::vector<Vec3>& points :
-       {std::vector<Vec3>{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)}, {Vec3(0.2)}}) {
+  for (const std::vector<Vec3>& points : {std::vector<Vec3>{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                          {Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)},
+                                          {Vec3(0.2)}}) {
     const std::vector<Vec3> corners = enclosingTetrahedron(points, Quat(1, 0, 0, 0));
     for (const Vec3& point : points) {
       CHECK(glm::length(mixed(corners, affineCoordinates(corners, point)) - point) < 1e-9);
@@ -130,11 +132,11 @@ TEST_CASE("A few weights of many candidates miss least, none of them below 0 and
       products.products.push_back(glm::dot(a, b));
     }
   }
-  const std::vector<double> weights = fewWeights(products, 2);
+  const std::vector<double> weights = fewWeights(products, {0, 1, 2, 3, 4}, 2);
   CHECK(weights[0] == Approx(0.75).margin(1e-6));
   CHECK(weights[1] == Approx(0.25).margin(1e-6));
   CHECK(std::ranges::count_if(weights, [](double w) { return w > 0.0; }) == 2);
-  const std::vector<double> one = fewWeights(products, 1);
+  const std::vector<double> one = fewWeights(products, {0, 2, 3}, 1);
   CHECK(one[0] == Approx(1.0));
 }
 
@@ -150,7 +152,8 @@ TEST_CASE("A corner goes where the stretch takes it, between keys too, however t
   for (double time = 0.0; time <= 1.0; time += 0.01) {
     const std::size_t key = time < 0.5 ? 0 : 1;
     const double t = (time - keys.times[key]) / 0.5;
-    const Vec3 exact = between({keys.axes[key], keys.scales[key]}, {keys.axes[key + 1], keys.scales[key + 1]}, t) * place;
+    const Vec3 exact =
+        between({keys.axes[key], keys.scales[key]}, {keys.axes[key + 1], keys.scales[key + 1]}, t) * place;
     std::array<double, 3> sampled{};
     sampleTrack(track, time, sampled.data());
     CHECK(glm::length(Vec3(sampled[0], sampled[1], sampled[2]) - exact) < 2e-5 * glm::length(place));
@@ -178,7 +181,8 @@ TEST_CASE("Corners without weight are left out, and those of a bone that only le
   CHECK(edits.addedSlots[0].node == NodeIndex(2));
 }
 
-TEST_CASE("A bone that keeps its volume has four corners, and a limit of influences is kept and its miss told") {
+TEST_CASE(
+    "A bone that keeps its volume has four corners, and a limit of influences is kept and its miss told") {
   std::vector<glm::vec3> positions;
   for (const Vec3& point : tube(Quat(1, 0, 0, 0))) {
     positions.emplace_back(point);
@@ -189,7 +193,8 @@ TEST_CASE("A bone that keeps its volume has four corners, and a limit of influen
   for (const double s : {1.0, 2.0, 3.0}) {
     FrameState frame = frameOf(scene, restPose(scene), 0.0);
     frame.stretch.assign(2, Mat3(1.0));
-    frame.stretch[0] = StretchFrame{Quat(1, 0, 0, 0), Vec3(s, 1.0 - 0.2 * (s - 1.0), 1.0 - 0.2 * (s - 1.0))}.matrix();
+    frame.stretch[0] =
+        StretchFrame{Quat(1, 0, 0, 0), Vec3(s, 1.0 - 0.2 * (s - 1.0), 1.0 - 0.2 * (s - 1.0))}.matrix();
     options.moments.push_back(frame);
   }
   gltf::Edits exact;

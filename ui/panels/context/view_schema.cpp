@@ -176,7 +176,8 @@ const app::Schema<app::SequenceView>& sequenceViewSchema() {
 
 const app::Schema<UiState>& windowSchema() {
   static const app::Schema<UiState> schema = app::joined<UiState>(
-      {windowWays(), app::partOf<UiState>(app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; })});
+      {windowWays(), app::partOf<UiState>(
+                         app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; })});
   return schema;
 }
 
