@@ -12,6 +12,7 @@
 #include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
+#include "app/files/saved_form.h"
 #include "app/selection.h"
 #include "rig/moments/moments.h"
 
@@ -98,7 +99,7 @@ public:
   /// That, or another name beside the source; in the user's documents for a bundled clip and for one whose
   /// folder cannot be written.
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
-  Status save(const std::filesystem::path& path, bool clean);
+  Status save(const std::filesystem::path& path, bool clean, const SavedForm& form = {});
 
   /// The moments of the viewed clip, which exists, strongest first; while something is dragged those before.
   [[nodiscard]] const std::vector<rig::Moment>& moments() const;

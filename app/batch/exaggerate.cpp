@@ -2,6 +2,7 @@
 
 #include "app/batch/auto_options.h"
 #include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -115,18 +116,19 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     return document.error();
   }
   const bool isAuto = arguments.every.wanted;
-  const Result<gltf::Json> report = isAuto ? autoExaggerated(arguments.every, arguments.input, *document)
-                                           : exaggerated(arguments, requests, camera, *document);
+  Result<gltf::Json> report = isAuto ? autoExaggerated(arguments.every, arguments.input, *document)
+                                     : exaggerated(arguments, requests, camera, *document);
   if (!report) {
     return report.error();
   }
-  if (Status saved = saveDocument(*document, arguments.output.file.path, arguments.output.save); !saved) {
+  if (Status saved = saveReported(*document, arguments.output, *report); !saved) {
     return saved;
   }
   if (arguments.json) {
     arguments.json.print(*report);
   } else {
     (isAuto ? printAuto : printExaggeration)(*report);
+    printSaved(*report);
   }
   return Success{};
 }

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/keys/import_clip.h"
@@ -104,14 +104,15 @@ Status runImport(const ImportArguments& arguments) {
   if (!changed) {
     return changed.error();
   }
-  if (Status saved = saveDocument(*changed, arguments.output.file.path, arguments.output.save); !saved) {
+  Json report = reportOf(*changed, *brought);
+  if (Status saved = saveReported(*changed, arguments.output, report); !saved) {
     return saved;
   }
-  const Json report = reportOf(*changed, *brought);
   if (arguments.json) {
     arguments.json.print(report);
   } else {
     printReport(report);
+    printSaved(report);
   }
   return Success{};
 }

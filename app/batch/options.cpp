@@ -88,14 +88,6 @@ Status checkOutput(const OutputFile& output, const std::vector<std::string>& inp
   return Success{};
 }
 
-void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
-  addOutputFile(line, arguments.file, "The .glb or .gltf to write");
-  line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
-  line.flag("--keep-skeleton", arguments.save.keepSkeleton,
-            "Stretch through translations only: no bind joints");
-  line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
-}
-
 void JsonOutput::print(const gltf::Json& report) const {
   std::cout << report.dump(oneLine ? -1 : 1) << '\n';
 }

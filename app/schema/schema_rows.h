@@ -115,4 +115,16 @@ template <typename Settings>
   return schema;
 }
 
+/// The settings of a part of `Settings`, to which `access` leads, as settings of the whole.
+template <typename Settings, typename Part, typename Access>
+[[nodiscard]] Schema<Settings> partOf(const Schema<Part>& part, Access access) {
+  Schema<Settings> schema;
+  for (const Setting<Part>& one : part) {
+    schema.push_back({static_cast<const SettingFacts&>(one),
+                      [one, access](const Settings& s) { return one.read(access(s)); },
+                      [one, access](const gltf::Json& v, Settings& s) { one.write(v, access(s)); }});
+  }
+  return schema;
+}
+
 } // namespace stretch::app

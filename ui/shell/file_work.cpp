@@ -76,6 +76,7 @@ public:
   explicit WindowUser(Shell& shell) : shell_(shell) {}
 
   app::OpenDocument& open() override { return shell_.open; }
+  [[nodiscard]] app::SavedForm form() const override { return shell_.ui.savedForm; }
   void tell(app::Tone tone, const std::string& text) override { ui::tell(shell_, tone, text); }
   void closing() override {
     if (shell_.open.character() != nullptr) {

@@ -1,5 +1,6 @@
 #include "ui/panels/context/view_schema.h"
 
+#include "app/schema/form_schema.h"
 #include "app/schema/schema_rows.h"
 
 namespace stretch::ui {
@@ -176,7 +177,9 @@ const app::Schema<app::SequenceView>& sequenceViewSchema() {
 }
 
 const app::Schema<UiState>& windowSchema() {
-  static const app::Schema<UiState> schema = windowWays();
+  static const app::Schema<UiState> schema = app::joined<UiState>(
+      {windowWays(), app::partOf<UiState>(
+                         app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; })});
   return schema;
 }
 
