@@ -43,6 +43,10 @@ struct ControllerModal {
 /// Page Down move, or turn by a degree; Enter keeps, Esc restores.
 [[nodiscard]] ModalOutcome pressKey(ControllerModal& modal, const KeyPress& press);
 
+/// A turn (a rotation vector) on top of another one along the same axes: of all vectors that turn so the one
+/// nearest to their sum, so that turns beyond the half one count on.
+[[nodiscard]] Vec3 turnedFurther(const Vec3& vector, const Vec3& change);
+
 /// Which way a controller whose carrier has these axes is moved (world units), or turned (a rotation vector),
 /// in the world.
 [[nodiscard]] Vec3 worldChange(const ControllerModal& modal, const Mat3& carrierAxes);
