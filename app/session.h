@@ -5,11 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/editing.h"
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/pose/offset_edits.h"
+#include "app/edits/pose/seen_pose.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
 #include "app/files/saved_form.h"
@@ -47,8 +49,9 @@ struct ViewState {
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   CameraPlace camera;   ///< The view itself; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< Trail that Paste pastes.
-  /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
-  std::optional<OffsetPose> copiedPose;
+  /// The same while controllers are selected: what was seen, or offsets with moves in lengths of the
+  /// controller (rig::Controller::length).
+  std::optional<std::variant<SeenPose, OffsetPose>> copiedPose;
   KeySelection pickedKeys;              ///< Keys of the viewed clip, in graph and dope sheet.
   int pickedClip = 0;                   ///< The clip that they are of.
   std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.

@@ -13,25 +13,6 @@ namespace stretch::app {
 
 namespace {
 
-// A turn in the world on top of a rotation vector along a carrier's axes: of all vectors that turn so the one
-// nearest to the sum, so that turns beyond the half one count on.
-Vec3 turnedFurther(const Vec3& vector, const Vec3& change) {
-  if (glm::length(vector) <= 0.0) {
-    return change;
-  }
-  Quat sum = glm::normalize(rig::rotationOfVector(change) * rig::rotationOfVector(vector));
-  sum = sum.w < 0.0 ? -sum : sum;
-  const Vec3 sine(sum.x, sum.y, sum.z);
-  const double length = glm::length(sine);
-  const Vec3 expected = vector + change;
-  const Vec3 axis = length > 1e-12                  ? sine / length
-                    : glm::length(expected) > 1e-12 ? glm::normalize(expected)
-                                                    : Vec3(0.0, 1.0, 0.0);
-  const double angle = 2.0 * std::atan2(length, sum.w);
-  const double turns = std::round((glm::dot(expected, axis) - angle) / (2.0 * pi));
-  return (angle + 2.0 * pi * turns) * axis;
-}
-
 // A foot stays where it is put, whatever its leg hangs on.
 bool carries(const rig::PlacedController& carrier, const rig::PlacedController& other) {
   using rig::ControllerKind;
@@ -49,6 +30,23 @@ bool carries(const rig::PlacedController& carrier, const rig::PlacedController& 
 }
 
 } // namespace
+
+Vec3 turnedFurther(const Vec3& vector, const Vec3& change) {
+  if (glm::length(vector) <= 0.0) {
+    return change;
+  }
+  Quat sum = glm::normalize(rig::rotationOfVector(change) * rig::rotationOfVector(vector));
+  sum = sum.w < 0.0 ? -sum : sum;
+  const Vec3 sine(sum.x, sum.y, sum.z);
+  const double length = glm::length(sine);
+  const Vec3 expected = vector + change;
+  const Vec3 axis = length > 1e-12                  ? sine / length
+                    : glm::length(expected) > 1e-12 ? glm::normalize(expected)
+                                                    : Vec3(0.0, 1.0, 0.0);
+  const double angle = 2.0 * std::atan2(length, sum.w);
+  const double turns = std::round((glm::dot(expected, axis) - angle) / (2.0 * pi));
+  return (angle + 2.0 * pi * turns) * axis;
+}
 
 std::vector<HeldController> heldControllers(PullMotion motion,
                                             std::span<const rig::PlacedController> selected,

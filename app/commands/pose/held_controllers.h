@@ -15,6 +15,10 @@ struct HeldController {
   ControllerOffset offset;
 };
 
+/// A turn (a rotation vector) on top of another one along the same axes: of all vectors that turn so the one
+/// nearest to their sum, so that turns beyond the half one count on.
+[[nodiscard]] Vec3 turnedFurther(const Vec3& vector, const Vec3& change);
+
 /// Takes hold of those that can do the motion; of two of which one carries the other only that one moves.
 [[nodiscard]] std::vector<HeldController> heldControllers(PullMotion motion,
                                                           std::span<const rig::PlacedController> selected,
