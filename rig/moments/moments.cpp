@@ -1,6 +1,7 @@
 #include "rig/moments/moments.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/anim/frames.h"
@@ -61,14 +62,8 @@ bool goBefore(const Moment& a, const Moment& b) {
 } // namespace
 
 const char* momentKindName(MomentKind kind) {
-  switch (kind) {
-  case MomentKind::cycle:
-    return "cycle";
-  case MomentKind::landing:
-    return "landing";
-  default:
-    return "stroke";
-  }
+  constexpr std::array<const char*, 3> names{"stroke", "cycle", "landing"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 const Moment* momentAt(const std::vector<Moment>& moments, double frame, double nearFrames) {

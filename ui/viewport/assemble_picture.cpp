@@ -242,8 +242,8 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
                                 trailStyleOf(trail, selection, overlays, palette)});
     }
   }
-  if (!selection.momentPath.empty()) {
-    content.trails.push_back(momentTrail(selection.momentPath, palette));
+  if (!subject.trails.momentPath.empty()) {
+    content.trails.push_back(momentTrail(subject.trails.momentPath, palette));
   }
   addHandles(selection, content);
   content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);

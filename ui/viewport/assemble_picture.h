@@ -37,7 +37,6 @@ struct PictureSelection {
   std::optional<ControllerHandles> controllerHandles = std::nullopt;
   std::optional<HandlePart> activeHandle = std::nullopt; ///< Part of these under the mouse.
   NodeIndex weightsOf = NodeIndex::none;         ///< Joint whose weights colour the mesh; none: nothing does.
-  std::vector<Vec3> momentPath = {};             ///< Way of a moment, world space, two points a frame.
   std::optional<double> tipFrame = std::nullopt; ///< Frame of a trail's tip: the pose there is a ghost.
 };
 

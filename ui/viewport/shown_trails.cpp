@@ -33,7 +33,7 @@ ShownTrail showTrail(const rig::SolvedTrail& solved, const app::TrailPaths& path
 
 ShownTrails shownTrails(std::shared_ptr<const rig::MotionState> motion,
                         const std::vector<app::TrailPaths>& paths) {
-  ShownTrails shown{{}, std::move(motion)};
+  ShownTrails shown{.madeFrom = std::move(motion)};
   for (std::size_t i = 0; i < paths.size(); ++i) {
     shown.trails.push_back(showTrail(shown.madeFrom->trails[i], paths[i]));
   }
@@ -47,7 +47,7 @@ void updateShownTrails(app::Session& session, ShownTrails& shown) {
   }
   shown = app::hasClip(session.document(), session.view().clip)
               ? shownTrails(std::move(motion), session.paths(pathSamplesPerFrame))
-              : ShownTrails{{}, std::move(motion)};
+              : ShownTrails{.madeFrom = std::move(motion)};
 }
 
 const ShownTrail* findShown(const ShownTrails& shown, int trailId) {

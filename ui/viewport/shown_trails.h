@@ -28,8 +28,10 @@ struct ShownTrail {
 
 /// The trails of a clip, and what they were made from.
 struct ShownTrails {
-  std::vector<ShownTrail> trails;
+  std::vector<ShownTrail> trails = {};
   std::shared_ptr<const rig::MotionState> madeFrom; ///< They are made again only when it is another.
+  std::vector<Vec3> momentPath = {}; ///< Way of a moment, world space, two points a frame; empty: none is
+                                     ///< shown.
 };
 
 /// `paths`: one for each trail of the motion, pathSamplesPerFrame samples a frame.

@@ -192,7 +192,8 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   updateShown();
   viewport.tipFrame = tipGhostFrame(context);
   const std::optional<rig::Moment> moment = std::exchange(context.ui.time.hoveredMoment, std::nullopt);
-  viewport.momentPath = moment ? app::pathOfMoment(*context.open.character(), *moment) : std::vector<Vec3>{};
+  viewport.shown.momentPath =
+      moment ? app::pathOfMoment(*context.open.character(), *moment) : std::vector<Vec3>{};
   tellTipOutOfView(context);
   drawScene(context, gpu, picture);
 }

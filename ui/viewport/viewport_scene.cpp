@@ -26,7 +26,6 @@ PictureSelection selectionOf(const app::Session& session, const ViewportState& v
   selection.controllerHandles = controllerHandles(session, viewport.controllers);
   selection.activeHandle = viewport.hoveredHandle;
   selection.tipFrame = viewport.tipFrame;
-  selection.momentPath = viewport.momentPath;
   selection.weightsOf = viewport.weightsOf;
   return selection;
 }

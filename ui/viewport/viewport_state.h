@@ -41,7 +41,6 @@ struct ViewportState {
   ShownTrails shown;
   ShownTangents tangents;
   std::vector<ShownController> controllers; ///< Empty while they are not shown.
-  std::vector<Vec3> momentPath;             ///< Way of the moment whose mark is under the mouse.
   NodeIndex weightsOf;                      ///< Joint whose weights are drawn; none: they are not.
 
   ViewportGesture gesture = ViewportGesture::none;

@@ -209,7 +209,6 @@ void applyGesture(const TimelineModel& model, const Layout& layout, const Timeli
   case TimelinePart::keys: {
     const double away = frame - gesture.grabbedAt;
     outcome.keyFrames = model.snap ? std::round(away) : away;
-    outcome.keysDragged = true;
     break;
   }
   case TimelinePart::nothing:
@@ -421,7 +420,6 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   if (ImGui::IsItemActivated()) {
     gesture = {hit.part, hit.bar, layout.frames.toValue(mouse.x), hit.span, hit.row};
     outcome.clickedBar = hit.bar;
-    outcome.clickedMoment = hit.part == TimelinePart::moment ? std::optional(hit.row) : std::nullopt;
     pressKeys(model, hit, outcome);
   } else if (control.hovered && ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F)) {
     timeline_detail::applyGesture(model, layout, {.part = TimelinePart::pan}, mouse, outcome);
@@ -443,7 +441,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   if (control.held && gesture.part == TimelinePart::keyBox) {
     holdKeyBox(context, layout, gesture, mouse);
   }
-  outcome.hoveredMoment = hit.part == TimelinePart::moment ? std::optional(hit.row) : std::nullopt;
+  outcome.moment = hit.part == TimelinePart::moment ? std::optional(hit.row) : std::nullopt;
   outcome.hovered = control.hovered && layout.track.contains(mouse);
   outcome.mouseFrame = layout.frames.toValue(mouse.x);
   recordItems(context, id, layout, model);
@@ -455,7 +453,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   if (!control.held) {
     const std::string name = timeline_detail::cutLabelAt(theme, layout, model, mouse);
     const Help& help =
-        outcome.hoveredMoment ? model.moments[hit.row].help : timeline_detail::helpFor(hit.part, hit.bar);
+        outcome.moment ? model.moments[hit.row].help : timeline_detail::helpFor(hit.part, hit.bar);
     tooltip(context, name.empty() ? help : Help{.title = name});
   }
   return outcome;

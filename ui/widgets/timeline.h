@@ -100,10 +100,9 @@ struct TimelineOutcome {
   bool rangeChanged = false;
   Span range;
   int clickedBar = 0;
-  std::optional<std::size_t> hoveredMoment; ///< Moment under the mouse,
-  std::optional<std::size_t> clickedMoment; ///< and one that was pressed.
-  int editedBar = 0;                        ///< A bar whose span is being dragged.
-  bool barChanged = false;                  ///< barSpan is new.
+  std::optional<std::size_t> moment; ///< Moment under the mouse.
+  int editedBar = 0;                 ///< A bar whose span is being dragged.
+  bool barChanged = false;           ///< barSpan is new.
   Span barSpan;
   bool releaseChanged = false;
   double releaseEdge = 0.0; ///< Frame where the release ends.
@@ -119,9 +118,8 @@ struct TimelineOutcome {
   int doubleClickedBar = 0;
   std::optional<KeyBox> keysPicked; ///< By a press on a key or a box around some.
   bool clickedBesideKeys = false;
-  bool keysDragged = false;
-  double keyFrames = 0.0; ///< How far, since the press.
-  bool hovered = false;   ///< The mouse is over the tracks,
+  std::optional<double> keyFrames; ///< Keys are dragged: how far, since the press.
+  bool hovered = false;            ///< The mouse is over the tracks,
   double mouseFrame = 0.0;
 };
 

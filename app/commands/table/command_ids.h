@@ -80,8 +80,8 @@ inline constexpr const char* timeFarBack = "time.far-back";
 inline constexpr const char* timeFarForward = "time.far-forward";
 inline constexpr const char* timePreviousKey = "time.previous-key";
 inline constexpr const char* timeNextKey = "time.next-key";
-inline constexpr const char* timeNextMoment = "time.next-moment";
-inline constexpr const char* timePreviousMoment = "time.previous-moment";
+inline constexpr const char* momentNext = "moment.next";
+inline constexpr const char* momentPrevious = "moment.previous";
 inline constexpr const char* timeStart = "time.start";
 inline constexpr const char* timeEnd = "time.end";
 

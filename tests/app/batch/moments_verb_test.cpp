@@ -11,11 +11,11 @@ using test::runVerb;
 
 namespace {
 
-constexpr const char* dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
-constexpr const char* swing = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
-constexpr const char* leap = STRETCH_SOURCE_DIR "/assets/dummy_leap.glb";
+constexpr const char* oneTwoPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+constexpr const char* battersPath = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
+constexpr const char* leapersPath = STRETCH_SOURCE_DIR "/assets/dummy_leap.glb";
 
-Json answerOf(const std::vector<std::string>& words) {
+Json momentsTold(const std::vector<std::string>& words) {
   const test::VerbAnswer answer = runVerb(words);
   CAPTURE(answer.told);
   REQUIRE(answer.exitCode == 0);
@@ -23,7 +23,7 @@ Json answerOf(const std::vector<std::string>& words) {
 }
 
 /// The strongest moment of a limb of this kind.
-Json momentOf(const Json& clip, const std::string& limb, const std::string& kind) {
+Json toldMoment(const Json& clip, const std::string& limb, const std::string& kind) {
   for (const Json& moment : clip["moments"]) {
     if (moment["limb"] == limb && moment["kind"] == kind) {
       return moment;
@@ -33,7 +33,7 @@ Json momentOf(const Json& clip, const std::string& limb, const std::string& kind
   return {};
 }
 
-void checkRange(const Json& moment, double start, double tip) {
+void checkKeyed(const Json& moment, double start, double tip) {
   CHECK(moment["start"].get<double>() == Approx(start).margin(1.0));
   CHECK(moment["tip"].get<double>() == Approx(tip).margin(1.0));
   CHECK(moment["end"] == moment["tip"]);
@@ -43,36 +43,37 @@ void checkRange(const Json& moment, double start, double tip) {
 
 TEST_CASE(
     "Moments of the bundled clips are the punches, the swing, the leap and the landing that were keyed") {
-  const Json punch = answerOf({"moments", dummy, "--json"});
+  const Json punch = momentsTold({"moments", oneTwoPath, "--json"});
   CHECK(punch["clip"] == "One-two punch");
   CHECK(punch["fps"].get<double>() == 24.0);
-  checkRange(momentOf(punch, "left-arm", "stroke"), 21.0, 27.0);
-  checkRange(momentOf(punch, "right-arm", "stroke"), 40.0, 43.0);
-  checkRange(momentOf(answerOf({"moments", swing, "--json"}), "right-arm", "stroke"), 34.0, 44.0);
-  const Json jump = answerOf({"moments", leap, "--json"});
-  checkRange(momentOf(jump, "left-arm", "stroke"), 31.0, 37.0);
-  checkRange(momentOf(jump, "body", "landing"), 63.0, 68.0);
+  checkKeyed(toldMoment(punch, "left-arm", "stroke"), 21.0, 27.0);
+  checkKeyed(toldMoment(punch, "right-arm", "stroke"), 40.0, 43.0);
+  checkKeyed(toldMoment(momentsTold({"moments", battersPath, "--json"}), "right-arm", "stroke"), 34.0, 44.0);
+  const Json jump = momentsTold({"moments", leapersPath, "--json"});
+  checkKeyed(toldMoment(jump, "left-arm", "stroke"), 31.0, 37.0);
+  checkKeyed(toldMoment(jump, "body", "landing"), 63.0, 68.0);
 }
 
 TEST_CASE("Moments come strongest first, of the first clip, of a named one or of all") {
-  const Json first = answerOf({"moments", dummy, "--json"});
+  const Json first = momentsTold({"moments", oneTwoPath, "--json"});
   for (std::size_t i = 1; i < first["moments"].size(); ++i) {
     CHECK(first["moments"][i]["strength"].get<double>() <= first["moments"][i - 1]["strength"].get<double>());
   }
-  const Json all = answerOf({"moments", dummy, "--all-clips", "--json"});
+  const Json all = momentsTold({"moments", oneTwoPath, "--all-clips", "--json"});
   REQUIRE(all.size() == 2);
   CHECK(all[0] == first);
-  CHECK(all[1] == answerOf({"moments", dummy, "--clip", "Guard", "--json"}));
+  CHECK(all[1] == momentsTold({"moments", oneTwoPath, "--clip", "Guard", "--json"}));
   for (const Json& moment : all[1]["moments"]) {
     CHECK(moment["strength"].get<double>() < 1.0); // It only bounces.
   }
 }
 
 TEST_CASE("Several files make one list of all their moments, strongest first") {
-  const Json list = answerOf({"moments", dummy, leap, "--json"});
-  const Json apart[] = {answerOf({"moments", dummy, "--json"}), answerOf({"moments", leap, "--json"})};
+  const Json list = momentsTold({"moments", oneTwoPath, leapersPath, "--json"});
+  const Json apart[] = {momentsTold({"moments", oneTwoPath, "--json"}),
+                        momentsTold({"moments", leapersPath, "--json"})};
   REQUIRE(list.size() == apart[0]["moments"].size() + apart[1]["moments"].size());
-  CHECK(list[0]["file"] == leap);
+  CHECK(list[0]["file"] == leapersPath);
   CHECK(list[0]["clip"] == "Leap and landing");
   CHECK(list[0]["fps"].get<double>() == 24.0);
   CHECK(list[0]["strength"] == apart[1]["moments"][0]["strength"]);
@@ -82,17 +83,17 @@ TEST_CASE("Several files make one list of all their moments, strongest first") {
 }
 
 TEST_CASE("Moments are told as lines of text without --json") {
-  const test::VerbAnswer one = runVerb({"moments", dummy});
+  const test::VerbAnswer one = runVerb({"moments", oneTwoPath});
   CHECK(one.exitCode == 0);
   CHECK(one.output.starts_with("clip One-two punch, 24 fps: "));
   CHECK(one.output.find("stroke   left-arm         frames 21 to 27\n") != std::string::npos);
-  const test::VerbAnswer several = runVerb({"moments", swing, dummy});
-  CHECK(several.output.find(std::string("frames 21 to 27 of One-two punch in ") + dummy) !=
+  const test::VerbAnswer several = runVerb({"moments", battersPath, oneTwoPath});
+  CHECK(several.output.find(std::string("frames 21 to 27 of One-two punch in ") + oneTwoPath) !=
         std::string::npos);
 }
 
 TEST_CASE("A file of a library that cannot be read is told, and the others stand in the list") {
-  const test::VerbAnswer answer = runVerb({"moments", "gone.glb", dummy, "missing.glb", "--json"});
+  const test::VerbAnswer answer = runVerb({"moments", "gone.glb", oneTwoPath, "missing.glb", "--json"});
   CHECK(answer.exitCode == 1);
   CHECK(answer.told.find("gone.glb") != std::string::npos);
   CHECK(answer.told.find("missing.glb") != std::string::npos);
@@ -102,9 +103,9 @@ TEST_CASE("A file of a library that cannot be read is told, and the others stand
   CHECK(alone.output.empty());
 }
 
-TEST_CASE("All clips and one of them cannot be asked at once; a clip that is missing is named") {
-  CHECK(runVerb({"moments", dummy, "--all-clips", "--clip", "Guard"}).exitCode == 2);
-  const test::VerbAnswer missing = runVerb({"moments", dummy, "--clip", "Kick"});
+TEST_CASE("All clips and one of them cannot be asked at once, a clip that is missing is named") {
+  CHECK(runVerb({"moments", oneTwoPath, "--all-clips", "--clip", "Guard"}).exitCode == 2);
+  const test::VerbAnswer missing = runVerb({"moments", oneTwoPath, "--clip", "Kick"});
   CHECK(missing.exitCode == 1);
   CHECK(missing.told.find("Kick") != std::string::npos);
 }

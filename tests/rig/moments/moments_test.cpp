@@ -207,7 +207,7 @@ TEST_CASE("What stands still, trembles or creeps has no moment") {
   CHECK(momentsOf(creeping).empty());
 }
 
-TEST_CASE("Steps are cycles, and so is what swings along with them; the arm that strikes meanwhile is none") {
+TEST_CASE("Steps are cycles, and so is what swings along with them, the arm that strikes meanwhile is none") {
   const std::vector<Turn> forth{{0, -30}, {12, 30}, {24, -30}};
   const std::vector<Turn> back{{0, 30}, {12, -30}, {24, 30}};
   MovingBiped walk = stillBiped();
@@ -271,7 +271,7 @@ TEST_CASE("Cycles come after strokes of the same clip, whatever their strength")
   CHECK(firstCycle->strength > moments.front().strength);
 }
 
-TEST_CASE("A landing is the fall of the hips that feet stop; a squat is none, nor a fall without an end") {
+TEST_CASE("A landing is the fall of the hips that feet stop, a squat is none, nor a fall without an end") {
   const double falls = -0.6;
   const auto fallen = [&](double lowest) {
     MovingBiped biped = stillBiped();

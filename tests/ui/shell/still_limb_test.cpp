@@ -100,7 +100,7 @@ app::Document swayingBoxer() {
 
 } // namespace
 
-TEST_CASE("E on a limb that only sways is told that it makes no stroke; a range set by hand stretches it") {
+TEST_CASE("E on a limb that only sways is told that it makes no stroke, a range set by hand stretches it") {
   Boxing boxing;
   Shell& shell = boxing.shell;
   shell.open.open(app::Opened{swayingBoxer()});

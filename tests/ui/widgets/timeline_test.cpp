@@ -171,7 +171,6 @@ TEST_CASE("Keys are dragged by whole frames while frames snap, and the playhead 
   Strip strip;
   const TimelineGesture keys{TimelinePart::keys, 0, 12.0, {}, 0};
   CHECK(strip.dragged(keys, 15.6).keyFrames == 4.0);
-  CHECK(strip.dragged(keys, 15.6).keysDragged);
   CHECK(strip.dragged(keys, 9.0).keyFrames == -3.0);
   const TimelineGesture playhead{TimelinePart::playhead, 0, 0.0, {}};
   CHECK(strip.dragged(playhead, 7.4).playhead == 7.0);
@@ -179,7 +178,7 @@ TEST_CASE("Keys are dragged by whole frames while frames snap, and the playhead 
   CHECK_FALSE(strip.dragged(playhead, 0.3).playheadMoved);
   CHECK(strip.dragged(playhead, 99.0).playhead == 60.0);
   strip.model.snap = false;
-  CHECK(strip.dragged(keys, 15.6).keyFrames == Approx(3.6).margin(1e-3));
+  CHECK(*strip.dragged(keys, 15.6).keyFrames == Approx(3.6).margin(1e-3));
   CHECK(strip.dragged(playhead, 7.4).playhead == Approx(7.4).margin(1e-3));
 }
 
@@ -235,4 +234,27 @@ TEST_CASE(
   CHECK(start.menuFrame == 10.0);
   CHECK(strip.rightClicked(strip.onRangeEdge(19.7)).menuFrame == 20.0);
   CHECK_FALSE(strip.rightClicked({50.0F, 60.0F}).menuAsked);
+}
+
+TEST_CASE("Moments lie in a lane below the ruler, the keys and bars below it, and none takes no room") {
+  Strip strip;
+  const float withoutLane = keyRowBox(strip.theme, strip.layout, strip.model, 0).min.y;
+  const float height = timelineHeight(strip.theme, strip.model);
+  strip.model.moments = {{.start = 10.0, .tip = 16.0, .strength = 0.3F},
+                         {.start = 12.0, .tip = 16.0, .strength = 1.0F},
+                         {.start = 30.0, .tip = 33.0, .strength = 0.5F}};
+  strip.layout = layoutOf(strip.theme, {{0.0F, 0.0F}, {724.0F, 200.0F}}, strip.model, 100.0F);
+  const float lane = strip.layout.lane.height();
+  CHECK(lane > 0.0F);
+  CHECK(keyRowBox(strip.theme, strip.layout, strip.model, 0).min.y == withoutLane + lane);
+  CHECK(timelineHeight(strip.theme, strip.model) == height + lane);
+  const auto onLane = [&](double frame) {
+    return ImVec2(strip.layout.frames.toPixel(frame), strip.layout.lane.centre().y);
+  };
+  CHECK(strip.hit(onLane(16.2)).part == TimelinePart::moment);
+  CHECK(strip.hit(onLane(16.2)).row == 1); // The stronger of two whose tips meet.
+  CHECK(strip.hit(onLane(32.6)).row == 2);
+  CHECK(strip.hit(onLane(25.0)).part == TimelinePart::playhead);
+  CHECK_FALSE(strip.dragged({TimelinePart::moment, 0, 16.0, {}, 1}, 30.0).playheadMoved);
+  CHECK_FALSE(strip.dragged({TimelinePart::moment, 0, 16.0, {}, 1}, 30.0).rangeChanged);
 }

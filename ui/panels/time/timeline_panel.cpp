@@ -184,9 +184,9 @@ void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
   } else if (outcome.clickedBesideKeys) {
     app::pickKeys(session, {}, false);
   }
-  editPicked(context, {outcome.keysDragged, outcome.gestureEnded}, "Move",
+  editPicked(context, {outcome.keyFrames.has_value(), outcome.gestureEnded}, "Move",
              [&](const app::Document& start, const app::KeySelection& held) {
-               return app::moveKeys(start, session.view().clip, held, {outcome.keyFrames, 0.0});
+               return app::moveKeys(start, session.view().clip, held, {outcome.keyFrames.value_or(0.0), 0.0});
              });
 }
 
@@ -200,15 +200,13 @@ void ownKeys(PanelContext& context, const TimelineOutcome& outcome) {
 
 /// A press goes to the moment; under the mouse its path is shown.
 void applyMoments(PanelContext& context, const TimelineOutcome& outcome) {
-  if (!outcome.hoveredMoment && !outcome.clickedMoment) {
+  if (!outcome.moment) {
     return;
   }
   app::Session& session = context.character();
-  const std::vector<rig::Moment> shown = app::shownMoments(session);
-  const std::size_t under = outcome.hoveredMoment ? *outcome.hoveredMoment : *outcome.clickedMoment;
-  context.ui.time.hoveredMoment = shown[under];
-  if (outcome.clickedMoment) {
-    app::goToMoment(session, shown[*outcome.clickedMoment]);
+  context.ui.time.hoveredMoment = app::shownMoments(session)[*outcome.moment];
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    app::goToMoment(session, *context.ui.time.hoveredMoment);
   }
 }
 
