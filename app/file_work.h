@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/files/autosave.h"
-#include "app/files/saved_form.h"
 #include "app/files/user_files.h"
 #include "app/open_document.h"
+#include "app/schema/saved_form.h"
 
 namespace stretch::app {
 

@@ -14,7 +14,7 @@
 #include "app/edits/pose/seen_pose.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
-#include "app/files/saved_form.h"
+#include "app/schema/saved_form.h"
 #include "app/selection.h"
 #include "rig/moments/moments.h"
 

@@ -13,7 +13,7 @@
 
 namespace stretch::app {
 
-/// What a command came to.
+/// Outcome of a command.
 struct CommandAnswer {
   int exitCode = 0;
   std::string output; ///< On standard output.

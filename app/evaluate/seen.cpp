@@ -31,10 +31,6 @@ Extreme extremeOf(const Document& document, const rig::MotionState& motion, cons
           evaluate(document, motion, trail.tipSeconds)};
 }
 
-Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
-  return rig::leadingPosition(limb, frame) - rig::stayingPosition(limb, frame);
-}
-
 // Over the range, four times a frame.
 rig::DrawnTrail pathsOf(const Document& document, const rig::MotionState& motion,
                         const rig::SolvedTrail& trail) {
@@ -143,6 +139,10 @@ bool leavesSafeFrame(const Document& document, const rig::SolvedTrail& trail, co
 }
 
 } // namespace
+
+Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
+  return rig::leadingPosition(limb, frame) - rig::stayingPosition(limb, frame);
+}
 
 std::optional<Seen> seenBy(const Document& document, const rig::MotionState& motion,
                            const rig::SolvedTrail& trail, const CameraPlace& camera) {

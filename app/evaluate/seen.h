@@ -22,8 +22,8 @@ struct Seen {
 /// Less than this share of an exaggeration is worth a warning.
 inline constexpr double smallestSeenShare = 1.0 / 3.0;
 
-/// What is seen of an exaggerated trail of the motion through a camera; nothing where the limb is not in
-/// front of it, or points straight at it.
+/// Returns what is seen of an exaggerated trail of the motion through a camera; nothing where the limb is not
+/// in front of it, or points straight at it.
 [[nodiscard]] std::optional<Seen> seenBy(const Document& document, const rig::MotionState& motion,
                                          const rig::SolvedTrail& trail, const CameraPlace& camera);
 
@@ -41,9 +41,12 @@ inline constexpr double smallestSeenShare = 1.0 / 3.0;
 /// A camera of the file in a frame of it; nothing where its node is squashed flat.
 [[nodiscard]] std::optional<CameraPlace> cameraIn(const SceneCamera& camera, const FrameState& frame);
 
-/// What is wrong with how the trail's own camera sees it, with the remedy; empty where all is well, or no
-/// camera judges it.
+/// Tells what is wrong with how the trail's own camera sees it, with the remedy; empty where all is well, or
+/// no camera judges it.
 [[nodiscard]] std::vector<std::string> seenWarnings(const Document& document, const rig::MotionState& motion,
                                                     const rig::SolvedTrail& trail);
+
+/// Returns the way from the end of a limb that stays to the one that leads, world space.
+[[nodiscard]] Vec3 reachOf(const rig::Limb& limb, const FrameState& frame);
 
 } // namespace stretch::app

@@ -1,4 +1,5 @@
 #include "app/evaluate/trail_look.h"
+#include "app/evaluate/seen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +39,6 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
     frames.push_back(frame);
   }
   return frames;
-}
-
-Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
-  return rig::leadingPosition(limb, frame) - rig::stayingPosition(limb, frame);
 }
 
 float squaredDistance(const glm::vec3& a, const glm::vec3& b) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/document.h"
-#include "app/files/saved_form.h"
+#include "app/schema/saved_form.h"
 #include "core/gltf/patch/edits.h"
 #include "rig/corners/bind_corners.h"
 
@@ -15,7 +15,7 @@ struct SaveOptions {
   SavedForm form = {};
 };
 
-/// What saving makes of a document.
+/// Result of saving a document.
 struct SavedEdits {
   gltf::Edits edits;
   rig::CornerFit fit; ///< All 0 where no corners carry a stretch.
@@ -30,7 +30,7 @@ struct SavedEdits {
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
                                   const SaveOptions& options);
 
-/// The same, from edits that were made before.
+/// Saves likewise, from edits that were made before.
 [[nodiscard]] Status saveEdits(const Document& document, const gltf::Edits& edits,
                                const std::filesystem::path& path);
 

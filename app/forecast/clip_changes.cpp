@@ -22,7 +22,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double mostVertices = 4e6; // looked at in one clip
+constexpr double mostVerticesAtTimes = 4e6; // looked at in one clip
 
 // What is compared of one clip.
 struct Measures {
@@ -145,7 +145,7 @@ private:
       return 0.0;
     }
     const double vertices = static_cast<double>(std::max<std::size_t>(1, vertexCount(*watched.scene)));
-    const double step = std::max(1.0, std::ceil(lastFrame(source_.clip) * vertices / mostVertices));
+    const double step = std::max(1.0, std::ceil(lastFrame(source_.clip) * vertices / mostVerticesAtTimes));
     double deepest = 0.0;
     for (double frame = 0.0; frame <= lastFrame(source_.clip); frame += step) {
       for (const Vec3& place : skinning::skinnedPositions(*watched.scene, watched.at(frame / rate()))) {

@@ -27,7 +27,7 @@ struct ClipChange {
   std::string unit; ///< "% of the height", "degrees", "% of the height per second", "keys"
 };
 
-/// What the result of an edit made worse: where the source loops the seam (place, turn, speed); feet that
+/// Changes for the worse by an edit: where the source loops the seam (place, turn, speed); feet that
 /// slide while the source's stand; the deepest vertex below the floor; neighbouring keys of rotations in
 /// opposite hemispheres. `body`: the document whose limbs, height and floor count; nodes stand under the same
 /// indices in both.

@@ -12,7 +12,7 @@ namespace stretch::app {
 
 /// One thing that an engine shows otherwise than it was made.
 struct ForecastFinding {
-  std::string id; ///< The same in every version: "shading-plain-matrix" (docs/engines.md, Findings).
+  std::string id; ///< Stable in every version: "shading-plain-matrix" (docs/engines.md, Findings).
   gltf::Severity severity = gltf::Severity::warning;
   std::string clip = {}; ///< Name of the clip; empty: of the file.
   std::string limb = {}; ///< Empty: none of the limbs, or more than one.
@@ -28,8 +28,8 @@ struct EngineForecast {
   std::vector<std::string> notJudged; ///< Subjects.
 };
 
-/// What the engines make of a file; of all of them, or of those whose ids are named. `document`: the file as
-/// it stands (openAsItStands).
+/// Returns what the engines make of a file; of all of them, or of those whose ids are named. `document`: the
+/// file as it stands (openAsItStands).
 [[nodiscard]] std::vector<EngineForecast> forecast(const Document& document,
                                                    const std::vector<std::string>& engineIds);
 

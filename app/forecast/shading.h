@@ -8,12 +8,12 @@
 
 namespace stretch::app {
 
-/// What a clip of a file looks like, as the forecast needs it.
+/// Shading of a clip of a file, as the forecast needs it.
 struct ClipLooks {
   int clip = -1;
-  Bounds box = {};       ///< Of all drawn vertices, over the frames looked at.
+  Bounds box = {};       ///< Bounds of all drawn vertices, over the frames looked at.
   std::size_t moved = 0; ///< Vertices on joints that scale unequally, or below those, at the frame below.
-  std::size_t wronglyShaded = 0; ///< Of them, by the plain matrix, more than 20 degrees off.
+  std::size_t wronglyShaded = 0; ///< Those of them that by the plain matrix are, more than 20 degrees off.
   double frame = 0.0;            ///< Frame with the most of them.
   double worstDegrees = 0.0;     ///< At any frame.
   std::string limb = {};         ///< The limb with the most of them; empty: none of the limbs.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/saved_form.h"
+#include "app/schema/saved_form.h"
 #include "app/schema/schema.h"
 
 namespace stretch::app {

@@ -11,13 +11,13 @@
 namespace stretch::rig {
 
 struct CornerOptions {
-  std::size_t mostInfluences = 8; ///< Of a vertex; 1 to 8.
-  double height = 1.0;            ///< Of the character, world units.
+  std::size_t mostInfluences = 8; ///< Most of a vertex; 1 to 8.
+  double height = 1.0;            ///< Height of the character, world units.
   /// Moments at which a vertex with too many influences is fitted, the stretched ones among them.
   std::vector<FrameState> moments;
 };
 
-/// What fitting cost: distances of vertices from where the scale of leaves would have them, as shares of the
+/// Cost of fitting: distances of vertices from where the scale of leaves would have them, as shares of the
 /// height, at the moments that were looked at.
 struct CornerFit {
   std::size_t joints = 0;   ///< Joints that corners carry.

@@ -25,7 +25,7 @@ struct CornerSet {
 struct MovedMesh {
   NodeIndex node;
   int skin = -1;                 ///< -1: rigid.
-  std::vector<NodeIndex> joints; ///< Of the skin, or the node itself.
+  std::vector<NodeIndex> joints; ///< Joint of the skin, or the node itself.
   std::vector<Mat4> inverseBind;
 };
 

@@ -12,7 +12,7 @@ namespace stretch::rig {
 
 /// A part of what a vertex follows: a joint, or one of its corners.
 struct CornerInfluence {
-  std::uint16_t slot = 0; ///< Of the joint.
+  std::uint16_t slot = 0; ///< Index of the joint.
   int corner = -1;        ///< Index into CornerSet::places; -1: the joint itself.
   double weight = 0.0;
 };
@@ -20,7 +20,7 @@ struct CornerInfluence {
 /// Splits what the vertices of a mesh follow among the corners of its joints.
 class VertexSplit {
 public:
-  /// What is given stays as it is while the splitting lasts.
+  /// Weights that are given stay as it is while the splitting lasts.
   VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
               const CornerOptions& options);
 

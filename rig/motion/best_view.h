@@ -9,13 +9,13 @@ namespace stretch::rig {
 
 /// An action to look at, world space.
 struct SightedAction {
-  std::vector<Vec3> path; ///< Of the limb's end, in order of time.
+  std::vector<Vec3> path; ///< Places of the limb's end, in order of time.
   Vec3 base{0.0};         ///< The limb at its extreme.
   Vec3 tip{0.0};
   Vec3 trunkLow{0.0}; ///< The body's middle, which may be in the way.
   Vec3 trunkHigh{0.0};
   double trunkRadius = 0.0;   ///< 0: nothing is in the way.
-  std::optional<Vec3> facing; ///< Where the face looks at the extreme; unit.
+  std::optional<Vec3> facing; ///< Direction in which the face looks at the extreme; unit.
 };
 
 /// The direction towards the eye from which the action is seen best, unit: where path and limb are longest in

@@ -11,7 +11,7 @@
 
 namespace stretch::rig {
 
-/// What a camera asks of a path.
+/// Request that a camera makes of a path.
 struct SightWish {
   CameraPlace camera; ///< In the trail's space, at the tip's time.
   bool asSeen = false;
@@ -61,7 +61,7 @@ struct TipSolution {
   /// Whether the limb comes to the wanted length within 1e-4 of it, as seen where it counts so.
   [[nodiscard]] bool reached() const;
 
-  std::optional<SeenTip> seen;    ///< Where the scale counts as seen: what `reached` answers then.
+  std::optional<SeenTip> seen;    ///< For a scale that counts as seen: what `reached` answers then.
   std::optional<Vec3> keepsDepth; ///< Unit direction of the view along which E leaves points where they are.
   Vec3 base{0.0};                 ///< P0, about which the path is turned.
   std::optional<Quat> turn;       ///< Turn of the fully exaggerated path; nothing: none.

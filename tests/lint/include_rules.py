@@ -23,7 +23,7 @@ LAYERS = [
     (r"core/(?!gltf/|interchange/)", r"core/gltf/", "values know no file format"),
     (r"core/interchange/", r"core/gltf/(?!json/|source/)", "what makes a glTF does not read one"),
     (r"core/(?!interchange/|gltf/read/)", r"core/interchange/", "only what reads a file asks for its format"),
-    (r"rig/(?!rekey/)", r"rig/rekey/", "motion does not know that it is keyed"),
+    (r"rig/(?!rekey/|corners/)", r"rig/(rekey|corners)/", "motion does not know that it is keyed"),
     (r"rig/(body|trail|ik|reach|adjust)/", r"rig/motion/", "a part of the motion does not know the whole"),
     (r"rig/(body|trail|ik|reach)/", r"rig/adjust/", "how a limb reaches its goal does not ask who set it"),
     (r"skinning/(sequence|geometry|elastic|weights|body|fit)/", r"skinning/(compress|export)/", "a step does not know the whole"),

@@ -81,19 +81,19 @@ Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const Fi
 } // namespace
 
 void startFilm(Shell& shell, const std::filesystem::path& path) {
-  if (shell.film.job != nullptr) {
-    tell(shell, ToastKind::warning, shell.film.path.filename().string() + " is still being drawn");
+  if (shell.beside.film.job != nullptr) {
+    tell(shell, ToastKind::warning, shell.beside.film.path.filename().string() + " is still being drawn");
     return;
   }
-  shell.film.path = path;
-  shell.film.job = std::make_unique<app::Job<std::filesystem::path>>(
+  shell.beside.film.path = path;
+  shell.beside.film.job = std::make_unique<app::Job<std::filesystem::path>>(
       [path, request = requestOf(shell)](const skinning::Proceed& proceed) {
         return drawTo(path, request, proceed);
       });
 }
 
 void updateFilm(Shell& shell) {
-  FilmWork& work = shell.film;
+  FilmWork& work = shell.beside.film;
   if (work.job == nullptr || !work.job->isFinished()) {
     return;
   }

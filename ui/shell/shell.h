@@ -12,10 +12,10 @@
 #include "app/open_document.h"
 #include "app/sequence/job.h"
 #include "ui/panels/context/panel_context.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/shell/bind_work.h"
 #include "ui/shell/film_work.h"
 #include "ui/shell/fit_work.h"
-#include "ui/shell/pane_layout.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -30,6 +30,15 @@ struct ClipImport {
   std::unique_ptr<app::Job<app::NewClips>> job; ///< Null: none.
 };
 
+/// Work that goes on beside the window, each of which runs or does not.
+struct WorkBeside {
+  BindWork binding;
+  FitWork fitting;
+  ClipImport clipImport;
+  StyleWork styling;
+  FilmWork film;
+};
+
 /// The editor's state: plain parts that functions join. The session of what is open is the only door to the
 /// document.
 struct Shell {
@@ -42,11 +51,7 @@ struct Shell {
   ViewportState viewport;
   Tool tool;
   app::FileWork files;
-  BindWork binding;
-  FitWork fitting;
-  ClipImport clipImport;
-  StyleWork styling;
-  FilmWork film;
+  WorkBeside beside;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   app::KeyboardLayout keyboard; ///< The operating system's, as of this frame.

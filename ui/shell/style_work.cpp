@@ -94,13 +94,13 @@ std::vector<rig::Moment> wantedMoments(const ClipStyleState& state) {
 void startWork(Shell& shell) {
   app::Session& session = *shell.open.character();
   ClipStyleState& state = shell.ui.trails.clipStyle;
-  if (!shell.styling.begun) {
+  if (!shell.beside.styling.begun) {
     session.begin("Exaggerate the clip");
-    shell.styling.begun = true;
+    shell.beside.styling.begun = true;
   }
   state.changed = false;
   const app::AutoSettings settings{chosenStyle(shell), state.strength};
-  shell.styling.job = std::make_unique<app::Job<app::AutoClip>>(
+  shell.beside.styling.job = std::make_unique<app::Job<app::AutoClip>>(
       [document = session.atBegin(), clip = session.view().clip, moments = wantedMoments(state),
        settings](const skinning::Proceed&) -> Result<app::AutoClip> {
         return app::exaggerateClip(document, clip, moments, settings);
@@ -108,8 +108,8 @@ void startWork(Shell& shell) {
 }
 
 void takeWork(Shell& shell) {
-  const Result<app::AutoClip> made = shell.styling.job->take();
-  shell.styling.job.reset();
+  const Result<app::AutoClip> made = shell.beside.styling.job->take();
+  shell.beside.styling.job.reset();
   ClipStyleState& state = shell.ui.trails.clipStyle;
   if (made && !state.changed && state.open) {
     state.made = made->moments;
@@ -121,16 +121,16 @@ void takeWork(Shell& shell) {
 void endClip(Shell& shell, bool keeps) {
   app::Session& session = *shell.open.character();
   ClipStyleState& state = shell.ui.trails.clipStyle;
-  if (shell.styling.begun && keeps) {
+  if (shell.beside.styling.begun && keeps) {
     session.commit();
     const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
     tell(shell, ToastKind::success,
          fmt::format("{} of {} moments exaggerated in the style {}", done, state.moments.size(),
                      chosenStyle(shell).name));
-  } else if (shell.styling.begun) {
+  } else if (shell.beside.styling.begun) {
     session.cancel();
   }
-  shell.styling.begun = false;
+  shell.beside.styling.begun = false;
   state.open = false;
   state.accepted = false;
 }
@@ -145,7 +145,7 @@ const rig::Style& chosenStyle(const Shell& shell) {
 
 void updateClipStyle(Shell& shell) {
   ClipStyleState& state = shell.ui.trails.clipStyle;
-  StyleWork& work = shell.styling;
+  StyleWork& work = shell.beside.styling;
   if (work.job != nullptr && work.job->isFinished()) {
     takeWork(shell);
   }

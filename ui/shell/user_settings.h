@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "app/session.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/panels/state/ui_state.h"
-#include "ui/shell/pane_layout.h"
 #include "ui/viewport/camera/look_through.h"
 
 namespace stretch::ui {

@@ -9,12 +9,12 @@
 
 namespace stretch::app {
 
-/// What is seen at the playhead of the selected controllers; of all where none is selected.
+/// Returns what is seen at the playhead of the selected controllers; of all where none is selected.
 [[nodiscard]] SeenPose seenAtPlayhead(Session& session);
 
 /// Offsets that bring controllers to a pose, and those that they do not bring there.
 struct PosedAsSeen {
-  OffsetPose offsets;              ///< Of those alone that are not there by themselves.
+  OffsetPose offsets;              ///< Offsets of those alone that are not there by themselves.
   std::vector<std::string> missed; ///< Held by a trail, a pin, or out of reach.
 };
 

@@ -39,20 +39,20 @@ struct SeenPose {
   std::shared_ptr<const Scene> of; ///< Character that it was seen on.
   Vec3 standingWorld{0.0};         ///< Point of the ground (y = 0) below the hips.
   Vec3 leftWorld{1.0, 0.0, 0.0};   ///< To the character's left in the bind pose; unit length, level.
-  Vec3 leftInClip{1.0, 0.0, 0.0};  ///< The same as the clip has turned the body.
+  Vec3 leftInClip{1.0, 0.0, 0.0};  ///< Left as the clip has turned the body.
   double legLength = 1.0;          ///< Length that moves of the hips count in, world units.
 };
 
-/// What is seen of these controllers; of all but the body's where none is named.
+/// Returns what is seen of these controllers; of all but the body's where none is named.
 [[nodiscard]] SeenPose seenPose(const SeenMoment& moment, std::span<const std::string> ids);
 
 /// The pose as the other side of the body has it, reflected at the plane through the hips that the character
 /// is symmetric by. What has no other side is left out.
 [[nodiscard]] SeenPose mirroredPose(const Document& document, const SeenPose& pose);
 
-/// Where the pose wants each controller of the moment's character: where it was seen, on the character that
-/// it was seen on; on another one in proportion to its limbs, standing on `standingWorld` and facing its own
-/// way. What that character lacks is left out.
+/// Returns where the pose wants each controller of the moment's character: where it was seen, on the
+/// character that it was seen on; on another one in proportion to its limbs, standing on `standingWorld` and
+/// facing its own way. What that character lacks is left out.
 [[nodiscard]] std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& pose,
                                                   const Vec3& standingWorld);
 

@@ -107,7 +107,7 @@ TEST_CASE("What a trail makes of a limb is seen, and so is copied") {
   CHECK(glm::length(placedAt(session, session.view().frame, "left-hand").placeWorld - far) < near);
 }
 
-TEST_CASE("Of selected controllers alone the pose is copied; the rest stays as the clip has it") {
+TEST_CASE("Of selected controllers alone the pose is copied, the rest stays as the clip has it") {
   Session session(bundled());
   session.view().frame = punchFrame;
   selectController(session, "left-hand", false);

@@ -81,7 +81,7 @@ TEST_CASE("Shading by the plain matrix is forecast for the engines that have it,
   CHECK_FALSE(isNotJudged(report, "three", "shading"));
 }
 
-TEST_CASE("Corners and translations are shaded right everywhere; the source is, too") {
+TEST_CASE("Corners and translations are shaded right everywhere, the source is, too") {
   const test::TemporaryFolder folder;
   for (const StretchForm form : {StretchForm::translation, StretchForm::volume}) {
     const Json report = checked({punchIn(folder, {form, 8}), "--engine", "three"});

@@ -14,9 +14,9 @@
 #include "tests/support/ui_driver/script.h"
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/panels/context/view_schema.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
-#include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
 
 using namespace stretch;

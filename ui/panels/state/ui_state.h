@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/saved_form.h"
+#include "app/schema/saved_form.h"
 #include "ui/panels/state/answers.h"
 #include "ui/panels/state/body_state.h"
 #include "ui/panels/state/dialog_state.h"

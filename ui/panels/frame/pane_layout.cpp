@@ -1,4 +1,4 @@
-#include "ui/shell/pane_layout.h"
+#include "ui/panels/frame/pane_layout.h"
 
 #include <algorithm>
 
