@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "core/anim/frame_state.h"
 #include "core/scene/camera.h"
 #include "rig/motion/motion.h"
 

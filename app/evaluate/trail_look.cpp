@@ -1,5 +1,4 @@
 #include "app/evaluate/trail_look.h"
-#include "app/evaluate/seen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/evaluate/seen.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
 #include "core/math/bounds.h"
