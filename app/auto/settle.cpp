@@ -13,6 +13,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/trail_look.h"
 #include "app/evaluate/way_back.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -130,7 +131,10 @@ private:
     only.holds = {};
     EvaluationInput input = evaluationInput(only, ground_.clip);
     input.ground.loops = input.ground.loops || loops_;
-    rig::MotionState motion = solveTrails(input, {.places = places_, .sourceFrames = frames_});
+    rig::MotionInput wanted = motionInput(input);
+    wanted.places = places_;
+    wanted.sourceFrames = frames_;
+    rig::MotionState motion = rig::solveMotion(wanted);
     frames_ = motion.sourceFrames ? motion.sourceFrames : frames_;
     return motion;
   }
