@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <dlfcn.h>
-#include <link.h>
 
 #include <stb_image.h>
 #include <tiny_gltf.h>
@@ -247,19 +246,10 @@ TEST_CASE("Names that are no valid UTF-8 become such, and the file opens") {
   CHECK(loaded.scene->nodes[0].name == "caf\xEF\xBF\xBD");
 }
 
-TEST_CASE("tinygltf and stb answer from their own libraries, not from the copies in Debian's libdraco") {
+TEST_CASE("tinygltf and stb answer from their own libraries, not from the copies in Debian's libdraco, which "
+          "assimp loads") {
   CHECK_THAT(libraryOf(reinterpret_cast<const void*>(&tinygltf::FileExists)), Catch::Contains("libtinygltf"));
   CHECK_THAT(libraryOf(reinterpret_cast<const void*>(&stbi_load_from_memory)), Catch::Contains("libstb"));
   const void* const first = dlsym(RTLD_DEFAULT, "stbi_load_from_memory"); // as a library would find it
   CHECK_THAT(libraryOf(first), Catch::Contains("libstb"));
-  std::vector<std::string> loaded;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* names) {
-        static_cast<std::vector<std::string>*>(names)->emplace_back(info->dlpi_name);
-        return 0;
-      },
-      &loaded);
-  REQUIRE(loaded.size() > 5);
-  CHECK(std::ranges::none_of(
-      loaded, [](const std::string& name) { return name.find("libdraco") != std::string::npos; }));
 }
