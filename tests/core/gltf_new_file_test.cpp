@@ -6,7 +6,7 @@
 
 #include <dlfcn.h>
 
-#include <stb_image.h>
+#include <stb/stb_image.h>
 #include <tiny_gltf.h>
 
 #include "core/gltf/import/material_library.h"

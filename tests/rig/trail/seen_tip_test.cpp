@@ -14,19 +14,19 @@ using namespace stretch::rig;
 
 namespace {
 
-Vec3 point(const nlohmann::json& json) {
+Vec3 pointIn(const nlohmann::json& json) {
   return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
 
-SeenProblem problemOf(const nlohmann::json& json) {
+SeenProblem seenProblemOf(const nlohmann::json& json) {
   const nlohmann::json& camera = json["camera"];
   SeenProblem problem;
   problem.camera = {camera["kind"] == "perspective" ? CameraKind::perspective : CameraKind::orthographic,
-                    point(camera["position"]), point(camera["right"]), point(camera["up"]),
-                    point(camera["forward"])};
-  problem.base = point(json["base"]);
-  problem.tip = point(json["tip"]);
-  problem.direction = point(json["direction"]);
+                    pointIn(camera["position"]), pointIn(camera["right"]), pointIn(camera["up"]),
+                    pointIn(camera["forward"])};
+  problem.base = pointIn(json["base"]);
+  problem.tip = pointIn(json["tip"]);
+  problem.direction = pointIn(json["direction"]);
   problem.pivotDistance = json["pivot_distance"].get<double>();
   problem.scale = json["scale"].get<double>();
   problem.keepDepth = json["keep_depth"].get<bool>();
@@ -62,8 +62,8 @@ TEST_CASE("as the camera sees it: the specification's worked cases come out to 1
   REQUIRE(cases.size() == 60);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     CAPTURE(i);
-    const SeenTip solved = solveSeenTip(problemOf(cases[i]));
-    CHECK(glm::length(solved.tip - point(cases[i]["new_tip"])) < 1e-6);
+    const SeenTip solved = solveSeenTip(seenProblemOf(cases[i]));
+    CHECK(glm::length(solved.tip - pointIn(cases[i]["new_tip"])) < 1e-6);
     CHECK(solved.walk == Approx(cases[i]["walk"].get<double>()).margin(1e-6));
     CHECK(solved.seen == Approx(cases[i]["seen"].get<double>()).margin(1e-6));
     CHECK(solved.reached == cases[i]["reached"].get<bool>());
