@@ -86,7 +86,7 @@ Judged judge(const FamilyRig& rig, Calibration& limbs) {
   return judged;
 }
 
-std::string table(const std::vector<FamilyRig>& rigs, Calibration& limbs, std::string* details) {
+std::string familiesTable(const std::vector<FamilyRig>& rigs, Calibration& limbs, std::string* details) {
   struct Count {
     int all = 0;
     int right = 0;
@@ -119,8 +119,8 @@ std::string table(const std::vector<FamilyRig>& rigs, Calibration& limbs, std::s
 
 TEST_CASE("Drawn rigs of every family are read as a person reads them, as often as was counted") {
   Calibration limbs;
-  std::string text = table(bipedFamilies(drawn), limbs, nullptr);
-  text += table(beastFamilies(drawn), limbs, nullptr);
+  std::string text = familiesTable(bipedFamilies(drawn), limbs, nullptr);
+  text += familiesTable(beastFamilies(drawn), limbs, nullptr);
   const std::array bands{"0.8 and more", "0.5 to 0.8", "under 0.5"};
   for (std::size_t band = 0; band < bands.size(); ++band) {
     text += fmt::format("limbs with a confidence of {}: {} of {} right\n", bands[band], limbs.right[band],
@@ -139,8 +139,8 @@ TEST_CASE("What is read wrongly of drawn rigs, for looking at", "[.drawn]") {
   Calibration limbs;
   const char* const number = std::getenv("EACH");
   const int each = number == nullptr ? drawn : std::atoi(number);
-  std::string text = table(bipedFamilies(each), limbs, &details);
-  text += table(beastFamilies(each), limbs, &details);
+  std::string text = familiesTable(bipedFamilies(each), limbs, &details);
+  text += familiesTable(beastFamilies(each), limbs, &details);
   for (std::size_t band = 0; band < limbs.all.size(); ++band) {
     text += fmt::format("confidence band {}: {} of {}\n", band, limbs.right[band], limbs.all[band]);
   }
