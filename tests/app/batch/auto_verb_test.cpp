@@ -9,7 +9,7 @@ using gltf::Json;
 
 namespace {
 
-const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+const std::string punchPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
 Json report(const std::vector<std::string>& words) {
   const test::VerbAnswer answer = test::runVerb(words);
@@ -23,7 +23,7 @@ Json report(const std::vector<std::string>& words) {
 TEST_CASE("Every moment of a clip is exaggerated in the named style, and told of") {
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
-  const Json subtle = report({"exaggerate", dummy, "-o", out, "--auto", "--style", "subtle", "--json"});
+  const Json subtle = report({"exaggerate", punchPath, "-o", out, "--auto", "--style", "subtle", "--json"});
   CHECK(subtle["style"] == "Subtle");
   CHECK(subtle["origin"] == "ours");
   REQUIRE(subtle["clips"].size() == 1);
@@ -36,20 +36,20 @@ TEST_CASE("Every moment of a clip is exaggerated in the named style, and told of
     most = done ? std::max(most, moment["length_scale"].get<double>()) : most;
   }
   CHECK(most == Approx(1.2));
-  const Json stronger =
-      report({"exaggerate", dummy, "-o", out, "--auto", "--style", "Subtle", "--strength", "2", "--json"});
+  const Json stronger = report(
+      {"exaggerate", punchPath, "-o", out, "--auto", "--style", "Subtle", "--strength", "2", "--json"});
   CHECK(stronger["clips"][0]["moments"][0]["length_scale"] == 1.4);
 }
 
 TEST_CASE("One setting of a style is changed for one run, and all clips are done at once") {
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
-  const Json done = report({"exaggerate", dummy, "-o", out, "--auto", "--all-clips", "--style", "Subtle",
+  const Json done = report({"exaggerate", punchPath, "-o", out, "--auto", "--all-clips", "--style", "Subtle",
                             "--style-arm", "1.3", "--json"});
   CHECK(done["style"] == "Subtle, changed");
   CHECK(done["origin"] == "own");
   CHECK(done["clips"][0]["moments"][0]["length_scale"] == 1.3);
-  CHECK(test::runVerb({"exaggerate", dummy, "-o", out, "--auto", "--strength", "2.5"}).exitCode == 2);
+  CHECK(test::runVerb({"exaggerate", punchPath, "-o", out, "--auto", "--strength", "2.5"}).exitCode == 2);
 }
 
 TEST_CASE(
@@ -59,8 +59,8 @@ TEST_CASE(
   const std::string second = (folder / "second.glb").string();
   const std::string style = (folder / "style.json").string();
   const std::string other = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
-  REQUIRE(test::runVerb(
-              {"exaggerate", dummy, "-o", first, "--limb", "left-arm", "--range", "21:27", "--scale", "1.6"})
+  REQUIRE(test::runVerb({"exaggerate", punchPath, "-o", first, "--limb", "left-arm", "--range", "21:27",
+                         "--scale", "1.6"})
               .exitCode == 0);
   REQUIRE(test::runVerb({"styles", "--take", first, "--name", "Mine", "-o", style}).exitCode == 0);
   const Json done = report({"exaggerate", other, "-o", second, "--auto", "--style", style, "--json"});

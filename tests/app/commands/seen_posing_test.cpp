@@ -65,7 +65,7 @@ std::vector<rig::PlacedController> allBut(Session& session, double frame, const 
 }
 
 constexpr double punchFrame = 27.0;
-constexpr double near = 1e-4; // units: the boxer is 1.8 high
+constexpr double nearby = 1e-4; // units: the boxer is 1.8 high
 
 } // namespace
 
@@ -80,7 +80,7 @@ TEST_CASE("A copied pose is what is seen: pasted at another frame every controll
   for (const rig::PlacedController& wanted : seen) {
     INFO(wanted.id);
     const rig::PlacedController now = placedAt(session, 5.0, wanted.id);
-    CHECK((!wanted.moves || apart(now, wanted) < near));
+    CHECK((!wanted.moves || apart(now, wanted) < nearby));
     CHECK((!wanted.turns || turnedApart(now, wanted) < 1e-3));
   }
   session.undo();
@@ -104,7 +104,7 @@ TEST_CASE("What a trail makes of a limb is seen, and so is copied") {
   REQUIRE(run(session, command::poseCopy).empty());
   session.view().frame = punchFrame + 12.0;
   CHECK(run(session, command::posePaste).empty());
-  CHECK(glm::length(placedAt(session, session.view().frame, "left-hand").placeWorld - far) < near);
+  CHECK(glm::length(placedAt(session, session.view().frame, "left-hand").placeWorld - far) < nearby);
 }
 
 TEST_CASE("Of selected controllers alone the pose is copied, the rest stays as the clip has it") {
@@ -116,9 +116,9 @@ TEST_CASE("Of selected controllers alone the pose is copied, the rest stays as t
   session.view().frame = 5.0;
   const rig::PlacedController other = placedAt(session, 5.0, "right-hand");
   CHECK(run(session, command::posePaste).empty());
-  CHECK(apart(placedAt(session, 5.0, "left-hand"), hand) < near);
+  CHECK(apart(placedAt(session, 5.0, "left-hand"), hand) < nearby);
   CHECK(apart(placedAt(session, 5.0, "right-hand"), other) < 1e-9);
-  CHECK(session.undoLabel() == "Paste the pose on the left hand");
+  CHECK(session.history().undoLabel() == "Paste the pose on the left hand");
 }
 
 TEST_CASE("Pasted mirrored, the left hand is where the right one was, on the other side of the body") {
@@ -132,7 +132,7 @@ TEST_CASE("Pasted mirrored, the left hand is where the right one was, on the oth
   CHECK(run(session, command::posePasteMirrored).empty());
   const Vec3 from = left.placeWorld - hips.placeWorld;
   const Vec3 mirrored = hips.placeWorld + from - 2.0 * glm::dot(from, normal) * normal;
-  CHECK(glm::length(placedAt(session, 5.0, "right-hand").placeWorld - mirrored) < near);
+  CHECK(glm::length(placedAt(session, 5.0, "right-hand").placeWorld - mirrored) < nearby);
   SECTION("and mirrored once more it is the pose itself") {
     REQUIRE(run(session, command::poseCopy).empty());
     session.view().frame = 10.0;

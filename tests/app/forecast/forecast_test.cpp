@@ -16,11 +16,11 @@ using gltf::Json;
 
 namespace {
 
-constexpr const char* dummyPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+constexpr const char* punchGlb = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
 std::string punchIn(const test::TemporaryFolder& folder, const SavedForm& form,
                     const std::string& limb = "left-arm") {
-  const Result<Document> source = openDocument(dummyPath);
+  const Result<Document> source = openDocument(punchGlb);
   REQUIRE(source);
   const Document document =
       test::withNewTrail(*source, {.limb = limb, .startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
@@ -87,7 +87,7 @@ TEST_CASE("Corners and translations are shaded right everywhere, the source is, 
     const Json report = checked({punchIn(folder, {form, 8}), "--engine", "three"});
     CHECK(found(report, "three", "shading-plain-matrix").empty());
   }
-  CHECK(found(checked({dummyPath, "--engine", "all"}), "three", "shading-plain-matrix").empty());
+  CHECK(found(checked({punchGlb, "--engine", "all"}), "three", "shading-plain-matrix").empty());
 }
 
 TEST_CASE("Scale of joints is forecast to be left out where an engine does, and corners to play there") {
@@ -111,7 +111,7 @@ TEST_CASE("A humanoid rig leaves out the translation of hand and forearm, and no
   CHECK(findings[0]["limb"] == "left-arm");
   CHECK(found(report, "unity-generic", "translation-of-mapped-bones").empty());
   CHECK(found(report, "unity-humanoid", "scale-of-mapped-bones").empty()); // leaves are not mapped
-  CHECK(found(checked({dummyPath, "--engine", "unity-humanoid"}), "unity-humanoid",
+  CHECK(found(checked({punchGlb, "--engine", "unity-humanoid"}), "unity-humanoid",
               "translation-of-mapped-bones")
             .empty());
 }
@@ -135,14 +135,14 @@ TEST_CASE("Influences beyond four are forecast to be left out by three.js, and f
 }
 
 TEST_CASE("An engine that nobody knows is refused with those that are known") {
-  const test::VerbAnswer answer = test::runVerb({"check", dummyPath, "--engine", "three,cryengine"});
+  const test::VerbAnswer answer = test::runVerb({"check", punchGlb, "--engine", "three,cryengine"});
   CHECK(answer.exitCode == 2);
   CHECK(answer.told.find("'cryengine'") != std::string::npos);
   CHECK(answer.told.find("roblox") != std::string::npos);
 }
 
 TEST_CASE("A check without engines and without a source tells of neither") {
-  const Json report = checked({dummyPath});
+  const Json report = checked({punchGlb});
   CHECK_FALSE(report.contains("engines"));
   CHECK_FALSE(report.contains("worse"));
 }
@@ -158,8 +158,8 @@ bool tells(const Json& worse, const std::string& id) {
 TEST_CASE(
     "Before and after: nothing is worse in the source itself, and a leg that is stretched slides and sinks") {
   const test::TemporaryFolder folder;
-  CHECK(checked({dummyPath, "--before", dummyPath})["worse"].empty());
-  const Json worse = checked({punchIn(folder, {}, "left-leg"), "--before", dummyPath})["worse"];
+  CHECK(checked({punchGlb, "--before", punchGlb})["worse"].empty());
+  const Json worse = checked({punchIn(folder, {}, "left-leg"), "--before", punchGlb})["worse"];
   CHECK((tells(worse, "foot-slide") || tells(worse, "below-floor")));
   for (const Json& change : worse) {
     CHECK(change["result"] > change["source"]);
@@ -170,11 +170,11 @@ TEST_CASE(
     "Before and after: what worsens is in the report of the verb that writes, as check tells it afterwards") {
   const test::TemporaryFolder folder;
   const std::string out = (folder / "leg.glb").string();
-  const test::VerbAnswer answer = test::runVerb({"exaggerate", dummyPath, "-o", out, "--limb", "left-leg",
+  const test::VerbAnswer answer = test::runVerb({"exaggerate", punchGlb, "-o", out, "--limb", "left-leg",
                                                  "--range", "21:27", "--scale", "3", "--json"});
   REQUIRE(answer.exitCode == 0);
   const Json told = Json::parse(answer.output).value("worse", Json::array());
-  const Json later = checked({out, "--before", dummyPath})["worse"];
+  const Json later = checked({out, "--before", punchGlb})["worse"];
   REQUIRE(told.size() == later.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
     CHECK(told[i]["id"] == later[i]["id"]);
@@ -185,6 +185,6 @@ TEST_CASE(
 
 TEST_CASE("Before and after: a file of another character is refused") {
   const test::VerbAnswer answer =
-      test::runVerb({"check", dummyPath, "--before", STRETCH_SOURCE_DIR "/assets/dummy.glb.missing"});
+      test::runVerb({"check", punchGlb, "--before", STRETCH_SOURCE_DIR "/assets/dummy.glb.missing"});
   CHECK(answer.exitCode == 1);
 }

@@ -26,9 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* dummyPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+constexpr const char* punchFile = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
-Document opened(const fs::path& path) {
+Document openedPunch(const fs::path& path) {
   Result<Document> document = openDocument(path);
   REQUIRE(document);
   return std::move(*document);
@@ -36,7 +36,7 @@ Document opened(const fs::path& path) {
 
 Document punch(double volume = 1.0) {
   Document document =
-      test::withNewTrail(opened(dummyPath), {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
+      test::withNewTrail(openedPunch(punchFile), {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
   document.trails.front().settings.volume = volume;
   return document;
 }
@@ -204,10 +204,10 @@ TEST_CASE("Four influences are kept as the limit, and the miss that is told is t
 
 TEST_CASE("A clean file with corners keeps its limbs and its stretch, and uses the corners again") {
   const test::TemporaryFolder folder;
-  const Document source = opened(dummyPath);
+  const Document source = openedPunch(punchFile);
   const Document before = punch();
   const fs::path once = savedAs(before, folder / "once.glb", {StretchForm::volume, 8});
-  const Document clean = opened(once);
+  const Document clean = openedPunch(once);
   REQUIRE_FALSE(clean.scene->bindChains.empty());
   CHECK(clean.scene->skins.front().joints == source.scene->skins.front().joints);
   CHECK(clean.body.limbs.size() == source.body.limbs.size());
@@ -217,7 +217,7 @@ TEST_CASE("A clean file with corners keeps its limbs and its stretch, and uses t
   }
   const SavedForm form = GENERATE(SavedForm{StretchForm::volume, 8}, SavedForm{StretchForm::scale, 8});
   const Document live = test::withNewTrail(clean, {.startFrame = 40.0, .endFrame = 50.0, .scale = 1.5});
-  const Document twice = opened(savedAs(live, folder / "twice.glb", form));
+  const Document twice = openedPunch(savedAs(live, folder / "twice.glb", form));
   CHECK(corners(*twice.scene) == corners(*clean.scene));
   CHECK(twice.scene->bindChains.size() == clean.scene->bindChains.size());
   CHECK(between(Viewer(once), Viewer(folder / "twice.glb")).place < 1e-5 * source.body.height);
@@ -226,7 +226,7 @@ TEST_CASE("A clean file with corners keeps its limbs and its stretch, and uses t
 TEST_CASE("A file with corners and the work gives the source back, in whatever form it is saved next") {
   const test::TemporaryFolder folder;
   const Document before = punch();
-  const Document again = opened(savedAs(before, folder / "work.glb", {StretchForm::volume, 8}, false));
+  const Document again = openedPunch(savedAs(before, folder / "work.glb", {StretchForm::volume, 8}, false));
   CHECK(again.scene->bindChains.empty());
   CHECK(corners(*again.scene) == 0);
   savedAs(again, folder / "again.glb", {StretchForm::scale, 8});
@@ -238,7 +238,7 @@ TEST_CASE("The form is an option of the verbs that write, with another word for 
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
   const auto run = [&](std::vector<std::string> more) {
-    std::vector<std::string> words{"exaggerate", dummyPath, "-o",      out, "--limb",  "left-arm",
+    std::vector<std::string> words{"exaggerate", punchFile, "-o",      out, "--limb",  "left-arm",
                                    "--range",    "21:27",   "--scale", "3", "--clean", "--json"};
     words.insert(words.end(), more.begin(), more.end());
     return test::runVerb(words);
