@@ -39,11 +39,12 @@ void setVelocities(PlaceMotion& motion, double samplesPerSecond) {
   }
 }
 
-// What a limb of this kind weighs: the trunk carries the limbs that act, a tail follows them.
-double weightOf(const Limb& limb) {
+// What a limb of this kind weighs: the trunk carries the limbs that act, a tail follows them. A serpent's
+// trunk has nothing to carry.
+double weightOf(const Limb& limb, bool hasOuterLimbs) {
   constexpr double trunk = 0.6;
   constexpr double follower = 0.35;
-  return isTrunk(limb)                                                  ? trunk
+  return isTrunk(limb) && hasOuterLimbs                                 ? trunk
          : limb.kind == LimbKind::tail || limb.kind == LimbKind::feeler ? follower
                                                                         : 1.0;
 }
@@ -121,8 +122,9 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
     }
     motion.forward.push_back(forwardOf(limbs, frame));
   }
+  const bool hasOuterLimbs = std::ranges::any_of(limbs, [](const Limb& limb) { return reachesOut(limb); });
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    motion.limbs[i].weight = weightOf(limbs[i]);
+    motion.limbs[i].weight = weightOf(limbs[i], hasOuterLimbs);
     setVelocities(motion.limbs[i], motion.samplesPerSecond);
   }
   setVelocities(motion.hips, motion.samplesPerSecond);

@@ -44,7 +44,7 @@ double meanSquare(const std::vector<Vec3>& places) {
 /// The place at a sample of a clip that goes round in `period` samples; between its last and its first on the
 /// line.
 Vec3 placeAt(const std::vector<Vec3>& places, double sample, double period) {
-  const double last = static_cast<double>(places.size() - 1);
+  const auto last = static_cast<double>(places.size() - 1);
   const double at = std::fmod(sample, period);
   if (at >= last) {
     const double share = period > last ? (at - last) / (period - last) : 0.0;

@@ -24,9 +24,9 @@ double sharedTime(const Vec2& a, const Vec2& b) {
   return std::max(0.0, std::min(a.y, b.y) - std::max(a.x, b.x));
 }
 
-/// Whether most of the time that either of them takes is both's.
+/// Whether most of the time that either of them takes is both's: two arms on one bat.
 bool isOneMovement(const Vec2& a, const Vec2& b) {
-  constexpr double most = 2.0 / 3.0;
+  constexpr double most = 0.55;
   return sharedTime(a, b) >= most * (std::max(a.y, b.y) - std::min(a.x, b.x));
 }
 

@@ -294,7 +294,7 @@ TEST_CASE("Every option of info, check and trail changes what they tell") {
                   rowsBehind(arm, joinedRows({{"--plan", "", "--plan quadruped"},
                                               {"--clip", "", "--clip Guard"},
                                               {"--fps", "--range 2:10", "--range 2:10 --fps 12"},
-                                              {"--range", "", "--range 21:27"}},
+                                              {"--range", "", "--range 20:27"}},
                                              reportRows)))},
       inputs);
 }
@@ -329,7 +329,7 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                joinedRows(
                    {{"--recipe", arm + " --scale 2", "--recipe IN/recipe.json"},
                     {"--limb", arm + " --scale 2", "--limb right-arm --range 21:27 --scale 2"},
-                    {"--range", "--limb left-arm --scale 2", arm + " --scale 2"},
+                    {"--range", "--limb left-arm --scale 2", "--limb left-arm --range 20:27 --scale 2"},
                     {"--scale", arm + " --scale 2", arm + " --scale 3"},
                     {"--loops", "--limb left-arm --scale 2 --range 45:58 --release 10",
                      "--limb left-arm --scale 2 --range 45:58 --release 10 --loops"},
