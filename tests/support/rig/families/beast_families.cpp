@@ -32,7 +32,7 @@ struct Beast {
       add(key + side, above, {sign * place.x, place.y, place.z}, {sign * flesh.x, flesh.y, flesh.z});
     }
   }
-  void row_(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step, int count) {
+  void rowOf(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step, int count) {
     std::string above = parent;
     for (int i = 0; i < count; ++i) {
       add(fmt::format("{}{}", stem, i + 1), above, place);
@@ -75,11 +75,11 @@ void addLyingTrunk(Beast& beast, double height, double length, int spine, int ne
     beast.body.joints.back().movesMesh = false;
   }
   beast.add("hips", rooted ? "root" : "", {0, height, -length / 2});
-  beast.row_("spine", "hips", {0, height + 0.02, -length / 2 + length / (spine + 0.5)},
-             {0, 0, length / (spine + 0.5)}, spine);
+  beast.rowOf("spine", "hips", {0, height + 0.02, -length / 2 + length / (spine + 0.5)},
+              {0, 0, length / (spine + 0.5)}, spine);
   const std::string chest = fmt::format("spine{}", spine);
-  beast.row_("neck", chest, {0, height + 0.1 * rise, length / 2 + 0.12},
-             {0, rise / (neck + 1), 0.3 / (neck + 1)}, neck);
+  beast.rowOf("neck", chest, {0, height + 0.1 * rise, length / 2 + 0.12},
+              {0, rise / (neck + 1), 0.3 / (neck + 1)}, neck);
   beast.add("head", neck > 0 ? fmt::format("neck{}", neck) : chest, {0, height + rise, length / 2 + 0.4},
             {0, -0.03, 0.25});
 }
@@ -155,7 +155,7 @@ Beast quadruped(Row& row) {
   addLeg(beast, {"hind", "hips", {x, 0.95 * height, -length / 2}, hindBones, 0.12});
   const int tail = static_cast<int>(row.below(6));
   if (tail > 1) {
-    beast.row_("tail", "hips", {0, height, -length / 2 - 0.12}, {0, -0.05, -0.12}, tail);
+    beast.rowOf("tail", "hips", {0, height, -length / 2 - 0.12}, {0, -0.05, -0.12}, tail);
     beast.wanted["tail"] = {"tail1", "", fmt::format("tail{}|estimated", tail)};
   }
   beast.wantBoth("front-%-leg", {"scapula%|frontUpper%", "frontLower%", ends("front")});
@@ -187,7 +187,7 @@ Beast lizard(Row& row) {
     beast.both(name + "Foot", name + "Lower%", {0.34, 0.02, z + 0.02}, {0.03, -0.015, 0.08});
     beast.wantBoth(name + "-%-leg", {name + "Upper%", name + "Lower%", ends(name)});
   }
-  beast.row_("tail", "hips", {0, 0.9 * height, -length / 2 - 0.15}, {0, -0.015, -0.17}, 5);
+  beast.rowOf("tail", "hips", {0, 0.9 * height, -length / 2 - 0.15}, {0, -0.015, -0.17}, 5);
   beast.wanted["tail"] = {"tail1", "", "tail5|estimated"};
   return beast;
 }
@@ -215,7 +215,7 @@ Beast bird(Row& row) {
     beast.add("beak", "head", jointOf(beast.body, "head").position + Vec3(0, -0.02, 0.15), {0, 0, 0.1});
   }
   beast.rowsOfBoth("wing", "spine2", {0.12, height + 0.05, 0.15}, {row.between(0.25, 0.45), 0.01, -0.04}, 4);
-  beast.row_("tail", "hips", {0, height, -0.45}, {0, -0.01, -0.15}, 2);
+  beast.rowOf("tail", "hips", {0, height, -0.45}, {0, -0.01, -0.15}, 2);
   beast.wantBoth("%-wing", {"wing1%", "wing2%", "wing4%|wing3%|estimated"});
   return beast;
 }
@@ -232,7 +232,7 @@ Beast dinosaur(Row& row) {
   beast.both("armUpper", chest, {0.15, height - 0.1, 0.4});
   beast.both("armLower", "armUpper%", {0.16, height - 0.22, 0.42});
   beast.both("armHand", "armLower%", {0.15, height - 0.26, 0.52}, {0, 0, 0.05});
-  beast.row_("tail", "hips", {0, height, -0.55}, {0, -0.03, -0.25}, 5);
+  beast.rowOf("tail", "hips", {0, height, -0.55}, {0, -0.03, -0.25}, 5);
   beast.wanted["tail"] = {"tail1", "", "tail5|estimated"};
   beast.wantBoth("%-arm", {"armUpper%", "armLower%", "armHand%"});
   return beast;
