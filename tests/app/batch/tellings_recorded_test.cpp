@@ -156,11 +156,11 @@ TEST_CASE("What the verbs tell of sequences and meshes in plain words is as it w
   test::writeObjFrames(test::shorteningTube(6, 0.15, 0.4, 0.1), folder / "tube", "tube");
   const test::TubePerson person = test::tubePerson({.armsDown = 0.5});
   test::writeMeshFile(folder / "person.gltf", person.positions, person.triangles);
+  const std::string measured =
+      "compress IN/tube -o IN/measured.glb --bones 3 --stretch measured --stream IN/stream --open-stream";
   compareTellings(
       "plain-tellings-of-meshes",
-      tellings({"compress IN/tube -o IN/tube.glb --bones 4", "info IN/tube.glb",
-                "compress IN/tube -o IN/measured.glb --bones 3 --stretch measured --stream IN/stream "
-                "--open-stream",
+      tellings({"compress IN/tube -o IN/tube.glb --bones 4", "info IN/tube.glb", measured,
                 "compress IN/tube -o IN/more.glb --append IN/stream", "compare IN/tube IN/tube.glb",
                 "compare IN/tube IN/tube --flattening",
                 "rig IN/person.gltf -o IN/places.json --locators-only", "rig IN/person.gltf -o IN/rigged.glb",

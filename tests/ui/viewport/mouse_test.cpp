@@ -33,6 +33,7 @@ struct PunchUnderMouse : test::MouseStage {
   }
   void select(const std::vector<std::size_t>& which) {
     std::vector<double> frames;
+    frames.reserve(which.size());
     for (const std::size_t i : which) {
       frames.push_back(spheres().at(i).frame);
     }
