@@ -234,7 +234,7 @@ void FileWork::saveIncremental(FileUser& user) {
 
 void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   state_ = Idle{};
-  if (const Status done = user.open().character()->save(path, false); !done) {
+  if (const Status done = user.open().character()->save(path, false, user.form()); !done) {
     user.tell(Tone::error, done.error().line());
     cancel();
     return;
@@ -253,7 +253,7 @@ void FileWork::exportClean(FileUser& user, const fs::path& path) {
   if (session == nullptr) {
     return;
   }
-  if (const Status done = session->save(path, true); !done) {
+  if (const Status done = session->save(path, true, user.form()); !done) {
     user.tell(Tone::error, done.error().line());
     return;
   }

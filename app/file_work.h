@@ -13,6 +13,7 @@
 #include "app/files/autosave.h"
 #include "app/files/user_files.h"
 #include "app/open_document.h"
+#include "app/schema/saved_form.h"
 
 namespace stretch::app {
 
@@ -38,6 +39,7 @@ class FileUser {
 public:
   virtual ~FileUser() = default;
   [[nodiscard]] virtual OpenDocument& open() = 0;
+  [[nodiscard]] virtual SavedForm form() const { return {}; } ///< How stretches are to be told in files.
   virtual void tell(Tone tone, const std::string& text) = 0;
   virtual void closing() = 0; ///< Called before what is open goes.
   virtual void opened() = 0;  ///< Another document is open.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/batch/verb.h"
 #include "app/build_name.h"
 #include "core/base/number.h"
+#include "core/interchange/reader_process.h"
 #include "skinning/sequence/mesh_file.h"
 #include "ui/batch/render_verb.h"
 #include "ui/shell/editor.h"
@@ -54,9 +56,13 @@ EditorStart editorStart(const std::vector<std::string_view>& words) {
 } // namespace
 
 int main(int argumentCount, char** arguments) {
+  if (const std::optional<int> status = stretch::interchange::runAsReader(argumentCount, arguments)) {
+    return *status;
+  }
   std::signal(SIGXFSZ, SIG_IGN); // A limit on the size of files is an error of writing, and told as one.
   std::vector<Verb> verbs = stretch::app::batchVerbs();
   verbs.push_back(stretch::ui::renderVerb());
+  verbs.push_back(stretch::app::batchVerb(verbs));
   const std::vector<std::string_view> words(arguments + std::min(argumentCount, 1),
                                             arguments + argumentCount);
   if (startsEditor(verbs, words)) {

@@ -3,8 +3,7 @@
 namespace stretch::app {
 
 void OpenDocument::open(Opened opened) {
-  const std::optional<OffsetPose> copied =
-      character() != nullptr ? character()->view().copiedPose : std::nullopt;
+  const auto copied = character() != nullptr ? character()->view().copiedPose : std::nullopt;
   if (auto* document = std::get_if<Document>(&opened)) {
     session_.emplace<Session>(std::move(*document)).view().copiedPose = copied;
   } else {

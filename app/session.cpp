@@ -159,9 +159,9 @@ std::filesystem::path Session::proposedSavePath() const {
   return (besideSource ? source.parent_path() : documentsFolder()) / name;
 }
 
-Status Session::save(const std::filesystem::path& path, bool clean) {
+Status Session::save(const std::filesystem::path& path, bool clean, const SavedForm& form) {
   cancel();
-  Status saved = saveDocument(history().current(), path, {.clean = clean});
+  Status saved = saveDocument(history().current(), path, {.clean = clean, .form = form});
   // A clean export is a copy for others: the work itself is not saved by it.
   if (saved && !clean) {
     savePath_ = path;

@@ -5,13 +5,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/editing.h"
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/pose/offset_edits.h"
+#include "app/edits/pose/seen_pose.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/pops.h"
+#include "app/schema/saved_form.h"
 #include "app/selection.h"
 #include "rig/moments/moments.h"
 
@@ -44,9 +47,11 @@ struct ViewState {
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
   bool showOriginal = false; ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
+  CameraPlace camera;   ///< The view itself; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< Trail that Paste pastes.
-  /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
-  std::optional<OffsetPose> copiedPose;
+  /// The same while controllers are selected: what was seen, or offsets with moves in lengths of the
+  /// controller (rig::Controller::length).
+  std::optional<std::variant<SeenPose, OffsetPose>> copiedPose;
   KeySelection pickedKeys;              ///< Keys of the viewed clip, in graph and dope sheet.
   int pickedClip = 0;                   ///< The clip that they are of.
   std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
@@ -97,7 +102,7 @@ public:
   /// That, or another name beside the source; in the user's documents for a bundled clip and for one whose
   /// folder cannot be written.
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
-  Status save(const std::filesystem::path& path, bool clean);
+  Status save(const std::filesystem::path& path, bool clean, const SavedForm& form = {});
 
   /// The moments of the viewed clip, which exists, strongest first; while something is dragged those before.
   [[nodiscard]] const std::vector<rig::Moment>& moments() const;

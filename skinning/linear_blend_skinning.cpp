@@ -46,8 +46,13 @@ Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights
 
 // Normals turn by the inverse transpose, up to their length: the matrix of cofactors, which a flat matrix has
 // as well.
-Vec3 turnedNormal(const Affine& matrix, const Vec3& normal) {
+Vec3 turnedNormal(const Affine& matrix, const Vec3& normal, NormalMatrix by) {
   const Mat3 linear(matrix);
+  if (by == NormalMatrix::plain) {
+    const Vec3 plain = linear * normal;
+    const double size = glm::length(plain);
+    return size > 0.0 ? plain / size : Vec3(0.0, 1.0, 0.0);
+  }
   const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                        glm::cross(linear[0], linear[1]));
   const Vec3 turned = (glm::determinant(linear) < 0.0 ? -1.0 : 1.0) * (cofactors * normal);
@@ -62,7 +67,7 @@ NodeIndex strongestJoint(const Skin& skin, const VertexInfluences& influences) {
   return slot < skin.joints.size() ? skin.joints[slot] : NodeIndex::none;
 }
 
-/// Calls `visit(primitive, weights, vertex, matrix)` for every vertex that is drawn, in order.
+/// Calls `visit(primitive, weights, vertex, matrix, isSkinned)` for every vertex that is drawn, in order.
 template <typename Visit>
 void eachDrawnVertex(const Scene& scene, const FrameState& frame, const Visit& visit) {
   for (const NodeIndex node : drawnMeshNodes(scene)) {
@@ -79,7 +84,8 @@ void eachDrawnVertex(const Scene& scene, const FrameState& frame, const Visit& v
     for (const Primitive& primitive : mesh.primitives) {
       const bool skinned = !joints.empty() && !primitive.influences.empty();
       for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
-        visit(primitive, weights, vertex, skinned ? blended(primitive.influences[vertex], joints) : rigid);
+        visit(primitive, weights, vertex, skinned ? blended(primitive.influences[vertex], joints) : rigid,
+              skinned);
       }
     }
   }
@@ -131,18 +137,19 @@ std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) 
   positions.reserve(vertexCount(scene));
   eachDrawnVertex(scene, frame,
                   [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
-                      const Affine& matrix) {
+                      const Affine& matrix, bool) {
                     positions.push_back(matrix * Vec4(morphedPosition(primitive, weights, vertex), 1.0));
                   });
   return positions;
 }
 
-std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame) {
+std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame, NormalMatrix by) {
   std::vector<Vec3> normals;
   eachDrawnVertex(scene, frame,
                   [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
-                      const Affine& matrix) {
-                    normals.push_back(turnedNormal(matrix, morphedNormal(primitive, weights, vertex)));
+                      const Affine& matrix, bool isSkinned) {
+                    normals.push_back(turnedNormal(matrix, morphedNormal(primitive, weights, vertex),
+                                                   isSkinned ? by : NormalMatrix::inverseTranspose));
                   });
   return normals;
 }

@@ -12,8 +12,14 @@ namespace stretch::skinning {
 /// targets before either. The reference that the graphics card's skinning is tested against.
 [[nodiscard]] std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame);
 
+/// Which matrix turns the normals of skinned meshes: the one that keeps them upright on the surface, or the
+/// joints' own, as three.js, Godot and others take it, which is wrong where they scale unequally. Rigid
+/// meshes have the right one either way.
+enum class NormalMatrix { inverseTranspose, plain };
+
 /// Normals of the same vertices in the same order, unit length.
-[[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame);
+[[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame,
+                                               NormalMatrix by = NormalMatrix::inverseTranspose);
 
 /// The node that moves a drawn vertex most: its strongest joint, or of a rigid mesh the node itself.
 /// `vertex`: counted as in skinnedPositions; none beyond them.

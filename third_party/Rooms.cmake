@@ -12,6 +12,8 @@ find_package(glfw3 REQUIRED)
 find_package(Fontconfig REQUIRED)
 find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(assimp REQUIRED)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
@@ -27,8 +29,10 @@ function(stretch_system_includes target)
   endforeach()
 endfunction()
 
-set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb stb draco::draco
-    meshoptimizer::meshoptimizer PkgConfig::WEBP)
+# Debian's shared libdraco exports copies of its own of tinygltf and of stb, of other versions, which the program would get for
+# those that it asks for: the archive gives the decoder alone (tests/core/gltf_new_file_test.cpp asks which copy answers).
+set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb stb TinyGLTF::TinyGLTF
+    draco::draco_static meshoptimizer::meshoptimizer PkgConfig::WEBP assimp::assimp)
 set(STRETCH_LINKS_rig stretch_core)
 set(STRETCH_LINKS_skinning stretch_core embree Eigen3::Eigen OpenMeshCore)
 set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11)

@@ -1,9 +1,7 @@
 #include <chrono>
-#include <cstdio>
 #include <memory>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
@@ -25,18 +23,6 @@ struct BindArguments {
   std::string weights = "volume";
   JsonOutput json;
 };
-
-/// Tells how far the work is where somebody looks: at a terminal.
-skinning::Proceed bindProgress() {
-  if (isatty(STDERR_FILENO) == 0) {
-    return {};
-  }
-  return [](double share) {
-    fmt::print(stderr, "\rbinding: {:.0f} %{}", 100.0 * share, share < 1.0 ? "" : "\r\033[K");
-    std::fflush(stderr);
-    return true;
-  };
-}
 
 Result<rig::Locators> locatorsFor(const BindArguments& arguments, const Document& document) {
   if (!arguments.locators.empty()) {
@@ -112,7 +98,7 @@ Status runBind(const BindArguments& arguments) {
   }
   // Told to the user and nothing else: no result depends on the clock.
   const auto start = std::chrono::steady_clock::now();
-  const Result<BoundMeshes> bound = bindMeshes(*document, *request, bindProgress());
+  const Result<BoundMeshes> bound = bindMeshes(*document, *request, terminalProgress("binding"));
   if (!bound) {
     return inFile(bound.error(), arguments.input.file);
   }

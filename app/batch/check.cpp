@@ -6,6 +6,8 @@
 #include "app/batch/extension_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
+#include "app/forecast/clip_changes.h"
+#include "app/forecast/forecast.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/load/report.h"
 
@@ -14,11 +16,6 @@ namespace stretch::app {
 namespace {
 
 using gltf::Json;
-
-struct CheckArguments {
-  std::string file;
-  JsonOutput json;
-};
 
 std::string_view severityName(gltf::Severity severity) {
   switch (severity) {
@@ -30,6 +27,74 @@ std::string_view severityName(gltf::Severity severity) {
     break;
   }
   return "warning";
+}
+
+struct CheckArguments {
+  std::string file;
+  std::string engines;
+  std::string before;
+  JsonOutput json;
+};
+
+Json forecastJson(const std::vector<EngineForecast>& forecasts) {
+  Json list = Json::array();
+  for (const EngineForecast& one : forecasts) {
+    Json findings = Json::array();
+    for (const ForecastFinding& finding : one.findings) {
+      Json json = {{"id", finding.id},     {"severity", severityName(finding.severity)},
+                   {"clip", finding.clip}, {"limb", finding.limb},
+                   {"what", finding.what}, {"remedy", finding.remedy}};
+      json["frame"] = finding.frame ? Json(*finding.frame) : Json();
+      json["share"] = finding.share ? Json(*finding.share) : Json();
+      findings.push_back(std::move(json));
+    }
+    list.push_back({{"engine", one.engine}, {"findings", findings}, {"not_judged", one.notJudged}});
+  }
+  return list;
+}
+
+void printForecast(const Json& forecasts) {
+  for (const Json& one : forecasts) {
+    for (const Json& finding : one["findings"]) {
+      const auto text = [&](const char* key) { return finding[key].get<std::string>(); };
+      fmt::print("{} {}{}: {}; {} [{}]\n", one["engine"].get<std::string>(), text("severity"),
+                 text("clip").empty() ? "" : " in '" + text("clip") + "'", text("what"), text("remedy"),
+                 text("id"));
+    }
+    std::string subjects;
+    for (const Json& subject : one["not_judged"]) {
+      subjects += (subjects.empty() ? "" : ", ") + subject.get<std::string>();
+    }
+    fmt::print("{}: {} finding{}; not judged: {}\n", one["engine"].get<std::string>(), one["findings"].size(),
+               one["findings"].size() == 1 ? "" : "s", subjects.empty() ? "nothing" : subjects);
+  }
+}
+
+// Adds what engines make of the file, and what is worse than in the one it was made from.
+Status addComparisons(const CheckArguments& arguments, Json& report) {
+  if (arguments.engines.empty() && arguments.before.empty()) {
+    return Success{};
+  }
+  const Result<Document> document = openAsItStands(arguments.file);
+  if (!document) {
+    return document.error();
+  }
+  if (!arguments.engines.empty()) {
+    const Result<std::vector<std::string>> ids = engineIdsOf(arguments.engines);
+    report["engines"] = ids ? forecastJson(forecast(*document, *ids)) : Json::array();
+  }
+  if (!arguments.before.empty()) {
+    const Result<Document> source = openAsItStands(arguments.before);
+    if (!source) {
+      return source.error();
+    }
+    const Result<std::vector<ClipChange>> worse = worseThanFile(*document, *source);
+    if (!worse) {
+      return worse.error();
+    }
+    report["worse"] = changesToJson(*worse);
+  }
+  return Success{};
 }
 
 Json diagnosisJson(const gltf::Diagnosis& diagnosis) {
@@ -55,9 +120,26 @@ void printDiagnosis(const gltf::Diagnosis& diagnosis) {
   fmt::print("{} problem{} found\n", problems.size(), problems.size() == 1 ? "" : "s");
 }
 
+bool hasErrors(const gltf::Diagnosis& diagnosis) {
+  return std::ranges::any_of(diagnosis.problems, [](const gltf::Problem& problem) {
+    return problem.severity == gltf::Severity::error;
+  });
+}
+
 Status runCheck(const CheckArguments& arguments) {
   const gltf::Diagnosis diagnosis = gltf::diagnose(arguments.file);
-  arguments.json ? arguments.json.print(diagnosisJson(diagnosis)) : printDiagnosis(diagnosis);
+  Json report = diagnosisJson(diagnosis);
+  const Status compared = hasErrors(diagnosis) ? Status(Success{}) : addComparisons(arguments, report);
+  if (!compared) {
+    return compared;
+  }
+  if (arguments.json) {
+    arguments.json.print(report);
+  } else {
+    printDiagnosis(diagnosis);
+    printForecast(report.value("engines", Json::array()));
+    printChanges(report.value("worse", Json::array()));
+  }
   const std::vector<gltf::Problem>& problems = diagnosis.problems;
   const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
     return problem.severity == gltf::Severity::error;
@@ -71,15 +153,26 @@ Status runCheck(const CheckArguments& arguments) {
 } // namespace
 
 Verb checkVerb() {
-  return {"check",
-          "Reports every problem of a file, residual shear of stretched files included, and its extensions.",
-          [](CommandLine& line) {
-            const auto arguments = std::make_shared<CheckArguments>();
-            line.examples({"punch.glb"});
-            line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
-            addJson(line, arguments->json);
-            return [arguments] { return runCheck(*arguments); };
-          }};
+  return {
+      "check",
+      "Reports every problem of a file, residual shear of stretched files included, and its extensions; on "
+      "request what engines make of it, and what an edit made worse.",
+      [](CommandLine& line) {
+        const auto arguments = std::make_shared<CheckArguments>();
+        line.examples({"punch.glb", "punch.glb --engine all", "punch.glb --before dummy.glb"});
+        line.option("FILE", arguments->file, "A .glb, .gltf, .vrm, .fbx, .bvh or .dae file").required();
+        line.option("--engine", arguments->engines,
+                    "Forecasts what engines show: all, or some of three,godot,babylon,unity-generic,"
+                    "unity-humanoid,unreal,roblox (docs/engines.md)")
+            .check([](const std::string& text) {
+              const Result<std::vector<std::string>> ids = engineIdsOf(text);
+              return ids ? std::string() : withoutPlace(ids.error());
+            });
+        line.option("--before", arguments->before,
+                    "The file that this one was made from: tells what is worse than there");
+        addJson(line, arguments->json);
+        return [arguments] { return runCheck(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

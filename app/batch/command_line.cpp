@@ -58,6 +58,14 @@ const DeclaredOption& DeclaredOption::group(const std::string& heading) const {
   return *this;
 }
 
+void CommandLine::requireOne(const DeclaredOption& one, const DeclaredOption& other) {
+  verb_->parse_complete_callback([one = one.option_, other = other.option_] {
+    if (one->empty() && other->empty()) {
+      throw CLI::RequiredError(one->get_name() + " or " + other->get_name());
+    }
+  });
+}
+
 DeclaredOption CommandLine::option(const std::string& name, std::string& value, const std::string& help) {
   return DeclaredOption(filled(verb_->add_option(name, value, help)));
 }

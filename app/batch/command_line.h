@@ -33,6 +33,7 @@ public:
   const DeclaredOption& group(const std::string& heading) const;
 
 private:
+  friend class CommandLine;
   CLI::Option* option_;
 };
 
@@ -52,6 +53,9 @@ public:
   /// The name may be given as often as wanted, each time with one value.
   DeclaredOption repeated(const std::string& name, std::vector<std::string>& values, const std::string& help);
   DeclaredOption flag(const std::string& name, bool& value, const std::string& help);
+
+  /// One of the two has to be given. Once for a verb.
+  void requireOne(const DeclaredOption& one, const DeclaredOption& other);
 
   /// An option or a flag that is read by inOrder() only: it may be repeated, and its place among the others
   /// counts.

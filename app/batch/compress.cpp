@@ -1,12 +1,10 @@
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <system_error>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
@@ -73,18 +71,6 @@ Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments
   return settings;
 }
 
-/// Tells how far the work is where somebody looks: at a terminal.
-skinning::Proceed terminalProgress() {
-  if (isatty(STDERR_FILENO) == 0) {
-    return {};
-  }
-  return [](double share) {
-    fmt::print(stderr, "\rcompressing: {:.0f} %{}", 100.0 * share, share < 1.0 ? "" : "\r\033[K");
-    std::fflush(stderr);
-    return true;
-  };
-}
-
 Status writeTable(const CompressArguments& arguments, const MeshSequence& sequence,
                   const skinning::CompressedSequence& compressed) {
   if (arguments.table.empty()) {
@@ -142,7 +128,7 @@ Status compressSequence(const CompressArguments& arguments, const skinning::Comp
   // Told to the user and nothing else: no result depends on the clock.
   const auto start = std::chrono::steady_clock::now();
   const Result<skinning::CompressedSequence> compressed =
-      skinning::compress(sequence, settings, terminalProgress());
+      skinning::compress(sequence, settings, terminalProgress("compressing"));
   if (!compressed) {
     return compressed.error();
   }

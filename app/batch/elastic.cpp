@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
@@ -152,7 +152,7 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!cut->empty()) {
     report["warnings"].push_back(*cut);
   }
-  if (Status saved = saveDocument(*document, arguments.output.file.path, arguments.output.save); !saved) {
+  if (Status saved = saveReported(*document, arguments.output, report); !saved) {
     return saved;
   }
   if (arguments.json) {
@@ -160,6 +160,7 @@ Status runElastic(const ElasticArguments& arguments) {
   } else {
     printWeight(report["elastic"]);
     printWarnings(report["warnings"]);
+    printSaved(report);
   }
   return Success{};
 }

@@ -1,6 +1,8 @@
 #include <memory>
 
+#include "app/batch/auto_options.h"
 #include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -19,6 +21,7 @@ struct ExaggerateArguments {
   OutputArguments output;
   std::string recipe;
   bool loops = false;
+  AutoArguments every;
   JsonOutput json;
 };
 
@@ -43,12 +46,67 @@ Result<PlacedTrails> appliedRecipe(const Document& document, const Recipe& recip
   return placed;
 }
 
-Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests) {
-  if (arguments.recipe.empty() && requests.empty()) {
-    return Error{"no limb was named", "--limb", "name one, such as --limb left-arm, or give a --recipe"};
+// The last text of an option that may come more than once; empty without it.
+std::string lastOf(const CommandLine& line, const std::string& option) {
+  std::string last;
+  for (const auto& [name, text] : line.inOrder()) {
+    last = name == option ? text : last;
+  }
+  return last;
+}
+
+// A recipe's trails are judged by the camera that the command names, where they name none.
+void setCamera(const std::string& camera, Recipe& recipe) {
+  for (rig::Trail& trail : recipe.trails) {
+    if (!trail.settings.sight.hasCamera()) {
+      trail.settings.sight.camera = camera;
+    }
+  }
+}
+
+Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                 const std::string& camera) {
+  if (arguments.every.wanted && !(arguments.recipe.empty() && requests.empty() && camera.empty())) {
+    return Error{"stands beside trails of your own", "--auto",
+                 "leave out --limb, --camera and --recipe, or --auto"};
+  }
+  if (!arguments.every.wanted && arguments.every.givesAny()) {
+    return Error{"a style is for every moment at once", "--style", "give --auto as well"};
+  }
+  if (!arguments.every.wanted && arguments.recipe.empty() && requests.empty()) {
+    return Error{"no limb was named", "--limb",
+                 "name one, such as --limb left-arm, or give --auto or a --recipe"};
   }
   if (!arguments.recipe.empty() && !requests.empty()) {
     return Error{"stands beside --recipe", "--limb", "give all trails by --limb, or all in the recipe"};
+  }
+  return Success{};
+}
+
+// The trails that were named, or of the recipe.
+Result<gltf::Json> exaggerated(const ExaggerateArguments& arguments,
+                               const std::vector<TrailRequest>& requests, const std::string& camera,
+                               Document& document) {
+  Result<Recipe> recipe = wantedTrails(arguments, requests, document);
+  if (!recipe) {
+    return recipe.error();
+  }
+  setCamera(arguments.recipe.empty() ? std::string() : camera, *recipe);
+  if (arguments.loops) {
+    document = setLooping(document, recipe->clip, true);
+  }
+  Result<PlacedTrails> placed = appliedRecipe(document, *recipe);
+  if (!placed) {
+    return placed.error();
+  }
+  document = std::move(placed->document);
+  return exaggerationJson(document, recipe->clip, placed->trailIds);
+}
+
+Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                     const std::string& camera) {
+  if (Status oneWay = checkWays(arguments, requests, camera); !oneWay) {
+    return oneWay;
   }
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
     return apart;
@@ -57,26 +115,20 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (!document) {
     return document.error();
   }
-  const Result<Recipe> recipe = wantedTrails(arguments, requests, *document);
-  if (!recipe) {
-    return recipe.error();
+  const bool isAuto = arguments.every.wanted;
+  Result<gltf::Json> report = isAuto ? autoExaggerated(arguments.every, arguments.input, *document)
+                                     : exaggerated(arguments, requests, camera, *document);
+  if (!report) {
+    return report.error();
   }
-  if (arguments.loops) {
-    *document = setLooping(*document, recipe->clip, true);
-  }
-  const Result<PlacedTrails> placed = appliedRecipe(*document, *recipe);
-  if (!placed) {
-    return placed.error();
-  }
-  const gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
-  if (Status saved = saveDocument(placed->document, arguments.output.file.path, arguments.output.save);
-      !saved) {
+  if (Status saved = saveReported(*document, arguments.output, *report); !saved) {
     return saved;
   }
   if (arguments.json) {
-    arguments.json.print(report);
+    arguments.json.print(*report);
   } else {
-    printExaggeration(report);
+    (isAuto ? printAuto : printExaggeration)(*report);
+    printSaved(*report);
   }
   return Success{};
 }
@@ -87,7 +139,8 @@ Verb exaggerateVerb() {
   return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CommandLine& line) {
             const auto arguments = std::make_shared<ExaggerateArguments>();
             line.examples({"dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --axes xz",
-                           "dummy.glb -o punch.glb --recipe refined-punch.json"});
+                           "dummy.glb -o punch.glb --recipe refined-punch.json",
+                           "dummy.glb -o cartoon.glb --auto --style \"Rubber hose\" --all-clips"});
             addFileArguments(line, arguments->input);
             addPlan(line, arguments->input);
             addOutputArguments(line, arguments->output);
@@ -95,9 +148,12 @@ Verb exaggerateVerb() {
             line.option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
             line.flag("--loops", arguments->loops,
                       "The clip is played as a loop: a limb's way back at its end goes on at its start");
+            addAutoOptions(line, arguments->every);
             addTrailOptions(line);
             addJson(line, arguments->json);
-            return [arguments, line] { return runExaggerate(*arguments, requestsOf(line)); };
+            return [arguments, line] {
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
+            };
           }};
 }
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/keys/import_clip.h"
@@ -104,14 +104,15 @@ Status runImport(const ImportArguments& arguments) {
   if (!changed) {
     return changed.error();
   }
-  if (Status saved = saveDocument(*changed, arguments.output.file.path, arguments.output.save); !saved) {
+  Json report = reportOf(*changed, *brought);
+  if (Status saved = saveReported(*changed, arguments.output, report); !saved) {
     return saved;
   }
-  const Json report = reportOf(*changed, *brought);
   if (arguments.json) {
     arguments.json.print(report);
   } else {
     printReport(report);
+    printSaved(report);
   }
   return Success{};
 }
@@ -126,11 +127,13 @@ Verb importClipVerb() {
             const auto arguments = std::make_shared<ImportArguments>();
             line.examples({"knight.glb -o dancing.glb --from dance.glb",
                            "knight.glb -o walking.glb --from 'human.glb#Walk'",
-                           "knight.glb -o waving.glb --from hello.vrma --name hello"});
+                           "knight.glb -o waving.glb --from hello.vrma --name hello",
+                           "knight.glb -o walking.glb --from walking.fbx"});
             addFileArguments(line, arguments->input);
             addOutputArguments(line, arguments->output);
             line.option("--from", arguments->from,
-                        "The other file (.glb, .gltf, .vrm, .vrma), or FILE#CLIP for one of its clips")
+                        "The other file (.glb, .gltf, .vrm, .vrma, .fbx, .bvh, .dae), or FILE#CLIP for one "
+                        "of its clips")
                 .required();
             line.option("--from-clip", arguments->fromClip,
                         "The one clip that is wanted, by name or #index; else all of them");

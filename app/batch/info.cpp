@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include <fmt/core.h>
@@ -88,6 +89,49 @@ Json meshJson(const Mesh& mesh) {
   return {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles}};
 }
 
+/// Whether a clip moves the node, or one that carries it.
+bool movesNode(const Scene& scene, const Clip& clip, NodeIndex node) {
+  return std::ranges::any_of(clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    return isAncestorOrSelf(scene, track->node, node);
+  });
+}
+
+Json cameraJson(const Document& document, const SceneCamera& camera) {
+  const bool isPerspective = camera.kind == CameraKind::perspective;
+  Json json{{"name", camera.name},
+            {"node", camera.node.value},
+            {"kind", isPerspective ? "perspective" : "orthographic"},
+            {"aspect", camera.aspect ? Json(*camera.aspect) : Json(nullptr)},
+            {"animated_in", Json::array()}};
+  if (isPerspective) {
+    json["field_of_view"] = camera.fieldOfViewRadians * 180.0 / pi;
+    json["focal_length"] = focalLength(camera.fieldOfViewRadians);
+  } else {
+    json["height"] = 2.0 * camera.halfHeight;
+  }
+  for (const Clip& clip : *document.clips) {
+    if (movesNode(*document.scene, clip, camera.node)) {
+      json["animated_in"].push_back(clip.name);
+    }
+  }
+  return json;
+}
+
+/// "camera Shot: perspective, 39.6 degrees (33.3 mm), animated in punch".
+void printCamera(const Json& camera) {
+  const bool isPerspective = camera.contains("field_of_view");
+  std::string clips;
+  for (const Json& clip : camera["animated_in"]) {
+    clips += (clips.empty() ? ", animated in " : ", ") + clip.get<std::string>();
+  }
+  fmt::print("camera {}: {}{}\n", camera["name"].get<std::string>(),
+             isPerspective
+                 ? fmt::format("perspective, {:.4g} degrees ({:.3g} mm)",
+                               camera["field_of_view"].get<double>(), camera["focal_length"].get<double>())
+                 : fmt::format("orthographic, {:.4g} high", camera["height"].get<double>()),
+             clips);
+}
+
 /// How far the artist is with a trail.
 const char* stateOf(const rig::Trail& trail) {
   return !trail.exaggerated ? "path only"
@@ -170,6 +214,10 @@ Json infoOf(const Document& document) {
                              {"frames", frameCount(clip)},
                              {"keys", keyCount(clip)},
                              {"fps", clip.framesPerSecond}});
+  }
+  info["cameras"] = Json::array();
+  for (const SceneCamera& camera : scene.cameras) {
+    info["cameras"].push_back(cameraJson(document, camera));
   }
   info["biped"] = document.body.isBiped;
   info["plan"] = {{"plan", document.body.plan},
@@ -258,6 +306,9 @@ void printInfo(const Json& info) {
                clip["seconds"].get<double>(), clip["frames"].get<std::int64_t>(), clip["fps"].get<double>(),
                clip["keys"].get<int>());
   }
+  for (const Json& camera : info["cameras"]) {
+    printCamera(camera);
+  }
   printPlan(info["plan"]);
   for (const Json& limb : info["limbs"]) {
     const std::string leads = limb.contains("led_by") ? ", led by " + limb["led_by"].get<std::string>() : "";
@@ -326,18 +377,19 @@ Status runInfo(const InfoArguments& arguments) {
 } // namespace
 
 Verb infoVerb() {
-  return {"info",
-          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails, offsets, holds and "
-          "loops, extensions, "
-          "warnings.",
-          [](CommandLine& line) {
-            const auto arguments = std::make_shared<InfoArguments>();
-            line.examples({"punch.glb", "--json punch.glb"});
-            addFileArguments(line, arguments->input);
-            addPlan(line, arguments->input);
-            addJson(line, arguments->json);
-            return [arguments] { return runInfo(*arguments); };
-          }};
+  return {
+      "info",
+      "Tells what a file holds: meshes, joints, clips, cameras, limbs found, saved trails, offsets, holds "
+      "and loops, extensions, "
+      "warnings.",
+      [](CommandLine& line) {
+        const auto arguments = std::make_shared<InfoArguments>();
+        line.examples({"punch.glb", "--json punch.glb"});
+        addFileArguments(line, arguments->input);
+        addPlan(line, arguments->input);
+        addJson(line, arguments->json);
+        return [arguments] { return runInfo(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

@@ -1,11 +1,13 @@
 #include "app/batch/options.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "app/edits/body/limb_edits.h"
 #include "app/edits/keys/rate_edits.h"
@@ -29,7 +31,7 @@ constexpr double fastestRate = 10000.0;
 } // namespace
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
-  line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
+  line.option("FILE", arguments.file, "A .glb, .gltf, .vrm, .fbx, .bvh or .dae file").required();
   addTolerant(line, arguments);
 }
 
@@ -84,14 +86,6 @@ Status checkOutput(const OutputFile& output, const std::vector<std::string>& inp
     return Error{"is read and would be written over", output.path, "name another file, or add --in-place"};
   }
   return Success{};
-}
-
-void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
-  addOutputFile(line, arguments.file, "The .glb or .gltf to write");
-  line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
-  line.flag("--keep-skeleton", arguments.save.keepSkeleton,
-            "Stretch through translations only: no bind joints");
-  line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
 }
 
 void JsonOutput::print(const gltf::Json& report) const {
@@ -204,6 +198,17 @@ const std::string* textOf(const SettingTexts& texts, const SettingFacts& setting
   }
   const auto value = texts.values.find(setting.option);
   return value == texts.values.end() || value->second.empty() ? nullptr : &value->second;
+}
+
+skinning::Proceed terminalProgress(const std::string& doing) {
+  if (isatty(STDERR_FILENO) == 0) {
+    return {};
+  }
+  return [doing](double share) {
+    fmt::print(stderr, "\r{}: {:.0f} %{}", doing, 100.0 * share, share < 1.0 ? "" : "\r\033[K");
+    std::fflush(stderr);
+    return true;
+  };
 }
 
 } // namespace stretch::app

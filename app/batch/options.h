@@ -6,12 +6,12 @@
 
 #include "app/batch/command_line.h"
 #include "app/document.h"
-#include "app/files/save.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema.h"
 #include "core/base/result.h"
 #include "core/gltf/json/json.h"
 #include "skinning/elastic/moduli.h"
+#include "skinning/fit/alternate.h"
 
 namespace stretch::app {
 
@@ -57,15 +57,6 @@ void addOutputFile(CommandLine& line, OutputFile& output, const std::string& hel
 
 /// Refuses an output that is one of the files that are read, under whatever name, unless that was asked for.
 [[nodiscard]] Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs);
-
-/// Arguments of a verb that writes a character file.
-struct OutputArguments {
-  OutputFile file;
-  SaveOptions save;
-};
-
-/// Declares -o, --in-place, --key-every-frame, --keep-skeleton and --clean.
-void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// The report of a verb as JSON, on standard output, which holds nothing else then.
 struct JsonOutput {
@@ -149,6 +140,9 @@ template <typename Settings>
   setting.write(*value, settings);
   return Success{};
 }
+
+/// Tells how far work is where somebody looks: at a terminal. `doing`: "compressing".
+[[nodiscard]] skinning::Proceed terminalProgress(const std::string& doing);
 
 template <typename Settings>
 [[nodiscard]] Status setFromTexts(const Schema<Settings>& schema, const SettingTexts& texts,

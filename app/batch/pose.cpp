@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/pose/adjustment_edits.h"
@@ -242,14 +242,15 @@ Status runPose(const PoseArguments& arguments) {
   if (!posed) {
     return posed.error();
   }
-  const Json report = poseJson(*posed, *recipe);
-  if (Status saved = saveDocument(*posed, arguments.output.file.path, arguments.output.save); !saved) {
+  Json report = poseJson(*posed, *recipe);
+  if (Status saved = saveReported(*posed, arguments.output, report); !saved) {
     return saved;
   }
   if (arguments.json) {
     arguments.json.print(report);
   } else {
     printPose(report);
+    printSaved(report);
   }
   return Success{};
 }

@@ -7,6 +7,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/seen.h"
 #include "app/evaluate/stopped.h"
 #include "app/evaluate/way_back.h"
 #include "app/schema/schema_json.h"
@@ -31,6 +32,34 @@ const char* spaceName(rig::TrailSpace space) {
     break;
   }
   return "world";
+}
+
+// The direction is the one towards the eye.
+Json viewJson(const Document& document, int clip, const Vec3& towardsEye) {
+  return {{"direction", vectorToJson(towardsEye)}, {"words", viewInWords(document, clip, towardsEye)}};
+}
+
+void addSeen(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved,
+             Json& report) {
+  const std::optional<Seen> seen =
+      solved.camera ? seenBy(document, motion, solved, *solved.camera) : std::nullopt;
+  if (seen) {
+    const std::string& camera = solved.settings.sight.camera;
+    report["seen"] = {{"camera", camera.empty() ? Json(nullptr) : Json(camera)},
+                      {"ratio", seen->ratio},
+                      {"of", seen->of},
+                      {"share", seen->share},
+                      {"path", seenPath(document, motion, solved, *solved.camera)}};
+    report["best_view"] = viewJson(document, motion.clip, bestViewOf(document, motion, solved));
+  }
+  for (const std::string& warning : seenWarnings(document, motion, solved)) {
+    report["warnings"].push_back(solved.limb.id + ": " + warning);
+  }
+  constexpr double tolerance = 1e-4;
+  if (solved.tip.seen) {
+    report["reached"] =
+        solved.tip.reached() && seen && std::abs(seen->ratio - seen->of) <= tolerance * seen->of;
+  }
 }
 
 Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
@@ -66,7 +95,8 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
               {"limb_length_before", before},
               {"limb_length_after", after},
               {"warnings", std::move(warnings)}};
-  if (!reached && isStoppedAtTip(document, motion, solved)) {
+  addSeen(document, motion, solved, report);
+  if (!report["reached"].get<bool>() && isStoppedAtTip(document, motion, solved)) {
     report["stopped"] = true;
   }
   return report;
@@ -94,14 +124,26 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   return report;
 }
 
+namespace {
+
+/// ", seen x1.4 of x3".
+std::string seenText(const Json& trail) {
+  return trail.contains("seen")
+             ? fmt::format(", seen x{:.3g} of x{:.3g}", trail["seen"]["ratio"].get<double>(),
+                           trail["seen"]["of"].get<double>())
+             : std::string();
+}
+
+} // namespace
+
 void printExaggeration(const Json& report) {
   for (const Json& trail : report["trails"]) {
     const auto space = trail["space"].get<std::string>();
-    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}{}\n", trail["limb"].get<std::string>(),
+    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}{}{}\n", trail["limb"].get<std::string>(),
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
                trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "",
-               trail.contains("stopped") ? ", stopped on the way" : "");
+               trail.contains("stopped") ? ", stopped on the way" : "", seenText(trail));
     printWarnings(trail["warnings"]);
   }
   if (report.contains("elastic")) {

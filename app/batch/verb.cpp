@@ -98,9 +98,9 @@ std::string unknownVerb(const std::vector<Verb>& verbs, int argumentCount, const
 } // namespace
 
 std::vector<Verb> batchVerbs() {
-  return {infoVerb(),     momentsVerb(), trailVerb(),      exaggerateVerb(), poseVerb(),
-          elasticVerb(),  rigVerb(),     importClipVerb(), resaveVerb(),     checkVerb(),
-          compressVerb(), compareVerb(), flattenVerb(),    bindVerb()};
+  return {infoVerb(),  momentsVerb(),  stylesVerb(),  trailVerb(),      exaggerateVerb(),
+          poseVerb(),  elasticVerb(),  rigVerb(),     importClipVerb(), resaveVerb(),
+          checkVerb(), compressVerb(), compareVerb(), flattenVerb(),    bindVerb()};
 }
 
 int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,

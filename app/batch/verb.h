@@ -26,6 +26,7 @@ struct Verb {
 
 [[nodiscard]] Verb infoVerb();
 [[nodiscard]] Verb momentsVerb();
+[[nodiscard]] Verb stylesVerb();
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();
@@ -38,5 +39,7 @@ struct Verb {
 [[nodiscard]] Verb elasticVerb();
 [[nodiscard]] Verb flattenVerb();
 [[nodiscard]] Verb bindVerb();
+/// Many commands of these verbs, one in each line of a list.
+[[nodiscard]] Verb batchVerb(const std::vector<Verb>& verbs);
 
 } // namespace stretch::app

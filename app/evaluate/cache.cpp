@@ -1,7 +1,9 @@
 #include "app/evaluate/cache.h"
 
-#include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
+#include "rig/adjust/solve_adjustments.h"
+#include "rig/motion/evaluate.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -17,7 +19,8 @@ const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& groun
   EvaluationGround unadjusted = ground;
   unadjusted.adjustments.clear();
   return body_.of(std::move(unadjusted), [&](const auto*) {
-    return std::make_shared<const rig::AdjustedBody>(adjustedBody(ground));
+    return std::make_shared<const rig::AdjustedBody>(
+        rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs}));
   });
 }
 
@@ -28,19 +31,19 @@ const EvaluationCache::Places& EvaluationCache::places(const std::shared_ptr<con
 
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
-    EarlierWork earlier;
+    rig::MotionInput wanted = motionInput(input);
     if (last != nullptr && last->key.ground == input.ground) {
-      earlier.sameGround = last->value.get();
+      wanted.previous = last->value.get();
     }
     if (last != nullptr && isSameClip(last->key.ground, input.ground)) {
-      earlier.sourceFrames = last->value->sourceFrames;
+      wanted.sourceFrames = last->value->sourceFrames;
     }
     if (input.ground.adjustments.empty()) {
-      earlier.places = places(input.ground.scene);
+      wanted.places = places(input.ground.scene);
     } else {
-      earlier.body = body(input.ground);
+      wanted.body = body(input.ground);
     }
-    return std::make_shared<const rig::MotionState>(solveTrails(input, earlier));
+    return std::make_shared<const rig::MotionState>(rig::solveMotion(wanted));
   });
 }
 
@@ -51,7 +54,7 @@ const EvaluationCache::Motion& EvaluationCache::held(const EvaluationInput& inpu
       return solved;
     }
     rig::MotionState motion = *solved;
-    addHolds(input, motion);
+    rig::setHolds(motionInput(input), motion);
     return std::make_shared<const rig::MotionState>(std::move(motion));
   });
 }
@@ -74,7 +77,7 @@ const EvaluationCache::Weighted& EvaluationCache::weighted(const Document& docum
     }
     WeightMotion made = weightMotion(weight, sampled(weight, solved), sizes_);
     rig::MotionState motion = *solved;
-    addWeight(input, std::move(made.weights), motion);
+    rig::setWeight(motionInput(input), std::move(made.weights), motion);
     return Weighted{std::make_shared<const rig::MotionState>(std::move(motion)), std::move(made.reports)};
   });
 }
@@ -94,8 +97,9 @@ const std::vector<WeightReport>& EvaluationCache::weightReports(const Document& 
 
 const FrameState& EvaluationCache::frame(const Document& document, int clip, double timeSeconds) {
   const Motion& moving = weighted(document, clip).motion;
-  return frame_.of({moving, timeSeconds},
-                   [&](const auto*) { return evaluate(document, *moving, timeSeconds); });
+  return frame_.of({moving, timeSeconds}, [&](const auto*) {
+    return rig::evaluateMotion(*document.scene, clipOrStill(*document.clips, clip), *moving, timeSeconds);
+  });
 }
 
 const std::vector<rig::PlacedController>& EvaluationCache::controllers(const Document& document, int clip,
@@ -118,8 +122,10 @@ const std::vector<rig::ControllerShape>& EvaluationCache::shapes(const Document&
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
-  return original_.of({document.scene, sourceClipsOf(document), clip, timeSeconds},
-                      [&](const auto*) { return evaluateOriginal(document, clip, timeSeconds); });
+  return original_.of({document.scene, sourceClipsOf(document), clip, timeSeconds}, [&](const auto*) {
+    const Clip& shown = clipOrStill(*sourceClipsOf(document), clip);
+    return frameOf(*document.scene, samplePose(*document.scene, shown, timeSeconds), timeSeconds);
+  });
 }
 
 const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,
@@ -135,12 +141,18 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
 }
 
 const Clip& EvaluationCache::keyed(const Document& document, int clip) {
-  const EvaluationInput input = evaluationInput(appliedOnly(document), clip);
+  const Document applied = appliedOnly(document);
+  const EvaluationInput input = evaluationInput(applied, clip);
   if (input.trails.empty() && input.ground.adjustments.empty() && input.holds.empty()) {
     return clipOf(document, clip);
   }
-  return keyed_.of({{input.ground, input.trails}, input.holds},
-                   [&](const auto*) { return keyedClip(document, clip); });
+  return keyed_.of({{input.ground, input.trails}, input.holds}, [&](const auto*) {
+    const Clip& source = clipOf(document, clip);
+    // Of a cache of its own: what is remembered here is the motion that is seen.
+    const Motion motion = EvaluationCache().motion(applied, clip);
+    return rig::withTracks(source,
+                           rig::rekey(*document.scene, source, *motion, keyingOptions(document)).tracks);
+  });
 }
 
 } // namespace stretch::app

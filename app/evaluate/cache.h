@@ -57,8 +57,8 @@ public:
   /// One for each trail of motion(); the clip must be there.
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
-  /// The clip with the keys of its adjustments, applied trails and holds (keyed_clip.h); the clip must be
-  /// there.
+  /// The clip as its adjustments, applied trails and holds re-key it: the keys that the timeline and the
+  /// graph show. The clip must be there; without any of them it is the document's.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
   /// Places of all controllers (rig::placeControllers), with the shapes that are drawn.

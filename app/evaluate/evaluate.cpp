@@ -18,8 +18,7 @@ FrameState evaluate(const Document& document, const rig::MotionState& motion, do
 }
 
 FrameState evaluateOriginal(const Document& document, int clip, double timeSeconds) {
-  const Clip& shown = clipOrStill(*sourceClipsOf(document), clip);
-  return frameOf(*document.scene, samplePose(*document.scene, shown, timeSeconds), timeSeconds);
+  return EvaluationCache().original(document, clip, timeSeconds);
 }
 
 std::vector<TrailPaths> trailPaths(const Document& document, const rig::MotionState& motion,

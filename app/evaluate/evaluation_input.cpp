@@ -8,10 +8,7 @@
 
 #include "app/edits/pose/hold_edits.h"
 #include "core/base/index.h"
-#include "rig/adjust/solve_adjustments.h"
 #include "rig/motion/seam.h"
-#include "rig/motion/solve.h"
-#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -23,20 +20,6 @@ std::vector<T> ofClip(const std::vector<T>& all, int clip) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(some),
                [&](const T& one) { return one.clip == clip; });
   return some;
-}
-
-rig::MotionInput motionInput(const EvaluationInput& input) {
-  rig::MotionInput wanted;
-  wanted.scene = input.ground.scene.get();
-  wanted.clip = &clipOf(input.ground);
-  wanted.clipIndex = input.ground.clip;
-  wanted.hips = input.ground.hips;
-  wanted.limbs = input.ground.limbs;
-  wanted.trails = input.trails;
-  wanted.loops = input.ground.loops;
-  wanted.adjustments = input.ground.adjustments;
-  wanted.holds = input.holds;
-  return wanted;
 }
 
 // The trails that the paths of one of a motion's trails come from, its own included.
@@ -92,34 +75,23 @@ const Clip& clipOf(const EvaluationGround& ground) {
   return clipOrStill(*ground.clips, ground.clip);
 }
 
-rig::AdjustedBody adjustedBody(const EvaluationGround& ground) {
-  return rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs});
-}
-
-rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& earlier) {
-  rig::MotionInput wanted = motionInput(input);
-  wanted.previous = earlier.sameGround;
-  wanted.body = earlier.body;
-  wanted.places = earlier.places;
-  wanted.sourceFrames = earlier.sourceFrames;
-  return rig::solveMotion(wanted);
-}
-
-bool addHolds(const EvaluationInput& input, rig::MotionState& motion) {
-  if (input.holds.empty()) {
-    return false;
-  }
-  rig::setHolds(motionInput(input), motion);
-  return true;
+rig::MotionInput motionInput(const EvaluationInput& input) {
+  rig::MotionInput wanted;
+  wanted.scene = input.ground.scene.get();
+  wanted.clip = &clipOf(input.ground);
+  wanted.clipIndex = input.ground.clip;
+  wanted.hips = input.ground.hips;
+  wanted.limbs = input.ground.limbs;
+  wanted.trails = input.trails;
+  wanted.loops = input.ground.loops;
+  wanted.adjustments = input.ground.adjustments;
+  wanted.holds = input.holds;
+  return wanted;
 }
 
 WeightInput weightInput(const EvaluationInput& input) {
   const EvaluationGround& ground = input.ground;
   return {ground.scene, &clipOf(ground), ground.limbs, ground.height, ground.loops, input.weights};
-}
-
-void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion) {
-  rig::setWeight(motionInput(input), std::move(weights), motion);
 }
 
 std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::MotionState& motion,

@@ -7,7 +7,7 @@
 #include "app/weight/weight_motion.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/paths.h"
-#include "rig/reach/bind_places.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -43,31 +43,12 @@ struct EvaluationInput {
 [[nodiscard]] const Clip& clipOrStill(const std::vector<Clip>& clips, int clip);
 [[nodiscard]] const Clip& clipOf(const EvaluationGround& ground);
 
-// Stages that are made of an EvaluationInput before a time is known: EvaluationCache alone says in which
-// order. At a time the stages are those of rig/motion/evaluate.h.
-
-/// Body that adjustments of the clip are solved on; the same for every one of them.
-[[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);
-
-/// Work that was made before, to be taken over; all of it may be missing.
-struct EarlierWork {
-  const rig::MotionState* sameGround = nullptr;                  ///< Solved on the same ground.
-  std::shared_ptr<const rig::AdjustedBody> body = nullptr;       ///< adjustedBody of the ground.
-  std::shared_ptr<const rig::BindPlaces> places = nullptr;       ///< bindPlaces of the scene.
-  std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Frames of a motion of the same clip.
-};
-
-/// The trails alone.
-[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& earlier);
-
-/// Lets the clip's holds act on top of the trails. Answers whether there are any.
-bool addHolds(const EvaluationInput& input, rig::MotionState& motion);
+/// Input of the stages of rig before a time is known: EvaluationCache alone says in which order. It points
+/// into `input`, which outlives it. At a time the stages are those of rig/motion/evaluate.h.
+[[nodiscard]] rig::MotionInput motionInput(const EvaluationInput& input);
 
 /// Input from which the weight of the clip's limbs is worked out.
 [[nodiscard]] WeightInput weightInput(const EvaluationInput& input);
-
-/// Puts the weight on top of trails and holds.
-void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion);
 
 /// The paths of one trail, as they are drawn.
 struct TrailPaths {

@@ -1,8 +1,6 @@
 #include "app/evaluate/keyed_clip.h"
 
-#include <utility>
-
-#include "app/evaluate/evaluate.h"
+#include <vector>
 
 namespace stretch::app {
 
@@ -19,14 +17,6 @@ Document appliedOnly(Document document) {
   std::erase_if(document.trails, [](const rig::Trail& trail) { return !trail.applied; });
   document.weights.clear();
   return document;
-}
-
-Clip keyedClip(const Document& document, int clip) {
-  const Document applied = appliedOnly(document);
-  const Clip& source = clipOf(document, clip);
-  const rig::RekeyedClip keyed =
-      rig::rekey(*document.scene, source, prepareMotion(applied, clip), keyingOptions(document));
-  return rig::withTracks(source, keyed.tracks);
 }
 
 } // namespace stretch::app

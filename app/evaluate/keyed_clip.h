@@ -12,8 +12,4 @@ namespace stretch::app {
 /// weight.
 [[nodiscard]] Document appliedOnly(Document document);
 
-/// The clip as its adjustments, applied trails and holds re-key it: the keys that the timeline and the graph
-/// show. The clip must be there; without any of them it is the source's.
-[[nodiscard]] Clip keyedClip(const Document& document, int clip);
-
 } // namespace stretch::app

@@ -38,7 +38,10 @@ rig::MotionState solvedWith(const Document& document, int clip, const rig::Solve
   other.weights.clear();
   other.holds = {};
   other.trails.front().settings = settings;
-  return solveTrails(evaluationInput(other, clip), {.places = places});
+  const EvaluationInput input = evaluationInput(other, clip);
+  rig::MotionInput wanted = motionInput(input);
+  wanted.places = places;
+  return rig::solveMotion(wanted);
 }
 
 struct Remedy {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/evaluate/seen.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
 #include "core/math/bounds.h"
@@ -38,10 +39,6 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
     frames.push_back(frame);
   }
   return frames;
-}
-
-Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
-  return rig::leadingPosition(limb, frame) - rig::stayingPosition(limb, frame);
 }
 
 float squaredDistance(const glm::vec3& a, const glm::vec3& b) {

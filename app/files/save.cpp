@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -15,7 +16,9 @@
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
 #include "app/things/thing.h"
+#include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
+#include "core/scene/bind_chains.h"
 #include "rig/rekey/bind_leaves.h"
 #include "rig/rekey/rekey.h"
 
@@ -91,7 +94,9 @@ VertexInfluences strongestOf(const VertexInfluences& vertex) {
 void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
     const Node& shown = scene.nodes[node];
-    if (shown.mesh < 0 || shown.skin < 0) {
+    const bool isBound = std::ranges::any_of(
+        edits.boundMeshes, [&](const gltf::BoundMesh& bound) { return bound.node == NodeIndex(node); });
+    if (shown.mesh < 0 || shown.skin < 0 || isBound) {
       continue;
     }
     const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(shown.mesh)].primitives;
@@ -107,10 +112,57 @@ void writeMendedInfluences(const Scene& scene, gltf::Edits& edits) {
   }
 }
 
+// Moments at which vertices with too many influences are fitted: of every clip, those that are stretched most
+// of all, and the rest pose.
+std::vector<FrameState> fittedMoments(const Document& seen,
+                                      const std::vector<rig::ClipStretches>& stretches) {
+  constexpr double ofStretchedClip = 96.0;
+  constexpr double ofOthers = 96.0; // together
+  const std::size_t clips = seen.clips->size();
+  std::vector<FrameState> moments{frameOf(*seen.scene, restPose(*seen.scene), 0.0)};
+  for (std::size_t i = 0; i < clips; ++i) {
+    const int index = static_cast<int>(i);
+    const bool isStretched = std::ranges::any_of(stretches, [&](const rig::ClipStretches& clip) {
+      return clip.clip == index && !clip.stretches.empty();
+    });
+    const Clip& clip = clipOf(seen, index);
+    const double most = isStretched ? ofStretchedClip : ofOthers / static_cast<double>(clips);
+    const double step = std::max(1.0, std::ceil(lastFrame(clip) / std::max(most, 1.0)));
+    const rig::MotionState motion = prepareMotion(seen, index);
+    for (double frame = 0.0; frame <= lastFrame(clip); frame += step) {
+      moments.push_back(evaluate(seen, motion, frame / clip.framesPerSecond));
+    }
+  }
+  return moments;
+}
+
+// Parts the stretches by what carries them: a joint that has leaves or corners keeps them.
+void addStretches(const Document& seen, const std::vector<rig::ClipStretches>& stretches,
+                  const SavedForm& form, SavedEdits& saved) {
+  std::vector<rig::ClipStretches> onLeaves;
+  std::vector<rig::ClipStretches> onCorners;
+  for (const rig::ClipStretches& clip : stretches) {
+    onLeaves.push_back({clip.clip, {}});
+    onCorners.push_back({clip.clip, {}});
+    for (const rig::StretchKeys& stretch : clip.stretches) {
+      const BindChain* const made = findBindChain(*seen.scene, stretch.node);
+      const bool usesCorners = made != nullptr ? !made->corners.empty() : form.form == StretchForm::volume;
+      (usesCorners ? onCorners : onLeaves).back().stretches.push_back(stretch);
+    }
+  }
+  rig::addBindLeaves(*seen.scene, onLeaves, saved.edits);
+  if (std::ranges::any_of(onCorners, [](const auto& clip) { return !clip.stretches.empty(); })) {
+    const rig::CornerOptions options{static_cast<std::size_t>(form.influences), seen.body.height,
+                                     fittedMoments(seen, stretches)};
+    saved.fit = rig::addBindCorners(*seen.scene, onCorners, options, saved.edits);
+  }
+}
+
 } // namespace
 
-Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
-  gltf::Edits edits;
+SavedEdits editsOf(const Document& document, const SaveOptions& options) {
+  SavedEdits saved;
+  gltf::Edits& edits = saved.edits;
   edits.addedFiles = document.addedFiles;
   const Document seen = seenOnly(document);
   std::vector<rig::ClipStretches> stretches;
@@ -126,26 +178,26 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
     edits.clips.push_back({clip, std::move(tracks)});
     stretches.push_back({clip, std::move(rekeyed.stretches)});
   }
-  if (!options.keepSkeleton) {
-    rig::addBindLeaves(*seen.scene, stretches, edits);
+  if (options.form.form != StretchForm::translation) {
+    addStretches(seen, stretches, options.form, saved);
   }
   noteRates(document, edits);
   writeMendedInfluences(*document.scene, edits);
   if (!options.clean) {
     edits.work = workOf(document);
   }
-  return edits;
+  return saved;
 }
 
 Status saveDocument(const Document& document, const std::filesystem::path& path, const SaveOptions& options) {
-  const Result<gltf::Edits> edits = editsOf(document, options);
-  if (!edits) {
-    return edits.error();
-  }
-  if (edits->empty()) {
+  return saveEdits(document, editsOf(document, options).edits, path);
+}
+
+Status saveEdits(const Document& document, const gltf::Edits& edits, const std::filesystem::path& path) {
+  if (edits.empty()) {
     return gltf::save(*document.source, path);
   }
-  Result<gltf::Source> changed = gltf::patched(*document.source, *edits);
+  Result<gltf::Source> changed = gltf::patched(*document.source, edits);
   return changed ? gltf::save(std::move(*changed), path) : Status(changed.error());
 }
 

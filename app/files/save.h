@@ -3,23 +3,36 @@
 #include <filesystem>
 
 #include "app/document.h"
+#include "app/schema/saved_form.h"
 #include "core/gltf/patch/edits.h"
+#include "rig/corners/bind_corners.h"
 
 namespace stretch::app {
 
 struct SaveOptions {
   bool clean = false;         ///< Leave the program's own data out.
   bool keyEveryFrame = false; ///< A key on every frame of range and release, as the thesis does.
-  bool keepSkeleton = false;  ///< Stretch through translations only: the joint list stays as it is.
+  SavedForm form = {};
+};
+
+/// Result of saving a document.
+struct SavedEdits {
+  gltf::Edits edits;
+  rig::CornerFit fit; ///< All 0 where no corners carry a stretch.
 };
 
 /// Edits that saving makes in the file: the clips re-keyed with the connected trails and the weight of limbs,
-/// bind leaves, skin slots, and the work.
-[[nodiscard]] Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options);
+/// bind leaves or corners, skin slots, and the work. A joint that a file of ours stretches already keeps the
+/// form that it has there.
+[[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
                                   const SaveOptions& options);
+
+/// Saves likewise, from edits that were made before.
+[[nodiscard]] Status saveEdits(const Document& document, const gltf::Edits& edits,
+                               const std::filesystem::path& path);
 
 /// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,

@@ -58,6 +58,8 @@ bool isValid(const SettingFacts& setting, const Json& value) {
     return isEase(value);
   case SettingKind::vector:
     return isVectorWithin(setting, value);
+  case SettingKind::text:
+    return value.is_string();
   }
   return false;
 }
@@ -102,6 +104,7 @@ Result<Json> splitText(const SettingFacts& setting, const std::string& text) {
     return Json(setting.standard != "true");
   case SettingKind::choice:
   case SettingKind::axes:
+  case SettingKind::text:
     return Json(text);
   case SettingKind::vector: {
     const Result<Vec3> vector = parseVector(text, setting.option);
@@ -132,6 +135,8 @@ std::string takenValues(const SettingFacts& setting) {
     return "a fraction below 1 and a value from 0 to 1";
   case SettingKind::vector:
     return "three numbers " + range;
+  case SettingKind::text:
+    return "a name";
   case SettingKind::choice:
     break;
   }
@@ -166,7 +171,8 @@ std::string optionHelp(const SettingFacts& setting) {
   if (!setting.unit.empty()) {
     help += " [" + setting.unit + "]";
   }
-  const bool tellsDefault = setting.kind != SettingKind::flag && setting.kind != SettingKind::optionalNumber;
+  const bool tellsDefault =
+      setting.kind != SettingKind::flag && setting.standard != "null" && setting.standard != "\"\"";
   std::string standard = setting.standard;
   std::erase_if(standard, [](char letter) { return letter == '"' || letter == '[' || letter == ']'; });
   return tellsDefault ? help + " Default: " + standard : help;

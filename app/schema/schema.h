@@ -15,7 +15,7 @@ namespace stretch::app {
 // line, recipes, saved work, what the window remembers, the checks of values, the rows of panels and the
 // tables of the documentation follow from it. Values travel as JSON.
 
-enum class SettingKind { number, whole, optionalNumber, flag, choice, axes, ease, vector };
+enum class SettingKind { number, whole, optionalNumber, flag, choice, axes, ease, vector, text };
 
 struct SettingChoice {
   std::string name;      ///< In files and on the command line: "straighten".

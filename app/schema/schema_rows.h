@@ -30,6 +30,8 @@ template <typename Value>
     return SettingKind::ease;
   } else if constexpr (std::is_same_v<Value, std::array<bool, 3>>) {
     return SettingKind::axes;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return SettingKind::text;
   } else {
     static_assert(std::is_same_v<Value, Vec3>, "a setting of this type needs a kind");
     return SettingKind::vector;
@@ -75,6 +77,8 @@ void take(const gltf::Json& json, const std::vector<SettingChoice>& choices, Val
     }
   } else if constexpr (std::is_same_v<Value, Vec3>) {
     value = Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    value = json.get<std::string>();
   } else {
     value = static_cast<Value>(json.get<std::conditional_t<std::is_same_v<Value, bool>, bool, double>>());
   }
@@ -107,6 +111,18 @@ template <typename Settings>
   Schema<Settings> schema;
   for (const Schema<Settings>& part : parts) {
     schema.insert(schema.end(), part.begin(), part.end());
+  }
+  return schema;
+}
+
+/// The settings of a part of `Settings`, to which `access` leads, as settings of the whole.
+template <typename Settings, typename Part, typename Access>
+[[nodiscard]] Schema<Settings> partOf(const Schema<Part>& part, Access access) {
+  Schema<Settings> schema;
+  for (const Setting<Part>& one : part) {
+    schema.push_back({static_cast<const SettingFacts&>(one),
+                      [one, access](const Settings& s) { return one.read(access(s)); },
+                      [one, access](const gltf::Json& v, Settings& s) { one.write(v, access(s)); }});
   }
   return schema;
 }

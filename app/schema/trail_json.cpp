@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
 
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
@@ -103,6 +106,44 @@ Status readViewAxes(const Json& json, TrailSettings& settings) {
   return Success{};
 }
 
+constexpr std::array<const char*, 2> cameraKinds{"perspective", "orthographic"};
+
+Json viewToJson(const CameraPlace& view, double lengthUnit) {
+  return {{"kind", cameraKinds[static_cast<std::size_t>(view.kind)]},
+          {"position", vectorToJson(view.position / lengthUnit)},
+          {"right", vectorToJson(view.right)},
+          {"up", vectorToJson(view.up)}};
+}
+
+Status readSeenView(const Json& json, double lengthUnit, TrailSettings& settings) {
+  if (json.is_null()) {
+    settings.sight.view.reset();
+    return Success{};
+  }
+  const auto* const kind = std::ranges::find_if(
+      cameraKinds, [&](const char* name) { return json.is_object() && json.value("kind", Json()) == name; });
+  if (kind == cameraKinds.end() || !json.contains("position") || !json.contains("right") ||
+      !json.contains("up")) {
+    return Error{json.dump() + " is not a view", "seen_view",
+                 R"(give {"kind": "perspective" or "orthographic", "position", "right", "up": [x, y, z]})"};
+  }
+  std::array<Vec3, 3> vectors;
+  constexpr std::array<const char*, 3> keys{"right", "up", "position"};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Result<Vec3> vector = vectorFromJson(json[keys[i]], std::string("seen_view.") + keys[i]);
+    if (!vector) {
+      return vector.error();
+    }
+    vectors[i] = *vector;
+  }
+  const Mat4 world(Vec4(vectors[0], 0.0), Vec4(vectors[1], 0.0),
+                   Vec4(glm::cross(vectors[0], vectors[1]), 0.0), Vec4(lengthUnit * vectors[2], 1.0));
+  settings.sight.view = cameraPlace(static_cast<CameraKind>(kind - cameraKinds.begin()), world);
+  return settings.sight.view ? Status(Success{})
+                             : Status(Error{"right and up lie on one line, or have no length", "seen_view",
+                                            "give two directions at right angles"});
+}
+
 Status readOther(const std::string& key, const Json& value, double lengthUnit, TrailSettings& settings) {
   if (key == "range") {
     return readRange(value, settings);
@@ -115,6 +156,9 @@ Status readOther(const std::string& key, const Json& value, double lengthUnit, T
   }
   if (key == "view_axes") {
     return readViewAxes(value, settings);
+  }
+  if (key == "seen_view") {
+    return readSeenView(value, lengthUnit, settings);
   }
   return Error{"is not a setting of a trail", key, "remove it, or correct its name"};
 }
@@ -145,6 +189,9 @@ Json trailToJson(const TrailSettings& settings, double lengthUnit) {
   if (settings.space == rig::TrailSpace::view) {
     json["view_axes"] = Json::array({vectorToJson(settings.viewAxes[0]), vectorToJson(settings.viewAxes[1]),
                                      vectorToJson(settings.viewAxes[2])});
+  }
+  if (settings.sight.view) {
+    json["seen_view"] = viewToJson(*settings.sight.view, lengthUnit);
   }
   return json;
 }

@@ -124,11 +124,40 @@ Schema<TrailSettings> spaceSettings() {
   };
 }
 
+Schema<TrailSettings> sightSettings() {
+  return {
+      setting<TrailSettings>(
+          {.name = "camera",
+           .help = "Camera that judges the trail: one of the file, or front, side, top, three-quarter.",
+           .row = {.section = "sight"}},
+          [](auto& s) -> auto& { return s.sight.camera; }),
+      setting<TrailSettings>(
+          {.name = "as_seen",
+           .help = "The scale counts in the limb's length in the camera's picture.",
+           .row = {.section = "sight", .label = "Scale as seen"}},
+          [](auto& s) -> auto& { return s.sight.asSeen; }),
+      setting<TrailSettings>(
+          {.name = "keep_depth",
+           .help = "Scaled as seen, the path grows parallel to the picture and keeps its distance.",
+           .row = {.section = "sight", .label = "Keep depth"}},
+          [](auto& s) -> auto& { return s.sight.keepDepth; }),
+      setting<TrailSettings>(
+          {.name = "turn_to_view",
+           .maximum = 90.0,
+           .unit = "degrees",
+           .help = "So far at most the path is turned about the limb's base, for the "
+                   "camera to see more of it, where the scale does not count as seen.",
+           .row = {.section = "sight", .label = "Turn to view", .step = 1.0}},
+          [](auto& s) -> auto& { return s.sight.turnDegrees; }),
+  };
+}
+
 } // namespace
 
 const Schema<TrailSettings>& trailSchema() {
-  static const Schema<TrailSettings> schema = joined<TrailSettings>(
-      {tipSettings(), transitionSettings(), limbSettings(), releaseSettings(), spaceSettings()});
+  static const Schema<TrailSettings> schema =
+      joined<TrailSettings>({tipSettings(), transitionSettings(), limbSettings(), releaseSettings(),
+                             spaceSettings(), sightSettings()});
   return schema;
 }
 

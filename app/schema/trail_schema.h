@@ -9,8 +9,9 @@ namespace stretch::app {
 [[nodiscard]] const Schema<rig::TrailSettings>& trailSchema();
 
 /// A trail's settings as recipes and saved files hold them: "range", every setting of the schema, "spheres",
-/// "stop_at", "view_axes" for the space `view`. `lengthUnit` is what one unit of a sphere's offset is in
-/// world units: 1 for metres, the limb's rest length for offsets in lengths of the limb.
+/// "stop_at", "view_axes" for the space `view`, "seen_view". `lengthUnit` is what one unit of a sphere's
+/// offset and of a kept view's position is in world units: 1 for metres, the limb's rest length for offsets
+/// in lengths of the limb.
 [[nodiscard]] gltf::Json trailToJson(const rig::TrailSettings& settings, double lengthUnit);
 
 /// Adds what the user called a trail and its group, and which group it is; nothing where there is none.

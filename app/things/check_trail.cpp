@@ -9,6 +9,7 @@
 #include "app/things/checks.h"
 #include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
+#include "rig/motion/trail_camera.h"
 
 namespace stretch::app {
 
@@ -23,6 +24,23 @@ bool hasFiniteShapes(const rig::TrailSettings& settings) {
       });
   return spheres && std::isfinite(settings.startFrame) && std::isfinite(settings.endFrame) &&
          (!settings.stopAt || (isFinite(settings.stopAt->point) && isFinite(settings.stopAt->normal)));
+}
+
+Status checkCamera(const Ground& ground, const rig::Trail& trail) {
+  const rig::Sight& sight = trail.settings.sight;
+  std::string cameras;
+  for (const SceneCamera& camera : ground.document.scene->cameras) {
+    cameras += "'" + camera.name + "', ";
+  }
+  const std::string remedy = "name one: " + cameras + "front, side, top or three-quarter";
+  if (sight.asSeen && !sight.hasCamera()) {
+    return Error{"the scale counts as seen, by no camera", trail.limb, remedy};
+  }
+  const bool isKnown = sight.camera.empty() || rig::isStandardView(sight.camera) ||
+                       cameraNamed(*ground.document.scene, sight.camera) != nullptr;
+  return isKnown || ground.entry == Entry::file // another program may have taken it out
+             ? Status(Success{})
+             : Status(Error{"there is no camera '" + sight.camera + "'", trail.limb, remedy});
 }
 
 } // namespace
@@ -48,6 +66,9 @@ Status checkAlone(const Ground& ground, const rig::Trail& trail) {
   }
   if (Status values = checkValues(trail); !values) {
     return values;
+  }
+  if (Status camera = checkCamera(ground, trail); !camera) {
+    return camera;
   }
   const rig::TrailSettings& settings = trail.settings;
   const double last = lastFrame(clipOf(ground.document, trail.clip));

@@ -2,75 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <initializer_list>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "core/gltf/json/json.h"
+#include "core/gltf/write/new_file.h"
 
 namespace stretch::assets {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int arrayBuffer = 34962;
-constexpr int elementArrayBuffer = 34963;
-constexpr int unsignedByte = 5121;
-constexpr int unsignedShort = 5123;
-constexpr int singleFloat = 5126;
 
 /// Nearest multiple of 2^-20 (about a micrometre), exact in single precision below 16.
 float rounded(double value) {
   constexpr double grid = 1048576.0;
   return static_cast<float>(std::floor(value * grid + 0.5) / grid);
 }
-
-/// Collects accessors and their bytes.
-class Buffer {
-public:
-  template <typename Value>
-  int add(const std::vector<Value>& values, int componentType, const char* type, int components,
-          int target = 0) {
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    const std::size_t offset = bytes_.size();
-    const std::size_t size = values.size() * sizeof(Value);
-    bytes_.resize(offset + size);
-    std::memcpy(bytes_.data() + offset, values.data(), size);
-    Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}};
-    if (target != 0) {
-      view["target"] = target;
-    }
-    views_.push_back(view);
-    accessors_.push_back({{"bufferView", views_.size() - 1},
-                          {"componentType", componentType},
-                          {"count", values.size() / static_cast<std::size_t>(components)},
-                          {"type", type}});
-    return static_cast<int>(accessors_.size()) - 1;
-  }
-
-  void setNormalized(int accessor) { accessors_[static_cast<std::size_t>(accessor)]["normalized"] = true; }
-
-  void setBounds(int accessor, const std::vector<float>& values, std::size_t width) {
-    std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width));
-    std::vector<float> high = low;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % width] = std::min(low[i % width], values[i]);
-      high[i % width] = std::max(high[i % width], values[i]);
-    }
-    accessors_[static_cast<std::size_t>(accessor)]["min"] = low;
-    accessors_[static_cast<std::size_t>(accessor)]["max"] = high;
-  }
-
-  [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
-  [[nodiscard]] const Json& views() const { return views_; }
-  [[nodiscard]] const Json& accessors() const { return accessors_; }
-
-private:
-  std::vector<std::uint8_t> bytes_;
-  Json views_ = Json::array();
-  Json accessors_ = Json::array();
-};
 
 template <typename Member>
 std::vector<float> collect(const SkinnedMesh& mesh, Member member) {
@@ -85,8 +32,8 @@ std::vector<float> collect(const SkinnedMesh& mesh, Member member) {
 
 /// Normals rounded to single precision must still be 1 long within the validator's tolerance: the grid is
 /// fine enough.
-Json writePrimitive(Buffer& buffer, const SkinnedMesh& mesh, int material, bool skinned) {
-  const std::vector<float> positions = collect(mesh, &SkinnedVertex::position);
+gltf::NewPrimitive writePrimitive(gltf::NewFile& file, const SkinnedMesh& mesh, std::size_t material,
+                                  bool skinned) {
   std::vector<std::uint16_t> colors;
   std::vector<std::uint8_t> joints;
   std::vector<float> weights;
@@ -108,56 +55,48 @@ Json writePrimitive(Buffer& buffer, const SkinnedMesh& mesh, int material, bool 
       indices.push_back(static_cast<std::uint16_t>(corner));
     }
   }
-  const int position = buffer.add(positions, singleFloat, "VEC3", 3, arrayBuffer);
-  buffer.setBounds(position, positions, 3);
-  const int normal = buffer.add(collect(mesh, &SkinnedVertex::normal), singleFloat, "VEC3", 3, arrayBuffer);
-  const int color = buffer.add(colors, unsignedShort, "VEC4", 4, arrayBuffer);
-  buffer.setNormalized(color);
-  Json attributes{{"POSITION", position}, {"NORMAL", normal}, {"COLOR_0", color}};
+  gltf::NewPrimitive primitive;
+  constexpr gltf::ViewTarget vertices = gltf::ViewTarget::vertices;
+  primitive.attributes["POSITION"] = file.addAccessor(collect(mesh, &SkinnedVertex::position),
+                                                      {.width = 3, .target = vertices, .bounds = true});
+  primitive.attributes["NORMAL"] =
+      file.addAccessor(collect(mesh, &SkinnedVertex::normal), {.width = 3, .target = vertices});
+  primitive.attributes["COLOR_0"] =
+      file.addAccessor(colors, {.width = 4, .target = vertices, .normalised = true});
   if (skinned) {
-    attributes["JOINTS_0"] = buffer.add(joints, unsignedByte, "VEC4", 4, arrayBuffer);
-    attributes["WEIGHTS_0"] = buffer.add(weights, singleFloat, "VEC4", 4, arrayBuffer);
+    primitive.attributes["JOINTS_0"] = file.addAccessor(joints, {.width = 4, .target = vertices});
+    primitive.attributes["WEIGHTS_0"] = file.addAccessor(weights, {.width = 4, .target = vertices});
   }
-  const int index = buffer.add(indices, unsignedShort, "SCALAR", 1, elementArrayBuffer);
-  return {{"attributes", attributes}, {"indices", index}, {"material", material}};
+  primitive.indices = file.addAccessor(indices, {.target = gltf::ViewTarget::indices});
+  primitive.material = material;
+  return primitive;
+}
+
+std::vector<double> roundedPlace(const Vec3& place) {
+  return {rounded(place.x), rounded(place.y), rounded(place.z)};
 }
 
 /// Nodes: the joints first, so that a joint's node has its index; then the skinned mesh, then the props.
-Json writeNodes(const Character& character) {
-  const std::vector<Joint>& skeleton = character.skeleton;
-  Json nodes = Json::array();
-  for (std::size_t j = 0; j < skeleton.size(); ++j) {
-    const Joint& joint = skeleton[j];
-    const Vec3 origin =
-        joint.parent < 0 ? Vec3(0.0) : skeleton[static_cast<std::size_t>(joint.parent)].position;
-    const Vec3 offset = joint.position - origin;
-    Json node{{"name", joint.name}};
-    Json children = Json::array();
-    for (std::size_t other = 0; other < skeleton.size(); ++other) {
-      if (skeleton[other].parent == static_cast<int>(j)) {
-        children.push_back(other);
-      }
-    }
-    if (!children.empty()) {
-      node["children"] = children;
-    }
-    node["translation"] = {rounded(offset.x), rounded(offset.y), rounded(offset.z)};
-    nodes.push_back(node);
+void writeNodes(gltf::NewFile& file, const Character& character) {
+  for (const Joint& joint : character.skeleton) {
+    const bool isRoot = joint.parent < 0;
+    const auto parent = static_cast<std::size_t>(std::max(joint.parent, 0));
+    const std::size_t node =
+        file.addNode(joint.name, isRoot ? std::nullopt : std::optional<std::size_t>(parent));
+    const Vec3 origin = isRoot ? Vec3(0.0) : character.skeleton[parent].position;
+    file.setNode(node, Channel::translation, roundedPlace(joint.position - origin));
   }
-  nodes.push_back({{"name", "Dummy"}, {"mesh", 0}, {"skin", 0}});
-  int mesh = 1;
-  for (const Prop& prop : character.props) {
-    const Vec3& at = prop.position;
-    nodes.push_back({{"name", prop.part.name},
-                     {"mesh", mesh++},
-                     {"translation", {rounded(at.x), rounded(at.y), rounded(at.z)}}});
+  file.setMesh(file.addNode("Dummy"), 0, 0);
+  for (std::size_t prop = 0; prop < character.props.size(); ++prop) {
+    const std::size_t node = file.addNode(character.props[prop].part.name);
+    file.setMesh(node, prop + 1, std::nullopt);
+    file.setNode(node, Channel::translation, roundedPlace(character.props[prop].position));
   }
-  return nodes;
 }
 
-Json writeSkin(Buffer& buffer, const std::vector<Joint>& skeleton) {
+void writeSkin(gltf::NewFile& file, const std::vector<Joint>& skeleton) {
   std::vector<float> matrices;
-  Json joints = Json::array();
+  std::vector<std::size_t> joints;
   std::vector<std::array<float, 3>> origins;
   for (std::size_t j = 0; j < skeleton.size(); ++j) {
     // Sums of the rounded offsets that the nodes hold, so that the bind pose is the rest pose exactly.
@@ -176,8 +115,7 @@ Json writeSkin(Buffer& buffer, const std::vector<Joint>& skeleton) {
     matrices.insert(matrices.end(), matrix.begin(), matrix.end());
     joints.push_back(j);
   }
-  const int accessor = buffer.add(matrices, singleFloat, "MAT4", 16);
-  return {{"name", "Dummy"}, {"inverseBindMatrices", accessor}, {"skeleton", 0}, {"joints", joints}};
+  file.addSkin("Dummy", file.addAccessor(matrices, {.width = 16}), 0, joints);
 }
 
 void appendValue(std::vector<float>& values, const Vec4& value, int width) {
@@ -186,19 +124,16 @@ void appendValue(std::vector<float>& values, const Vec4& value, int width) {
   }
 }
 
-Json writeMotion(Buffer& buffer, const Motion& motion) {
-  Json samplers = Json::array();
-  Json channels = Json::array();
-  std::map<std::vector<int>, int> inputs;
+void writeMotion(gltf::NewFile& file, const Motion& motion) {
+  const std::size_t clip = file.addClip(motion.name);
+  std::map<std::vector<int>, std::size_t> inputs;
   for (const MotionTrack& track : motion.tracks) {
     if (!inputs.contains(track.frames)) {
       std::vector<float> times;
       for (const int frame : track.frames) {
         times.push_back(static_cast<float>(frame / motion.framesPerSecond));
       }
-      const int input = buffer.add(times, singleFloat, "SCALAR", 1);
-      buffer.setBounds(input, times, 1);
-      inputs[track.frames] = input;
+      inputs[track.frames] = file.addAccessor(times, {.bounds = true});
     }
     const int width = track.isTranslation ? 3 : 4;
     std::vector<float> values;
@@ -211,88 +146,40 @@ Json writeMotion(Buffer& buffer, const Motion& motion) {
         appendValue(values, track.outTangents[key], width);
       }
     }
-    const int output = buffer.add(values, singleFloat, track.isTranslation ? "VEC3" : "VEC4", width);
-    samplers.push_back({{"input", inputs[track.frames]},
-                        {"interpolation", track.inTangents.empty() ? "LINEAR" : "CUBICSPLINE"},
-                        {"output", output}});
-    channels.push_back(
-        {{"sampler", samplers.size() - 1},
-         {"target", {{"node", track.joint}, {"path", track.isTranslation ? "translation" : "rotation"}}}});
-  }
-  return {{"name", motion.name}, {"channels", channels}, {"samplers", samplers}};
-}
-
-/// The primitive of a part, and its material added to the list.
-Json writePart(Buffer& buffer, const Part& part, bool skinned, Json& materials) {
-  Json primitive = writePrimitive(buffer, part.mesh, static_cast<int>(materials.size()), skinned);
-  materials.push_back(
-      {{"name", part.name},
-       {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", part.roughness}}}});
-  return primitive;
-}
-
-Json writeDocument(Buffer& buffer, const Character& character) {
-  Json document;
-  document["asset"] = {
-      {"version", "2.0"},
-      {"generator", "Stretch-Engine make-dummy"},
-      {"copyright", "CC0 1.0: dedicated to the public domain by the Stretch-Engine authors"}};
-  document["scene"] = 0;
-  Json roots{0, character.skeleton.size()};
-  for (std::size_t prop = 0; prop < character.props.size(); ++prop) {
-    roots.push_back(propNode(character.skeleton, prop));
-  }
-  document["scenes"] = {{{"name", "Dummy"}, {"nodes", roots}}};
-  document["nodes"] = writeNodes(character);
-  document["materials"] = Json::array();
-  Json primitives = Json::array();
-  for (const Part& part : character.parts) {
-    primitives.push_back(writePart(buffer, part, true, document["materials"]));
-  }
-  document["meshes"] = {{{"name", "Dummy"}, {"primitives", primitives}}};
-  for (const Prop& prop : character.props) {
-    Json primitive = writePart(buffer, prop.part, false, document["materials"]);
-    document["meshes"].push_back({{"name", prop.part.name}, {"primitives", Json::array({primitive})}});
-  }
-  document["skins"] = {writeSkin(buffer, character.skeleton)};
-  for (const Motion& motion : character.motions) {
-    document["animations"].push_back(writeMotion(buffer, motion));
-  }
-  document["buffers"] = {{{"byteLength", buffer.bytes().size()}}};
-  document["bufferViews"] = buffer.views();
-  document["accessors"] = buffer.accessors();
-  return document;
-}
-
-void appendWord(std::vector<std::uint8_t>& bytes, std::size_t word) {
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    bytes.push_back(static_cast<std::uint8_t>((word >> shift) & 0xFFU));
+    const std::size_t output = file.addAccessor(values, {.width = static_cast<std::size_t>(width)});
+    const std::size_t sampler =
+        file.addSampler(clip, inputs[track.frames], output,
+                        track.inTangents.empty() ? Interpolation::linear : Interpolation::cubicSpline);
+    file.addChannel(clip, sampler, static_cast<std::size_t>(track.joint),
+                    track.isTranslation ? Channel::translation : Channel::rotation);
   }
 }
 
-template <typename Bytes>
-void appendChunk(std::vector<std::uint8_t>& glb, std::size_t kind, const Bytes& content,
-                 std::uint8_t padding) {
-  const std::size_t padded = (content.size() + 3) / 4 * 4;
-  appendWord(glb, padded);
-  appendWord(glb, kind);
-  glb.insert(glb.end(), content.begin(), content.end());
-  glb.insert(glb.end(), padded - content.size(), padding);
+/// Adds a part to a mesh, with a material of its own.
+void writePart(gltf::NewFile& file, std::size_t mesh, const Part& part, bool skinned) {
+  const std::size_t material = file.addMaterial({.name = part.name, .roughness = part.roughness});
+  file.addPrimitive(mesh, writePrimitive(file, part.mesh, material, skinned));
 }
 
 } // namespace
 
 std::vector<std::uint8_t> writeGlb(const Character& character) {
-  Buffer buffer;
-  const std::string json = writeDocument(buffer, character).dump();
-  std::vector<std::uint8_t> glb;
-  appendWord(glb, 0x46546C67);
-  appendWord(glb, 2);
-  const auto paddedSize = [](std::size_t size) { return (size + 3) / 4 * 4; };
-  appendWord(glb, 12 + 8 + paddedSize(json.size()) + 8 + paddedSize(buffer.bytes().size()));
-  appendChunk(glb, 0x4E4F534A, json, 0x20);
-  appendChunk(glb, 0x004E4942, buffer.bytes(), 0);
-  return glb;
+  gltf::NewFile file({"Stretch-Engine make-dummy",
+                      "CC0 1.0: dedicated to the public domain by the Stretch-Engine authors", "Dummy"});
+  const std::size_t body = file.addMesh("Dummy");
+  for (const Part& part : character.parts) {
+    writePart(file, body, part, true);
+  }
+  for (const Prop& prop : character.props) {
+    writePart(file, file.addMesh(prop.part.name), prop.part, false);
+  }
+  writeNodes(file, character);
+  writeSkin(file, character.skeleton);
+  for (const Motion& motion : character.motions) {
+    writeMotion(file, motion);
+  }
+  gltf::Source source = file.finish();
+  return gltf::writeGlb({source.json->dump(), true, std::move(source.buffers.front()), {}, {}}).value();
 }
 
 } // namespace stretch::assets

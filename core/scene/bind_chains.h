@@ -12,6 +12,9 @@ namespace stretch {
 /// nodes.
 void foldBindLeaves(Scene& scene);
 
+/// The influences with each joint once, with all of its weight, and those without weight left out.
+[[nodiscard]] VertexInfluences withoutRepeats(const VertexInfluences& vertex);
+
 /// Null when the joint has none.
 [[nodiscard]] const BindChain* findBindChain(const Scene& scene, NodeIndex joint);
 

@@ -56,6 +56,12 @@ std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIn
   return all;
 }
 
+const SceneCamera* cameraNamed(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                  [&](const SceneCamera& camera) { return camera.name == name; });
+  return found != scene.cameras.end() ? &*found : nullptr;
+}
+
 std::set<NodeIndex> skinJoints(const Scene& scene) {
   std::set<NodeIndex> joints;
   for (const Skin& skin : scene.skins) {

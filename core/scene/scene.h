@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/math/transform.h"
+#include "core/scene/camera.h"
 #include "core/scene/node_index.h"
 #include "core/scene/texture_use.h"
 
@@ -31,8 +33,9 @@ struct Node {
   int mesh = -1;
   int skin = -1;
   std::vector<float> morphWeights; ///< Instead of the mesh's defaults; empty where the node gives none.
-  bool isBindLeaf = false; ///< Made by this program to carry a stretch (marked in the file's extras): no
-                           ///< joint of a limb.
+  bool isBindLeaf = false;   ///< Made by this program to carry a stretch (marked in the file's extras): no
+                             ///< joint of a limb.
+  bool isBindCorner = false; ///< A bind leaf that carries its part of the stretch by its translation.
 };
 
 struct Skin {
@@ -40,6 +43,10 @@ struct Skin {
   std::vector<NodeIndex> joints; ///< Node indices.
   std::vector<Mat4> inverseBind; ///< One for each joint: bind-pose model space to joint space. Identity where
                                  ///< the file has none.
+  std::size_t fileJoints = 0;    ///< Joints in the file's own list, which may name some of this program's
+                                 ///< behind these. 0: as many as here.
+
+  [[nodiscard]] std::size_t jointsInFile() const { return std::max(fileJoints, joints.size()); }
 };
 
 /// How a vertex follows the joints: up to 8 influences, as read (JOINTS_0, JOINTS_1), weights made to sum
@@ -99,16 +106,27 @@ struct Material {
   bool unlit = false;
 };
 
+/// A node of this program's own under a joint, which a stretch K of the joint moves from `place` to K place
+/// (docs/rig.md, Corners).
+struct BindCorner {
+  NodeIndex node;
+  Vec3 place{0.0};           ///< In the joint's space, at rest.
+  std::map<int, int> slotOf; ///< Its slot in the file's list of joints, by skin.
+};
+
 /// Nodes of this program's own under a joint, which carry its stretch (see foldBindLeaves): a leaf with the
 /// stretch axes as its rotation and the stretch as its scale, and where a mesh or the axis asks for it a leaf
-/// below that turns back.
+/// below that turns back; or corners.
 struct BindChain {
   NodeIndex joint;
-  NodeIndex leaf;
+  NodeIndex leaf;                    ///< -1: the chain is one of corners.
   NodeIndex endLeaf;                 ///< -1: none.
   Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Turn of the chain at rest: joint space from the last leaf's.
+  std::vector<BindCorner> corners = {};
 
   [[nodiscard]] NodeIndex lastLeaf() const { return endLeaf.exists() ? endLeaf : leaf; }
+  /// The nodes whose poses tell the stretch.
+  [[nodiscard]] std::vector<NodeIndex> nodes() const;
 };
 
 struct Scene {
@@ -122,6 +140,7 @@ struct Scene {
   /// one.
   std::map<std::string, NodeIndex> humanoid;
   std::vector<BindChain> bindChains; ///< Chains of a file that this program stretched.
+  std::vector<SceneCamera> cameras;  ///< In the order of their nodes.
 };
 
 /// Node indices ordered so that every parent comes before its children. Files are checked for loops when they
@@ -139,6 +158,9 @@ struct Scene {
 
 /// The nodes, and all below them; ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
+
+/// The camera of this name; null where there is none.
+[[nodiscard]] const SceneCamera* cameraNamed(const Scene& scene, const std::string& name);
 
 /// Nodes that are a joint of any skin.
 [[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);

@@ -53,7 +53,8 @@ struct SolvedTrail : OriginalPath {
   TrailSettings settings; ///< Settings in use: range clamped to the clip, scale to its limits.
   Limb limb;
   LimbTopology topology;
-  TipSolution tip; ///< In the trail's space.
+  TipSolution tip;                   ///< In the trail's space.
+  std::optional<CameraPlace> camera; ///< The camera that judges it, at the tip's time; world space.
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;

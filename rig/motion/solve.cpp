@@ -16,6 +16,7 @@
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
 #include "rig/motion/solve_steps.h"
+#include "rig/motion/trail_camera.h"
 
 namespace stretch::rig {
 
@@ -145,6 +146,21 @@ OriginalPath originalPath(const MotionInput& input, const MotionState& motion, c
   return samplePath(input, limb, key, frames);
 }
 
+// The camera that judges a trail, where it stands at the tip.
+std::optional<CameraPlace> cameraOf(const MotionInput& input, const MotionState& motion, const Sight& sight,
+                                    double tipSeconds, Places& places) {
+  if (const SceneCamera* const camera = cameraNamed(*input.scene, sight.camera)) {
+    FrameSource frames(*input.scene, *input.clip, motion.adjustments, {camera->node},
+                       motion.adjustedFrames.get());
+    return placeOfCamera(*camera, frames, tipSeconds);
+  }
+  if (isStandardView(sight.camera)) {
+    return standardView(sight.camera,
+                        facingInClip(*input.scene, *input.clip, input.hips, input.limbs, places.get()));
+  }
+  return sight.camera.empty() ? sight.view : std::nullopt;
+}
+
 SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
                        const Limb& limb, Places& places) {
   if (const SolvedTrail* const same = sameTrailBefore(input, trail)) {
@@ -162,6 +178,7 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
   solved.startSeconds = used.startFrame / fps;
   solved.endSeconds = used.endFrame / fps;
   solved.tipSeconds = used.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
+  solved.camera = cameraOf(input, motion, used.sight, solved.tipSeconds, places);
   solveTipOf(solved);
   explainTip(solved, fps);
   solved.remap = Remap(used.remap, used.easeIn, used.easeOut);

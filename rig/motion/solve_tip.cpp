@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "rig/motion/range_offset.h"
 
@@ -20,6 +21,27 @@ bool differs(double frame, double other) {
 bool endsInLastFrame(const SolvedTrail& solved) {
   const double beyond = solved.trail.settings.endFrame - solved.settings.endFrame;
   return beyond >= 0.0 && beyond <= 0.5;
+}
+
+// The camera in the trail's space.
+std::optional<SightWish> sightOf(const SolvedTrail& solved, const LimbSample& tip) {
+  const Sight& sight = solved.settings.sight;
+  if (!solved.camera) {
+    return std::nullopt;
+  }
+  const CameraPlace& camera = *solved.camera;
+  const Mat3 toSpace = glm::transpose(solved.path.axes);
+  const CameraPlace inSpace{camera.kind, solved.path.toSpace(tip, camera.position), toSpace * camera.right,
+                            toSpace * camera.up, toSpace * camera.forward};
+  return SightWish{inSpace, sight.asSeen, sight.keepDepth, sight.turnDegrees * pi / 180.0};
+}
+
+std::string seenProblem(const SolvedTrail& solved) {
+  const LimbSample& tip = tipSample(solved);
+  if (!(seenLength(*solved.camera, tip.base, tip.end).value_or(0.0) > 1e-12)) {
+    return "not reachable as seen: the limb points straight at the camera, or is not in front of it";
+  }
+  return fmt::format("not reachable as seen: x{:.3g} of x{:g}", solved.tip.seen->seen, solved.settings.scale);
 }
 
 } // namespace
@@ -40,6 +62,7 @@ void solveTipOf(SolvedTrail& solved) {
   problem.axes = solved.settings.axes;
   problem.pivot = solved.settings.pivot;
   problem.pull = solved.settings.pull;
+  problem.sight = sightOf(solved, tip);
   solved.tip = solveTip(problem);
 }
 
@@ -57,9 +80,16 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
     solved.warnings.push_back(fmt::format("the range is cut to the frames {:g} to {:g}, which the clip has",
                                           solved.settings.startFrame, solved.settings.endFrame));
   }
+  if (!solved.camera && solved.settings.sight.hasCamera()) {
+    solved.warnings.push_back(
+        fmt::format("there is no camera '{}' to look through{}", solved.settings.sight.camera,
+                    solved.settings.sight.asSeen ? ": the scale counts in the limb's own length" : ""));
+  }
   if (tip.outcome == TipOutcome::nothingToScale) {
     solved.warnings.emplace_back(
         "nothing to scale: the limb's end does not move along the active axes in this range");
+  } else if (tip.seen && !tip.reached()) {
+    solved.warnings.push_back(seenProblem(solved));
   } else if (!tip.reached()) {
     solved.warnings.push_back(
         fmt::format("not reachable: the limb gets to {:.4g} of {:.4g}", tip.reachedLength, tip.wantedLength));

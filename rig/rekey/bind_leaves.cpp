@@ -163,6 +163,8 @@ void addTracks(const Leaf& leaf, const StretchKeys& stretch, std::vector<Track>&
   }
 }
 
+} // namespace
+
 std::vector<Track>& tracksOf(int clip, gltf::Edits& edits) {
   const auto found =
       std::ranges::find_if(edits.clips, [&](const gltf::ClipTracks& c) { return c.clip == clip; });
@@ -172,8 +174,6 @@ std::vector<Track>& tracksOf(int clip, gltf::Edits& edits) {
   edits.clips.push_back({clip, {}});
   return edits.clips.back().tracks;
 }
-
-} // namespace
 
 void addBindLeaves(const Scene& scene, const std::vector<ClipStretches>& clips, gltf::Edits& edits) {
   for (Leaf& leaf : leavesOf(scene, clips)) {

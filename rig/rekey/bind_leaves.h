@@ -22,4 +22,7 @@ struct ClipStretches {
 /// result is the original skinning. Leaves that the file has already (Scene::bindChains) are used again.
 void addBindLeaves(const Scene& scene, const std::vector<ClipStretches>& clips, gltf::Edits& edits);
 
+/// The tracks of a clip that is saved, a new list where there is none yet.
+[[nodiscard]] std::vector<Track>& tracksOf(int clip, gltf::Edits& edits);
+
 } // namespace stretch::rig

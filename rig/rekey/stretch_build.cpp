@@ -43,8 +43,9 @@ bool isInside(const std::vector<KeyWindow>& windows, double time) {
 std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node) {
   std::vector<double> times;
   const BindChain* const chain = findBindChain(exact.scene(), node);
+  const std::vector<NodeIndex> carriers = chain == nullptr ? std::vector<NodeIndex>{} : chain->nodes();
   for (const CopyOnWrite<Track>& track : exact.clip().tracks) {
-    if (chain != nullptr && (track->node == chain->leaf || track->node == chain->endLeaf)) {
+    if (std::ranges::find(carriers, track->node) != carriers.end()) {
       times.insert(times.end(), track->times.begin(), track->times.end());
     }
   }

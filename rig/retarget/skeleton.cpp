@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/lower_case.h"
 #include "core/math/finite.h"
 #include "core/math/polyline.h"
 #include "core/math/rotation.h"
@@ -48,13 +48,6 @@ NodeIndex shoulderOf(const Scene& scene, const Limb& arm, const Limb* other, con
   return shoulder;
 }
 
-std::string lowered(std::string_view text) {
-  std::string low(text);
-  std::ranges::transform(low, low.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return low;
-}
-
 // What a node's name, or its entry in the humanoid table, says of a finger; empty: nothing.
 std::string fingerNamed(const std::string& text) {
   constexpr std::array<std::pair<const char*, const char*>, 6> words{{{"thumb", "thumb"},
@@ -63,7 +56,7 @@ std::string fingerNamed(const std::string& text) {
                                                                       {"ring", "ring"},
                                                                       {"pinky", "little"},
                                                                       {"little", "little"}}};
-  const std::string low = lowered(text);
+  const std::string low = lowerCase(text);
   for (const auto& [word, finger] : words) {
     if (low.find(word) != std::string::npos) {
       return finger;
@@ -79,7 +72,7 @@ std::string tableName(const Scene& scene, NodeIndex node) {
 }
 
 bool isOfPalm(const Scene& scene, NodeIndex node) {
-  const std::string low = lowered(scene.nodes[at(node)].name);
+  const std::string low = lowerCase(scene.nodes[at(node)].name);
   return low.find("metacarpal") != std::string::npos || low.find("palm") != std::string::npos;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/check.h"
 #include "core/math/polyline.h"
+#include "core/math/rotation.h"
 
 namespace stretch::rig {
 
@@ -75,6 +76,55 @@ Vec3 pullFrom(const TipProblem& problem, const Vec3& closest, const Vec3& origin
   return masked(problem.axes, wanted - closest);
 }
 
+// The walk on which the scale counts in the camera's picture. Inwards it gets to where the pivot is seen at
+// most.
+SeenTip seenWalk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, double longestInwards) {
+  const SightWish& sight = *problem.sight;
+  const double flat = sight.keepDepth ? glm::length(flattened(sight.camera, direction)) : 1.0;
+  const double now = glm::length(tip - problem.basePosition);
+  SeenProblem seen{sight.camera, problem.basePosition, tip, direction};
+  seen.pivotDistance = longestInwards * flat;
+  seen.scale = now > 0.0 ? problem.scale * problem.limbLength / now : problem.scale;
+  seen.keepDepth = sight.keepDepth;
+  return solveSeenTip(seen);
+}
+
+// A path that was scaled or moved by the walk to `solution.seen`.
+void finishSeen(const TipProblem& problem, double length, TipSolution& solution) {
+  const SeenTip& seen = *solution.seen;
+  if (solution.moved) {
+    solution.shift = seen.tip - solution.originalTip;
+  } else if (seen.alongLimb) { // across the path: nothing of it can be scaled
+    solution.pull = seen.tip - solution.originalTip;
+  } else {
+    solution.trailScale = 1.0 + seen.walk / length;
+  }
+  solution.tip = seen.tip;
+  solution.outcome = seen.reached ? TipOutcome::reached : TipOutcome::closest;
+  solution.reachedLength = glm::length(seen.tip - problem.basePosition);
+  solution.wantedLength = solution.reachedLength;
+}
+
+// Turns the exaggerated path about the limb's base, the nearest way towards the picture.
+void turnToView(const TipProblem& problem, TipSolution& solution) {
+  const Vec3 limb = solution.tip - problem.basePosition;
+  const Vec3 eye = towardsEye(problem.sight->camera, problem.basePosition);
+  const Vec3 flat = limb - eye * glm::dot(eye, limb);
+  const Vec3 goal = glm::length(flat) > 1e-9 * glm::length(limb) ? flat : problem.sight->camera.right;
+  const double wanted = angleBetween(limb, goal);
+  const double turned = std::min(wanted, problem.sight->largestTurnRadians);
+  if (!(turned > 0.0)) {
+    return;
+  }
+  solution.turn = axisAngle(glm::normalize(glm::cross(limb, goal)), turned);
+  solution.tip = problem.basePosition + *solution.turn * limb;
+  solution.pull = *solution.turn * solution.pull;
+}
+
+Vec3 turned(const TipSolution& solution, const Vec3& point) {
+  return solution.turn ? solution.base + *solution.turn * (point - solution.base) : point;
+}
+
 void finish(const TipProblem& problem, const Walk& walked, TipSolution& solution) {
   solution.tip = walked.end;
   solution.outcome = walked.met ? TipOutcome::reached : TipOutcome::closest;
@@ -96,6 +146,11 @@ void moveWhole(const TipProblem& problem, TipSolution& solution) {
     return;
   }
   solution.moved = true;
+  if (solution.seen) {
+    solution.seen = seenWalk(problem, solution.originalTip, outwards / length, length);
+    finishSeen(problem, length, solution);
+    return;
+  }
   const Walk walked = walk(problem, solution.originalTip, outwards / length, length);
   solution.shift = walked.end - solution.originalTip;
   finish(problem, walked, solution);
@@ -103,6 +158,14 @@ void moveWhole(const TipProblem& problem, TipSolution& solution) {
 
 void scaleAboutPivot(const TipProblem& problem, const Vec3& outwards, TipSolution& solution) {
   const double length = glm::length(outwards);
+  if (solution.seen) {
+    const bool keepsDepth = problem.sight->keepDepth;
+    solution.seen = seenWalk(problem, solution.originalTip, outwards / length, length);
+    solution.keepsDepth = keepsDepth ? std::optional(problem.sight->camera.forward) : std::nullopt;
+    finishSeen(problem, keepsDepth ? glm::length(flattened(problem.sight->camera, outwards)) : length,
+               solution);
+    return;
+  }
   const Walk walked = walk(problem, solution.originalTip, outwards / length, length);
   solution.trailScale = 1.0 + walked.signedDistance / length;
   finish(problem, walked, solution);
@@ -143,6 +206,9 @@ int farthestFrom(const TipProblem& problem, const Vec3& pivotPoint) {
 } // namespace
 
 bool TipSolution::reached() const {
+  if (seen) {
+    return seen->reached && outcome != TipOutcome::nothingToScale;
+  }
   return outcome != TipOutcome::nothingToScale &&
          std::abs(reachedLength - wantedLength) <= reachedTolerance * wantedLength;
 }
@@ -160,6 +226,10 @@ TipSolution solveTip(const TipProblem& problem) {
   solution.reachedLength = glm::length(solution.originalTip - problem.basePosition);
   solution.farthestSample = farthestFrom(problem, solution.pivotPoint);
 
+  solution.base = problem.basePosition;
+  if (problem.sight && problem.sight->asSeen) {
+    solution.seen.emplace();
+  }
   const double extent = extentOf(problem, solution.pivotPoint);
   const bool still = extent < stillness * problem.limbLength || !(extent > 0.0);
   if (still || onlyTrembles(wayOf(problem), extent, problem.limbLength)) {
@@ -173,14 +243,21 @@ TipSolution solveTip(const TipProblem& problem) {
   } else {
     scaleAboutPivot(problem, outwards, solution);
   }
+  if (problem.sight && !problem.sight->asSeen && solution.outcome != TipOutcome::nothingToScale) {
+    turnToView(problem, solution);
+  }
   return solution;
 }
 
 Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
   if (!solution.trailScale) {
-    return point + solution.shift;
+    return turned(solution, point + solution.shift);
   }
-  return point + (*solution.trailScale - 1.0) * masked(solution.axes, point - solution.pivotPoint);
+  Vec3 way = masked(solution.axes, point - solution.pivotPoint);
+  if (solution.keepsDepth) {
+    way -= *solution.keepsDepth * glm::dot(*solution.keepsDepth, way);
+  }
+  return turned(solution, point + (*solution.trailScale - 1.0) * way);
 }
 
 bool onlyTrembles(const std::vector<Vec3>& points, double extent, double limbLength) {

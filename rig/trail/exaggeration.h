@@ -6,9 +6,18 @@
 
 #include "core/math/monotone_curve.h"
 #include "core/math/types.h"
+#include "rig/trail/seen_tip.h"
 #include "rig/trail/trail.h"
 
 namespace stretch::rig {
+
+/// Request that a camera makes of a path.
+struct SightWish {
+  CameraPlace camera; ///< In the trail's space, at the tip's time.
+  bool asSeen = false;
+  bool keepDepth = true;
+  double largestTurnRadians = 0.0; ///< Sight::turnDegrees.
+};
 
 /// Input from which the tip is solved: one path in the trail's space (docs/exaggeration.md, The tip).
 struct TipProblem {
@@ -21,6 +30,7 @@ struct TipProblem {
   std::array<bool, 3> axes{true, true, true};
   Pivot pivot = Pivot::start;
   bool pull = true;
+  std::optional<SightWish> sight = {}; ///< Nothing: no camera looks.
 };
 
 /// Why a tip is not at the wanted length, or that it is.
@@ -43,13 +53,18 @@ struct TipSolution {
   std::array<bool, 3> axes{true, true, true};
   bool moved = false;
   TipOutcome outcome = TipOutcome::reached;
-  double wantedLength = 0.0;  ///< S L.
+  double wantedLength = 0.0;  ///< S L; where the scale counts as seen, the length that is reached.
   double reachedLength = 0.0; ///< |tip - P0|.
   int farthestSample = 0;     ///< Index of the point farthest from the pivot along the active axes: a better
                               ///< range end when moved.
 
-  /// Whether the limb comes to the wanted length within 1e-4 of it.
+  /// Whether the limb comes to the wanted length within 1e-4 of it, as seen where it counts so.
   [[nodiscard]] bool reached() const;
+
+  std::optional<SeenTip> seen;    ///< For a scale that counts as seen: what `reached` answers then.
+  std::optional<Vec3> keepsDepth; ///< Unit direction of the view along which E leaves points where they are.
+  Vec3 base{0.0};                 ///< P0, about which the path is turned.
+  std::optional<Quat> turn;       ///< Turn of the fully exaggerated path; nothing: none.
 };
 
 /// Never fails and never divides by nothing: see TipOutcome.
@@ -57,7 +72,6 @@ struct TipSolution {
 
 /// E(c), fully exaggerated, without pull.
 [[nodiscard]] Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point);
-
 /// Whether a path that gets `extent` away from its pivot only trembles, as a foot that stands: it is short
 /// for the limb, and wanders about instead of going anywhere.
 [[nodiscard]] bool onlyTrembles(const std::vector<Vec3>& points, double extent, double limbLength);

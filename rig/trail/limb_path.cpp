@@ -21,7 +21,7 @@ constexpr double sameTime = 1e-6; // seconds
 // The nodes, and the leaves that give them their stretch.
 std::vector<NodeIndex> withLeaves(const std::vector<BindChain>& chains, std::vector<NodeIndex> nodes) {
   for (const BindChain& chain : chains) {
-    nodes.push_back(chain.lastLeaf());
+    std::ranges::copy(chain.nodes(), std::back_inserter(nodes));
   }
   return nodes;
 }

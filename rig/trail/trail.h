@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "core/scene/camera.h"
 
 namespace stretch::rig {
 
@@ -48,6 +49,19 @@ struct StopPlane {
   friend bool operator==(const StopPlane&, const StopPlane&) = default;
 };
 
+/// How a trail is seen by a camera, and what follows from that (docs/exaggeration.md, As the camera sees it).
+struct Sight {
+  bool asSeen = false;   ///< The scale counts in the limb's length in the camera's picture.
+  bool keepDepth = true; ///< Then the path grows parallel to the picture.
+  std::string camera; ///< Name of a camera of the file, or of a standard view (standardView); empty: `view`.
+  double turnDegrees = 0.0; ///< So far at most the path is turned about the limb's base, for more of it to be
+                            ///< seen, where the scale does not count as seen.
+  std::optional<CameraPlace> view; ///< A view kept with the trail, world space; counts without `camera`.
+
+  [[nodiscard]] bool hasCamera() const { return !camera.empty() || view.has_value(); }
+  friend bool operator==(const Sight&, const Sight&) = default;
+};
+
 inline constexpr double smallestScale = 0.05; ///< Smaller wishes are taken as this.
 inline constexpr double largestScale = 5.0;   ///< Largest scale that the interface offers; batch takes more.
 
@@ -75,6 +89,7 @@ struct TrailSettings {
   bool stayInWorld = false; ///< Does not ride along with an inner trail.
   bool turnEnd = false;     ///< The hand or foot turns with the limb instead of keeping its orientation.
   std::optional<StopPlane> stopAt;
+  Sight sight;
   std::vector<SphereOffset> spheres; ///< Ordered by frame, at most one for each frame.
 
   friend bool operator==(const TrailSettings&, const TrailSettings&) = default;

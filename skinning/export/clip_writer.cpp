@@ -1,6 +1,8 @@
 #include "skinning/export/clip_writer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +16,16 @@ bool isConstant(const Course& course, std::size_t width, double tolerance) {
     }
   }
   return true;
+}
+
+/// Numbers in -1..1 as normalised 16-bit integers.
+std::vector<std::int16_t> normalised(const Course& values) {
+  std::vector<std::int16_t> integers;
+  integers.reserve(values.size());
+  for (const float value : values) {
+    integers.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 32767.0F)));
+  }
+  return integers;
 }
 
 } // namespace
@@ -30,33 +42,29 @@ bool areAlike(const Course& a, const Course& b, double tolerance) {
   return true;
 }
 
-ClipWriter::ClipWriter(gltf::Json& json, GltfBuffers& buffers, const std::string& name,
-                       const ClipEncoding& encoding)
-    : json_(json), buffers_(buffers), encoding_(encoding) {
-  json_["animations"] = gltf::Json::array(
-      {{{"name", name}, {"channels", gltf::Json::array()}, {"samplers", gltf::Json::array()}}});
+ClipWriter::ClipWriter(gltf::NewFile& file, const std::string& name, const ClipEncoding& encoding)
+    : file_(file), encoding_(encoding), clip_(file.addClip(name)) {
   if (!encoding.keys.empty()) { // The keys that are left would tell another rate.
-    json_["animations"][0]["extras"]["stretch_engine"] = {{"frames_per_second", encoding.framesPerSecond}};
+    file_.setRate(clip_, encoding.framesPerSecond);
   }
 }
 
-void ClipWriter::setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,
-                             double tolerance) {
-  const auto valueAt = [&](std::size_t frame) {
+void ClipWriter::setProperty(std::size_t node, Channel channel, const Course& course, double tolerance) {
+  const std::size_t width = channel == Channel::rotation ? 4 : 3;
+  const auto setTo = [&](std::size_t frame) {
     const auto first = course.begin() + static_cast<std::ptrdiff_t>(frame * width);
-    return std::vector<float>(first, first + static_cast<std::ptrdiff_t>(width));
+    file_.setNode(node, channel, {first, first + static_cast<std::ptrdiff_t>(width)});
   };
-  json_["nodes"][node][path] = valueAt(0);
+  setTo(0);
   if (isConstant(course, width, tolerance)) {
     return;
   }
   const StoredCourse& stored = storedFor(course, width, tolerance);
   if (stored.keys.size() == 1) {
-    json_["nodes"][node][path] = valueAt(stored.keys.front());
+    setTo(stored.keys.front());
     return;
   }
-  json_["animations"][0]["channels"].push_back(
-      {{"sampler", stored.sampler}, {"target", {{"node", node}, {"path", path}}}});
+  file_.addChannel(clip_, stored.sampler, node, channel);
 }
 
 const ClipWriter::StoredCourse& ClipWriter::storedFor(const Course& course, std::size_t width,
@@ -71,20 +79,14 @@ const ClipWriter::StoredCourse& ClipWriter::storedFor(const Course& course, std:
   if (!encoding_.keys.empty()) {
     made.keys = encoding_.keys.at(stored_.size());
   }
-  gltf::Json& samplers = json_["animations"][0]["samplers"];
-  made.sampler = samplers.size();
   if (made.keys.size() > 1) {
     const std::size_t input = timesOf(made.keys);
-    const std::size_t output = valuesOf(course, width, made.keys);
-    samplers.push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+    made.sampler = file_.addSampler(clip_, input, valuesOf(course, width, made.keys));
+    ++samplers_;
     keys_ += made.keys.size();
   }
   stored_.push_back(std::move(made));
   return stored_.back();
-}
-
-std::size_t ClipWriter::samplers() const {
-  return json_.contains("animations") ? json_["animations"][0]["samplers"].size() : 0;
 }
 
 std::size_t ClipWriter::timesOf(const std::vector<std::size_t>& keys) {
@@ -96,7 +98,7 @@ std::size_t ClipWriter::timesOf(const std::vector<std::size_t>& keys) {
   for (const std::size_t key : keys) {
     seconds.push_back(static_cast<float>(static_cast<double>(key) / encoding_.framesPerSecond));
   }
-  const std::size_t accessor = buffers_.addFloats(seconds, "SCALAR", 1, GltfBuffers::Target::none, true);
+  const std::size_t accessor = file_.addAccessor(seconds, {.bounds = true});
   times_[keys] = accessor;
   accessors_.push_back(accessor);
   return accessor;
@@ -109,19 +111,12 @@ std::size_t ClipWriter::valuesOf(const Course& course, std::size_t width,
     const auto first = course.begin() + static_cast<std::ptrdiff_t>(key * width);
     values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(width));
   }
-  const bool rotation = width == 4;
   const std::size_t accessor =
-      rotation && encoding_.quantise
-          ? buffers_.addNormalised(values, "VEC4", 4)
-          : buffers_.addFloats(values, rotation ? "VEC4" : "VEC3", width, GltfBuffers::Target::none, false);
+      width == 4 && encoding_.quantise
+          ? file_.addAccessor(normalised(values), {.width = width, .normalised = true})
+          : file_.addAccessor(values, {.width = width});
   accessors_.push_back(accessor);
   return accessor;
-}
-
-void ClipWriter::finish() {
-  if (json_["animations"][0]["channels"].empty()) {
-    json_.erase("animations");
-  }
 }
 
 } // namespace stretch::skinning

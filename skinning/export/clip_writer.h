@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf/json/json.h"
-#include "skinning/export/gltf_buffers.h"
+#include "core/gltf/write/new_file.h"
 #include "skinning/export/key_plan.h"
 
 namespace stretch::skinning {
@@ -21,22 +20,18 @@ struct ClipEncoding {
   KeyPlan keys = {};     ///< By sampler; empty: every frame is a key.
 };
 
-/// Writes the one clip of a document: channels, samplers that are shared wherever courses are alike, times
+/// Writes the one clip of a file: channels, samplers that are shared wherever courses are alike, times
 /// that are shared wherever keys are the same.
 class ClipWriter {
 public:
-  ClipWriter(gltf::Json& json, GltfBuffers& buffers, const std::string& name, const ClipEncoding& encoding);
+  ClipWriter(gltf::NewFile& file, const std::string& name, const ClipEncoding& encoding);
 
   /// The property of a node: the value itself where it does not change, a channel where it does. Courses that
   /// differ by less than `tolerance` are alike.
-  void setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,
-                   double tolerance);
-
-  /// Takes a clip without channels out of the document: glTF wants at least one.
-  void finish();
+  void setProperty(std::size_t node, Channel channel, const Course& course, double tolerance);
 
   [[nodiscard]] const std::vector<std::size_t>& accessors() const { return accessors_; }
-  [[nodiscard]] std::size_t samplers() const;
+  [[nodiscard]] std::size_t samplers() const { return samplers_; }
   [[nodiscard]] std::size_t keys() const { return keys_; }
 
 private:
@@ -51,12 +46,13 @@ private:
   std::size_t timesOf(const std::vector<std::size_t>& keys);
   std::size_t valuesOf(const Course& course, std::size_t width, const std::vector<std::size_t>& keys);
 
-  gltf::Json& json_;
-  GltfBuffers& buffers_;
+  gltf::NewFile& file_;
   ClipEncoding encoding_;
+  std::size_t clip_;
   std::map<std::vector<std::size_t>, std::size_t> times_; ///< Accessors by the frames that they name.
   std::vector<StoredCourse> stored_;                      ///< In the order of the plan's samplers.
   std::vector<std::size_t> accessors_;
+  std::size_t samplers_ = 0;
   std::size_t keys_ = 0;
 };
 

@@ -12,8 +12,8 @@
 #include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/packed/meshopt_encoding.h"
+#include "core/gltf/write/new_file.h"
 #include "skinning/export/clip_writer.h"
-#include "skinning/export/gltf_buffers.h"
 #include "skinning/export/key_plan.h"
 #include "skinning/export/mesh_writer.h"
 #include "skinning/export/read_back.h"
@@ -21,8 +21,6 @@
 
 namespace stretch::skinning {
 namespace {
-
-using gltf::Json;
 
 template <typename Value>
 Course courseOf(std::size_t frames, Value&& value) {
@@ -62,9 +60,9 @@ class Encoder {
 public:
   /// `keys`: see ClipEncoding.
   Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings, KeyPlan keys = {})
-      : sequence_(sequence), settings_(settings), buffers_(json_), frames_(sequence.frameCount()),
+      : sequence_(sequence), settings_(settings), frames_(sequence.frameCount()),
         lengthTolerance_(settings.tolerance * boxDiagonal(sequence.bindPositions)),
-        clip_(json_, buffers_, sequence.clipName.empty() ? sequence.name : sequence.clipName,
+        clip_(file_, sequence.clipName.empty() ? sequence.name : sequence.clipName,
               {sequence.framesPerSecond, settings.quantise, std::move(keys)}) {
     if (settings.quantiseMesh) {
       grid_ = gridAround(sequence.bindPositions);
@@ -72,38 +70,18 @@ public:
   }
 
   EncodedClip encode() {
-    json_["asset"] = {{"version", "2.0"}, {"generator", "Stretch-Engine"}};
-    json_["scene"] = 0;
-    WrittenMeshes meshes = writeMeshes(sequence_, {settings_.quantise, grid_}, json_, buffers_);
-    armature_ = meshes.nodes;
+    WrittenMeshes meshes = writeMeshes(sequence_, {settings_.quantise, grid_}, file_);
     places_ = std::move(meshes.places);
     if (grid_) {
-      json_["extensionsUsed"].push_back("KHR_mesh_quantization");
-      json_["extensionsRequired"].push_back("KHR_mesh_quantization");
+      file_.requireExtension("KHR_mesh_quantization");
     }
-    json_["nodes"].push_back({{"name", "armature"}, {"children", Json::array()}});
-    addScene();
+    armature_ = file_.addNode("armature");
     addBones();
     addSkin();
     return finish();
   }
 
 private:
-  void addScene() {
-    Json roots = Json::array();
-    for (std::size_t node = 0; node <= armature_; ++node) {
-      roots.push_back(node);
-    }
-    json_["scenes"] = Json::array({{{"nodes", std::move(roots)}}});
-  }
-
-  std::size_t addNode(const std::string& name, std::size_t parent) {
-    json_["nodes"].push_back({{"name", name}});
-    const std::size_t node = json_["nodes"].size() - 1;
-    json_["nodes"][parent]["children"].push_back(node);
-    return node;
-  }
-
   [[nodiscard]] Quat jointRotation(std::size_t frame, std::size_t bone) const {
     return sequence_.pose(frame, bone).rotation * sequence_.bones[bone].axes;
   }
@@ -198,10 +176,10 @@ private:
     std::vector<std::size_t> joints(count, armature_);
     for (const std::size_t b : order()) {
       const int parent = parentOf(b);
-      joints[b] = addNode(nameOfBone(sequence_, b),
-                          parent < 0 ? armature_ : joints[static_cast<std::size_t>(parent)]);
-      clip_.setProperty(joints[b], "translation", placeCourse(b), 3, lengthTolerance_);
-      clip_.setProperty(joints[b], "rotation", rotationCourse(b), 4, settings_.tolerance);
+      joints[b] = file_.addNode(nameOfBone(sequence_, b),
+                                parent < 0 ? armature_ : joints[static_cast<std::size_t>(parent)]);
+      clip_.setProperty(joints[b], Channel::translation, placeCourse(b), lengthTolerance_);
+      clip_.setProperty(joints[b], Channel::rotation, rotationCourse(b), settings_.tolerance);
       bound_[b] = scales.any ? addStretch(b, joints[b], scales) : joints[b];
     }
   }
@@ -230,28 +208,28 @@ private:
     const Course axes = axesCourse(bone, false);
     const bool ownAxes = areAlike(axes, identityCourse(), settings_.tolerance);
     if (ownAxes && !scales.common) {
-      const std::size_t leaf = needsLeaf(bone) ? addNode("stretch_" + number, joint) : joint;
-      clip_.setProperty(leaf, "scale", scaleCourse(bone), 3, settings_.tolerance);
+      const std::size_t leaf = needsLeaf(bone) ? file_.addNode("stretch_" + number, joint) : joint;
+      clip_.setProperty(leaf, Channel::scale, scaleCourse(bone), settings_.tolerance);
       return leaf;
     }
-    const std::size_t stretch = addNode("stretch_" + number, joint);
+    const std::size_t stretch = file_.addNode("stretch_" + number, joint);
     if (!ownAxes) {
-      clip_.setProperty(stretch, "rotation", axes, 4, settings_.tolerance);
+      clip_.setProperty(stretch, Channel::rotation, axes, settings_.tolerance);
     }
-    clip_.setProperty(stretch, "scale", scaleCourse(scales.common ? 0 : bone), 3, settings_.tolerance);
+    clip_.setProperty(stretch, Channel::scale, scaleCourse(scales.common ? 0 : bone), settings_.tolerance);
     if (ownAxes && scales.allFactorsOne) {
       return stretch;
     }
-    const std::size_t leaf = addNode("bind_" + number, stretch);
+    const std::size_t leaf = file_.addNode("bind_" + number, stretch);
     if (scales.common) {
       const Vec3& factor = scales.factors[bone];
-      json_["nodes"][leaf]["scale"] = {factor.x, factor.y, factor.z};
+      file_.setNode(leaf, Channel::scale, {factor.x, factor.y, factor.z});
     }
     if (ownAxes) {
       return leaf;
     }
-    const std::size_t back = scales.common ? addNode("back_" + number, leaf) : leaf;
-    clip_.setProperty(back, "rotation", axesCourse(bone, true), 4, settings_.tolerance);
+    const std::size_t back = scales.common ? file_.addNode("back_" + number, leaf) : leaf;
+    clip_.setProperty(back, Channel::rotation, axesCourse(bone, true), settings_.tolerance);
     return back;
   }
 
@@ -276,28 +254,16 @@ private:
                                          static_cast<float>(values.z), column < 3 ? 0.0F : 1.0F});
       }
     }
-    const std::size_t bind = buffers_.addFloats(matrices, "MAT4", 16, GltfBuffers::Target::none, false);
-    json_["skins"] = Json::array({{{"name", sequence_.name},
-                                   {"inverseBindMatrices", bind},
-                                   {"skeleton", armature_},
-                                   {"joints", bound_}}});
+    file_.addSkin(sequence_.name, file_.addAccessor(matrices, {.width = 16}), armature_, bound_);
   }
 
   EncodedClip finish() {
-    clip_.finish();
-    std::vector<std::uint8_t> bytes = buffers_.bytes();
-    while (bytes.size() % 4 != 0) {
-      bytes.push_back(0);
-    }
-    json_["buffers"] = Json::array({{{"byteLength", bytes.size()}}});
     EncodedClip result;
     result.places = std::move(places_);
     result.joints = sequence_.bones.size();
     result.samplers = clip_.samplers();
     result.keys = clip_.keys();
-    result.source.json = std::move(json_);
-    result.source.buffers.push_back(std::move(bytes));
-    result.source.hasBinaryChunk = true;
+    result.source = file_.finish();
     if (settings_.meshopt) {
       result.source = gltf::withMeshopt(result.source);
     }
@@ -314,8 +280,7 @@ private:
 
   const SkinnedSequence& sequence_;
   const EncodeSettings& settings_;
-  Json json_;
-  GltfBuffers buffers_;
+  gltf::NewFile file_;
   std::size_t frames_;
   double lengthTolerance_;
   ClipWriter clip_;

@@ -27,7 +27,7 @@ struct StreamCourse {
 
 std::span<const std::uint8_t> bytesOfView(const gltf::Source& source, const Json& view) {
   const std::span<const std::uint8_t> buffer(source.buffers.front());
-  return buffer.subspan(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
+  return buffer.subspan(view.value("byteOffset", std::size_t{0}), view["byteLength"].get<std::size_t>());
 }
 
 StreamCourse courseOf(const gltf::Source& source, const Json& sampler, std::size_t frames) {

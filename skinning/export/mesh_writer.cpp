@@ -11,14 +11,11 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "core/gltf/import/material_library.h"
 #include "core/gltf/import/mesh_surface.h"
-#include "core/gltf/json/json.h"
 
 namespace stretch::skinning {
 namespace {
 
-using gltf::Json;
 using gltf::MeshSurface;
 using gltf::SurfacePart;
 
@@ -106,38 +103,40 @@ std::vector<Slice> slicesOf(const MeshSurface& surface) {
 class MeshWriter {
 public:
   MeshWriter(const SkinnedSequence& sequence, const MeshSurface& surface, const MeshEncoding& encoding,
-             Json& json, GltfBuffers& buffers)
-      : sequence_(sequence), surface_(surface), encoding_(encoding), json_(json), buffers_(buffers),
+             gltf::NewFile& file)
+      : sequence_(sequence), surface_(surface), encoding_(encoding), file_(file),
         smooth_(surface.normals.empty() ? smoothNormals(sequence) : std::vector<glm::vec3>()) {}
 
   WrittenMeshes write() {
     addMaterials();
     for (const Slice& slice : slicesOf(surface_)) {
-      const Json attributes = attributesOf(slice);
+      const auto attributes = attributesOf(slice);
       for (const auto& [material, indices] : indicesByMaterial(slice)) {
-        addPrimitive(nameOf(slice), attributes, addIndices(indices, slice.count), material);
+        addPrimitive(nameOf(slice), {attributes, addIndices(indices, slice.count), named(material)});
         const auto first = surface_.places.begin() + static_cast<std::ptrdiff_t>(slice.first);
         places_.insert(places_.end(), first, first + static_cast<std::ptrdiff_t>(slice.count));
       }
     }
-    for (std::size_t mesh = 0; mesh < json_["meshes"].size(); ++mesh) {
-      json_["nodes"].push_back({{"name", json_["meshes"][mesh]["name"]}, {"mesh", mesh}, {"skin", 0}});
+    for (std::size_t mesh = 0; mesh < names_.size(); ++mesh) {
+      file_.setMesh(file_.addNode(names_[mesh]), mesh, 0);
     }
-    return {json_["meshes"].size(), std::move(places_)};
+    return {names_.size(), std::move(places_)};
   }
 
 private:
   void addMaterials() {
     if (surface_.materials != nullptr) {
-      gltf::putMaterials(*surface_.materials, json_,
-                         [this](std::span<const std::uint8_t> image) { return buffers_.addView(image); });
-      return;
+      file_.takeMaterials(*surface_.materials);
+    } else {
+      file_.addMaterial(
+          {.name = "body", .baseColor = {0.8, 0.8, 0.78, 1.0}, .roughness = 0.8, .isDoubleSided = true});
     }
-    json_["materials"] = Json::array(
-        {{{"name", "body"},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", {0.8, 0.8, 0.78, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.8}}},
-          {"doubleSided", true}}});
+  }
+
+  /// The material of a part, -1 for none: a surface without materials has the one that is added for it.
+  [[nodiscard]] std::optional<std::size_t> named(int material) const {
+    const bool isNone = surface_.materials != nullptr && material < 0;
+    return isNone ? std::nullopt : std::optional(static_cast<std::size_t>(std::max(material, 0)));
   }
 
   [[nodiscard]] std::string nameOf(const Slice& slice) const {
@@ -146,16 +145,12 @@ private:
   }
 
   /// Primitives of one name that follow each other belong to one mesh.
-  void addPrimitive(const std::string& name, const Json& attributes, std::size_t indices, int material) {
-    Json primitive{{"attributes", attributes}, {"indices", indices}};
-    if (surface_.materials == nullptr || material >= 0) {
-      primitive["material"] = std::max(material, 0);
+  void addPrimitive(const std::string& name, const gltf::NewPrimitive& primitive) {
+    if (names_.empty() || names_.back() != name) {
+      names_.push_back(name);
+      file_.addMesh(name);
     }
-    Json& meshes = json_["meshes"];
-    if (meshes.empty() || meshes.back()["name"] != name) {
-      meshes.push_back({{"name", name}, {"primitives", Json::array()}});
-    }
-    meshes.back()["primitives"].push_back(std::move(primitive));
+    file_.addPrimitive(names_.size() - 1, primitive);
   }
 
   /// The triangles as the sequence winds them, which may have been turned outwards since they were read.
@@ -182,16 +177,16 @@ private:
   }
 
   std::size_t addIndices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+    const gltf::AccessorForm form{.target = gltf::ViewTarget::indices};
     if (vertices < 65535) {
-      const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-      return buffers_.addIntegers(narrow, "SCALAR", 1, GltfBuffers::Target::indices, false);
+      return file_.addAccessor(std::vector<std::uint16_t>(indices.begin(), indices.end()), form);
     }
-    return buffers_.addIntegers(indices, "SCALAR", 1, GltfBuffers::Target::indices, false);
+    return file_.addAccessor(indices, form);
   }
 
   /// Numbers of an attribute for the vertices of a slice: `values(vertex)` answers a glm vector.
   template <typename Values>
-  std::size_t addAttribute(const Slice& slice, const char* type, bool bounds, const Values& values) {
+  std::size_t addAttribute(const Slice& slice, bool bounds, const Values& values) {
     std::vector<float> numbers;
     glm::length_t width = 0;
     for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
@@ -201,28 +196,31 @@ private:
         numbers.push_back(value[i]);
       }
     }
-    return buffers_.addFloats(numbers, type, static_cast<std::size_t>(width), GltfBuffers::Target::vertices,
-                              bounds);
+    return addVertices(numbers, {.width = static_cast<std::size_t>(width), .bounds = bounds});
   }
 
-  Json attributesOf(const Slice& slice) {
-    Json attributes;
+  template <typename Number>
+  std::size_t addVertices(const std::vector<Number>& numbers, gltf::AccessorForm form) {
+    form.target = gltf::ViewTarget::vertices;
+    return file_.addAccessor(numbers, form);
+  }
+
+  std::map<std::string, std::size_t> attributesOf(const Slice& slice) {
+    std::map<std::string, std::size_t> attributes;
     attributes["POSITION"] =
-        encoding_.grid ? addPlaces(slice) : addAttribute(slice, "VEC3", true, [this](std::size_t v) {
+        encoding_.grid ? addPlaces(slice) : addAttribute(slice, true, [this](std::size_t v) {
           return sequence_.bindPositions[surface_.places[v]];
         });
     const auto normal = [this](std::size_t v) {
       return surface_.normals.empty() ? smooth_[surface_.places[v]] : surface_.normals[v];
     };
-    attributes["NORMAL"] =
-        encoding_.grid ? addDirections(slice, normal) : addAttribute(slice, "VEC3", false, normal);
+    attributes["NORMAL"] = encoding_.grid ? addDirections(slice, normal) : addAttribute(slice, false, normal);
     for (std::size_t set = 0; set < surface_.texCoords.size(); ++set) {
       attributes[fmt::format("TEXCOORD_{}", set)] =
-          addFractions(slice, "VEC2", [&](std::size_t v) { return surface_.texCoords[set][v]; });
+          addFractions(slice, [&](std::size_t v) { return surface_.texCoords[set][v]; });
     }
     if (!surface_.colors.empty()) {
-      attributes["COLOR_0"] =
-          addFractions(slice, "VEC4", [this](std::size_t v) { return surface_.colors[v]; });
+      attributes["COLOR_0"] = addFractions(slice, [this](std::size_t v) { return surface_.colors[v]; });
     }
     for (std::size_t set = 0; set < influenceSets(slice); ++set) {
       attributes[fmt::format("JOINTS_{}", set)] = addJoints(slice, set);
@@ -238,7 +236,7 @@ private:
       numbers.insert(numbers.end(), place.begin(), place.end());
       numbers.push_back(0);
     }
-    return buffers_.addPadded(numbers, "VEC3", 3, 4, true);
+    return addVertices(numbers, {.width = 3, .normalised = true, .bounds = true, .stored = 4});
   }
 
   template <typename Direction>
@@ -251,12 +249,12 @@ private:
       }
       numbers.push_back(0);
     }
-    return buffers_.addPadded(numbers, "VEC3", 3, 4, false);
+    return addVertices(numbers, {.width = 3, .normalised = true, .stored = 4});
   }
 
   /// Numbers in 0..1 as 16-bit integers where that is asked for; those beyond stay as they are.
   template <typename Values>
-  std::size_t addFractions(const Slice& slice, const char* type, const Values& values) {
+  std::size_t addFractions(const Slice& slice, const Values& values) {
     std::vector<std::uint16_t> numbers;
     std::size_t width = 0;
     bool fits = encoding_.grid.has_value();
@@ -269,8 +267,8 @@ private:
                                : std::uint16_t{0});
       }
     }
-    return fits ? buffers_.addIntegers(numbers, type, width, GltfBuffers::Target::vertices, true)
-                : addAttribute(slice, type, false, values);
+    return fits ? addVertices(numbers, {.width = width, .normalised = true})
+                : addAttribute(slice, false, values);
   }
 
   [[nodiscard]] std::size_t influenceSets(const Slice& slice) const {
@@ -299,10 +297,9 @@ private:
       }
     }
     if (sequence_.bones.size() <= 256) {
-      const std::vector<std::uint8_t> narrow(joints.begin(), joints.end());
-      return buffers_.addIntegers(narrow, "VEC4", 4, GltfBuffers::Target::vertices, false);
+      return addVertices(std::vector<std::uint8_t>(joints.begin(), joints.end()), {.width = 4});
     }
-    return buffers_.addIntegers(joints, "VEC4", 4, GltfBuffers::Target::vertices, false);
+    return addVertices(joints, {.width = 4});
   }
 
   std::size_t addWeights(const Slice& slice, std::size_t set) {
@@ -316,29 +313,27 @@ private:
         rounded.push_back(integers[i]);
       }
     }
-    return encoding_.quantiseWeights
-               ? buffers_.addIntegers(rounded, "VEC4", 4, GltfBuffers::Target::vertices, true)
-               : buffers_.addFloats(exact, "VEC4", 4, GltfBuffers::Target::vertices, false);
+    return encoding_.quantiseWeights ? addVertices(rounded, {.width = 4, .normalised = true})
+                                     : addVertices(exact, {.width = 4});
   }
 
   const SkinnedSequence& sequence_;
   const MeshSurface& surface_;
   const MeshEncoding& encoding_;
-  Json& json_;
-  GltfBuffers& buffers_;
+  gltf::NewFile& file_;
   std::vector<glm::vec3> smooth_;
+  std::vector<std::string> names_; ///< Names of the meshes.
   std::vector<std::uint32_t> places_;
 };
 
 } // namespace
 
-WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding, gltf::Json& json,
-                          GltfBuffers& buffers) {
+WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding,
+                          gltf::NewFile& file) {
   if (sequence.surface != nullptr) {
-    return MeshWriter(sequence, *sequence.surface, encoding, json, buffers).write();
+    return MeshWriter(sequence, *sequence.surface, encoding, file).write();
   }
-  const MeshSurface plain = plainSurface(sequence);
-  return MeshWriter(sequence, plain, encoding, json, buffers).write();
+  return MeshWriter(sequence, plainSurface(sequence), encoding, file).write();
 }
 
 } // namespace stretch::skinning

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/gltf/json/json_document.h"
-#include "skinning/export/gltf_buffers.h"
+#include "core/gltf/write/new_file.h"
 #include "skinning/export/mesh_grid.h"
 #include "skinning/skinned_sequence.h"
 
@@ -19,15 +18,14 @@ struct MeshEncoding {
 };
 
 struct WrittenMeshes {
-  std::size_t nodes = 0;             ///< At the beginning of "nodes".
+  std::size_t nodes = 0;             ///< The first of the file.
   std::vector<std::uint32_t> places; ///< For each vertex, primitive by primitive, the vertex of the sequence.
 };
 
-/// Writes the bind mesh with its weights, materials and images, and a node with skin 0 for each mesh at the
-/// beginning of "nodes". Meshes of the source that share no vertex stay meshes of their own; otherwise there
-/// is one, with a primitive for each material, and all share their vertices. Vertices on more than four bones
-/// make a second set of joints and weights.
-WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding, gltf::Json& json,
-                          GltfBuffers& buffers);
+/// Writes the bind mesh with its weights, materials and images, and a node with skin 0 for each mesh, into a
+/// file that has no node yet. Meshes of the source that share no vertex stay meshes of their own; otherwise
+/// there is one, with a primitive for each material, and all share their vertices. Vertices on more than four
+/// bones make a second set of joints and weights.
+WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding, gltf::NewFile& file);
 
 } // namespace stretch::skinning

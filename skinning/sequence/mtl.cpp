@@ -8,14 +8,12 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/import/material_library.h"
-#include "core/gltf/json/json.h"
+#include "core/gltf/write/new_file.h"
 #include "skinning/sequence/obj_surface.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
 namespace {
-
-using gltf::Json;
 
 /// What an MTL file says of a material.
 struct MtlMaterial {
@@ -120,57 +118,34 @@ std::optional<Bytes> imageBytes(const std::filesystem::path& folder, const std::
   return std::nullopt;
 }
 
-bool isPngOrJpegOrWebp(const Bytes& bytes) {
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
-                               std::min<std::size_t>(bytes.size(), 12));
-  return start.starts_with("\x89PNG") || start.starts_with("\xFF\xD8\xFF") ||
-         (start.starts_with("RIFF") && start.substr(8) == "WEBP");
-}
-
 /// Makes the materials; an image that several of them name is taken once.
 class MaterialMaker {
 public:
   explicit MaterialMaker(std::vector<std::string>& warnings) : warnings_(warnings) {}
 
   void add(const std::string& name, const MtlMaterial& material) {
-    Json json{{"name", name}};
-    Json& surface = json["pbrMetallicRoughness"];
-    const std::optional<std::size_t> texture = textureOf(material, "map_Kd");
-    const glm::vec3 plain = material.diffuse.value_or(glm::vec3(texture ? 1.0F : 0.8F));
+    gltf::NewMaterial made;
+    made.name = name;
+    made.baseColorTexture = textureOf(material, "map_Kd");
+    const bool isTextured = made.baseColorTexture.has_value();
+    const glm::vec3 plain = material.diffuse.value_or(glm::vec3(isTextured ? 1.0F : 0.8F));
     // Under a texture exporters leave black, and mean the texture as it is.
-    const glm::vec3 colour = texture && plain == glm::vec3(0.0F) ? glm::vec3(1.0F) : plain;
-    surface["baseColorFactor"] = {colour.x, colour.y, colour.z, material.opacity};
-    setTexture(surface, "baseColorTexture", texture);
-    surface["metallicFactor"] = material.metallic;
-    surface["roughnessFactor"] = roughnessOf(material);
-    setTexture(json, "normalTexture", textureOf(material, "norm"));
-    const std::optional<std::size_t> glow = textureOf(material, "map_Ke");
-    setTexture(json, "emissiveTexture", glow);
-    const glm::vec3 emissive =
-        glow && material.emissive == glm::vec3(0.0F) ? glm::vec3(1.0F) : material.emissive;
-    json["emissiveFactor"] = {emissive.x, emissive.y, emissive.z};
-    if (material.opacity < 1.0) {
-      json["alphaMode"] = "BLEND";
-    }
-    json["doubleSided"] = true; // OBJ knows no back faces.
-    materials_.push_back(std::move(json));
+    const glm::vec3 colour = isTextured && plain == glm::vec3(0.0F) ? glm::vec3(1.0F) : plain;
+    made.baseColor = {colour.x, colour.y, colour.z, material.opacity};
+    made.metallic = material.metallic;
+    made.roughness = roughnessOf(material);
+    made.normalTexture = textureOf(material, "norm");
+    made.emissiveTexture = textureOf(material, "map_Ke");
+    const bool shinesWhite = made.emissiveTexture && material.emissive == glm::vec3(0.0F);
+    made.emissive = shinesWhite ? Vec3(1.0) : Vec3(material.emissive);
+    made.isBlended = material.opacity < 1.0;
+    made.isDoubleSided = true; // OBJ knows no back faces.
+    library_.addMaterial(made);
   }
 
-  gltf::Source make() {
-    if (library_.buffers.empty()) {
-      library_.json = Json::object();
-    }
-    (*library_.json)["materials"] = std::move(materials_);
-    return std::move(library_);
-  }
+  gltf::Source make() { return library_.finish(); }
 
 private:
-  static void setTexture(Json& holder, const char* key, const std::optional<std::size_t>& texture) {
-    if (texture) {
-      holder[key]["index"] = *texture;
-    }
-  }
-
   /// As Blender's exporter writes it: Ns = 1000 (1 - roughness)^2.
   static double roughnessOf(const MtlMaterial& material) {
     if (material.roughness) {
@@ -199,16 +174,15 @@ private:
       warnings_.push_back("the image " + name + " is not beside its material file: its texture is left out");
       return std::nullopt;
     }
-    if (!isPngOrJpegOrWebp(*bytes)) {
+    if (!gltf::mediaTypeOf(*bytes)) {
       warnings_.push_back("the image " + name + " is no PNG, JPEG or WebP: its texture is left out");
       return std::nullopt;
     }
-    return gltf::addTexture(library_, *bytes, std::filesystem::path(name).filename().string());
+    return library_.addTexture(*bytes, std::filesystem::path(name).filename().string());
   }
 
   std::vector<std::string>& warnings_;
-  gltf::Source library_;
-  Json materials_ = Json::array();
+  gltf::NewFile library_;
   std::map<std::string, std::optional<std::size_t>> textures_;
 };
 

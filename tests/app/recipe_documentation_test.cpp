@@ -58,6 +58,8 @@ std::vector<std::string> wantedValues(const SettingFacts& setting) {
     return {"`x`", "`y`", "`z`"};
   case SettingKind::ease:
     return {"[fraction, value]"};
+  case SettingKind::text:
+    return {"a name"};
   case SettingKind::choice:
     break;
   }

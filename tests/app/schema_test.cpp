@@ -48,6 +48,9 @@ void checkValues(const Schema<Settings>& schema) {
     CHECK(setting.read(settings) == other);
     CHECK_FALSE(settings == Settings{});
     for (const Json& wrong : {Json::object(), Json::array({1, 2, 3, 4}), Json("much more")}) {
+      if (wrong.is_string() && setting.kind == SettingKind::text) {
+        continue; // any text is a name; whether something has it, the door asks
+      }
       Settings unchanged;
       const Status set = setSetting(setting, wrong, unchanged);
       REQUIRE_FALSE(set);
@@ -69,7 +72,7 @@ void checkTexts(const Schema<Settings>& schema) {
     const Result<Json> value = valueOfText(setting, textOfValue(other));
     REQUIRE(value.ok());
     CHECK(*value == other);
-    if (setting.kind != SettingKind::flag) {
+    if (setting.kind != SettingKind::flag && setting.kind != SettingKind::text) {
       const Result<Json> wrong = valueOfText(setting, "many,");
       REQUIRE_FALSE(wrong.ok());
       CHECK(wrong.error().where == setting.option);
@@ -124,12 +127,41 @@ TEST_CASE("A trail's settings come back from JSON as they were, with offsets in 
   settings.stopAt = rig::StopPlane{Vec3(0, 1, 0), Vec3(0, 0, 1)};
   settings.viewAxes = Mat3(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0));
   settings.space = rig::TrailSpace::view;
+  settings.sight.view = cameraFrom(Vec3(0.0, 0.0, 1.0));
+  settings.sight.view->kind = GENERATE(CameraKind::perspective, CameraKind::orthographic);
+  settings.sight.view->position = Vec3(0.25, 1.0, 4.0);
   const double lengthUnit = GENERATE(1.0, 0.5);
   const Json json = trailToJson(settings, lengthUnit);
   CHECK(json["spheres"][1]["offset"][2] == 2.0 / lengthUnit);
+  CHECK(json["seen_view"]["position"][2] == 4.0 / lengthUnit);
   rig::TrailSettings read;
   REQUIRE(trailFromJson(json, lengthUnit, {}, read));
   CHECK(read == settings);
+}
+
+TEST_CASE("A view that judges a trail has a kind, a place and two directions, or is none") {
+  rig::TrailSettings settings;
+  const auto read = [&](const char* view) {
+    return trailFromJson(Json{{"seen_view", Json::parse(view)}}, 1.0, {}, settings);
+  };
+  REQUIRE(read(R"({"kind": "orthographic", "position": [0, 1, 5], "right": [2, 0, 0], "up": [0.5, 3, 0]})"));
+  CHECK(settings.sight.view->right == Vec3(1.0, 0.0, 0.0));
+  CHECK(settings.sight.view->up == Vec3(0.0, 1.0, 0.0));
+  CHECK(settings.sight.view->forward == Vec3(0.0, 0.0, -1.0));
+  REQUIRE(read("null"));
+  CHECK_FALSE(settings.sight.view);
+  for (const char* const wrong :
+       {"3", R"({"kind": "fisheye", "position": [0, 1, 5], "right": [1, 0, 0], "up": [0, 1, 0]})",
+        R"({"position": [0, 1, 5], "right": [1, 0, 0], "up": [0, 1, 0]})",
+        R"({"kind": "perspective", "right": [1, 0, 0], "up": [0, 1, 0]})",
+        R"({"kind": "perspective", "position": [0, 1], "right": [1, 0, 0], "up": [0, 1, 0]})",
+        R"({"kind": "perspective", "position": [0, 1, 5], "right": [0, 2, 0], "up": [0, 1, 0]})"}) {
+    INFO(wrong);
+    const Status refused = read(wrong);
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().where, Catch::StartsWith("seen_view"));
+    CHECK_FALSE(settings.sight.view);
+  }
 }
 
 TEST_CASE("A wrong value is told in plain words") {

@@ -20,8 +20,10 @@ JOINING_FILE = "app/main.cpp"
 # What stays apart within a room: who, what it may not include, and why.
 LAYERS = [
     (r"core/base/", r"core/(?!base/)", "core/base knows nothing but itself"),
-    (r"core/(?!gltf/)", r"core/gltf/", "values know no file format"),
-    (r"rig/(?!rekey/)", r"rig/rekey/", "motion does not know that it is keyed"),
+    (r"core/(?!gltf/|interchange/)", r"core/gltf/", "values know no file format"),
+    (r"core/interchange/", r"core/gltf/(?!json/|source/)", "what makes a glTF does not read one"),
+    (r"core/(?!interchange/|gltf/read/)", r"core/interchange/", "only what reads a file asks for its format"),
+    (r"rig/(?!rekey/|corners/)", r"rig/(rekey|corners)/", "motion does not know that it is keyed"),
     (r"rig/(body|trail|ik|reach|adjust)/", r"rig/motion/", "a part of the motion does not know the whole"),
     (r"rig/(body|trail|ik|reach)/", r"rig/adjust/", "how a limb reaches its goal does not ask who set it"),
     (r"skinning/(sequence|geometry|elastic|weights|body|fit)/", r"skinning/(compress|export)/", "a step does not know the whole"),
@@ -40,7 +42,9 @@ LIBRARIES = [
     ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|viewport|shell)/|tests/(support/)?ui(_driver)?/|tests/bench/"),
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
     ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
-    ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
+    ("assimp", r"assimp/", r"core/interchange/"),
+    ("tinygltf", r"tiny_gltf", r"(core/gltf/write/new_file\.cpp|tests/.*\.cpp)$"),
+    ("stb", r"(stb_|stb/)", r"(core/(gltf|interchange)/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
     ("CLI11", r"CLI/", r"app/batch/|tests/(app|bench)/"),
     ("Catch2", r"catch2/", r"tests/"),
 ]

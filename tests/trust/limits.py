@@ -92,6 +92,32 @@ def packed(mode, count, stride, length):
                b"\xa0" + b"\0" * (length - 1))
 
 
+def fbx_bomb(count):
+    """A binary FBX whose only mesh unpacks to so many numbers."""
+    def node(start, name, values=b"", number=0, children=()):
+        head = 13 + len(name)
+        body, at = b"", start + head + len(values)
+        for child in children:
+            made = child(at)
+            body, at = body + made, at + len(made)
+        body += bytes(13) if children else b""
+        return struct.pack("<IIIB", start + head + len(values) + len(body), number, len(values), len(name)) + name + values + body
+    packer = zlib.compressobj(9)
+    zeros = b"".join(packer.compress(bytes(1 << 20)) for _ in range(count >> 17)) + packer.flush()
+    text = lambda value: b"S" + struct.pack("<I", len(value)) + value
+    vertices = lambda at: node(at, b"Vertices", b"d" + struct.pack("<III", count, 1, len(zeros)) + zeros, 1)
+    polygons = lambda at: node(at, b"PolygonVertexIndex", b"i" + struct.pack("<IIIiii", 3, 0, 12, 0, 1, -3), 1)
+    mesh = lambda at: node(at, b"Geometry", b"L" + struct.pack("<q", 2) + text(b"g\0\1Geometry") + text(b"Mesh"), 3, (vertices, polygons))
+    model = lambda at: node(at, b"Model", b"L" + struct.pack("<q", 1) + text(b"m\0\1Model") + text(b"Mesh"), 3, (lambda at: node(at, b"Version", b"I" + struct.pack("<i", 232), 1),))
+    link = lambda a, b: lambda at: node(at, b"C", text(b"OO") + b"L" + struct.pack("<q", a) + b"L" + struct.pack("<q", b), 3)
+    parts = (lambda at: node(at, b"FBXHeaderExtension", b"", 0, (lambda at: node(at, b"FBXVersion", b"I" + struct.pack("<i", 7400), 1),)),
+             lambda at: node(at, b"Objects", b"", 0, (mesh, model)), lambda at: node(at, b"Connections", b"", 0, (link(1, 0), link(2, 1))))
+    whole = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", 7400)
+    for part in parts:
+        whole += part(len(whole))
+    return whole + bytes(13)
+
+
 def hostile():
     """Names of files, what is in them, and the verbs that read them."""
     zeros = [{"componentType": 5126, "count": 1 << 24, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]}]
@@ -117,6 +143,10 @@ def hostile():
     yield "members.json", b'{"version":1,"trails":{' + members + b"}}"
     for seconds in (1e5, 2e5, 1e6, 1e9, 3e38):
         yield f"clip_{seconds:g}.glb", long_clip(seconds)
+    person = b"HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+    yield "frames.bvh", person + b"End Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 2000000000\nFrame Time: 0.01\n0 0 0\n"
+    yield "deep.bvh", person + b"JOINT b\n{\nOFFSET 0 1 0\nCHANNELS 0\n" * 300000
+    yield "bomb.fbx", fbx_bomb(3 << 25)
     yield "recipe.json", b'{"version":1,"trails":' + b"[" * 500000 + b"]" * 500000 + b"}"
     yield "range.json", b'{"version":1,"trails":[{"limb":"left-arm","range":[0,1e12],"scale":2}]}'
     yield "base.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"

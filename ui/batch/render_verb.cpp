@@ -12,14 +12,18 @@
 #include "app/document.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/seen.h"
 #include "app/files/save.h"
+#include "app/named.h"
 #include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 #include "skinning/sequence/read_sequence.h"
+#include "ui/batch/film.h"
 #include "ui/batch/sequence_pictures.h"
+#include "ui/batch/video_writer.h"
 #include "ui/panels/body/weight_view.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/render/picture/image_edits.h"
@@ -38,6 +42,9 @@ struct RenderArguments {
   std::string frames;
   std::string size = "1280x720";
   std::string view = "three-quarter";
+  std::string camera;
+  std::string video;
+  std::string beside;
   std::string trails;
   std::string over;
   std::string weights;
@@ -47,7 +54,10 @@ struct RenderArguments {
   bool skeleton = false;
   bool withoutTrails = false;
   bool stages = false;
+  bool safeFrame = false;
 };
+
+constexpr const char* bestViewName = "best";
 
 struct PixelSize {
   int width = 0;
@@ -73,12 +83,13 @@ Result<PixelSize> parseSize(const std::string& text) {
 Result<ViewDirection> parseView(const std::string& text) {
   for (const auto& [name, view] :
        {std::pair{"front", ViewDirection::front}, std::pair{"side", ViewDirection::side},
-        std::pair{"top", ViewDirection::top}, std::pair{"three-quarter", ViewDirection::threeQuarter}}) {
+        std::pair{"top", ViewDirection::top}, std::pair{"three-quarter", ViewDirection::threeQuarter},
+        std::pair{bestViewName, ViewDirection::threeQuarter}}) {
     if (text == name) {
       return view;
     }
   }
-  return Error{"there is no view '" + text + "'", "--view", "give front, side, top or three-quarter"};
+  return Error{"there is no view '" + text + "'", "--view", "give front, side, top, three-quarter or best"};
 }
 
 // "A:B" or "A:B:STEP".
@@ -118,6 +129,9 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, double la
     return frame ? Result<std::vector<double>>(std::vector<double>{*frame})
                  : Result<std::vector<double>>(frame.error());
   }
+  if (!arguments.video.empty() && lastFrame >= 0.0) {
+    return parseFrames(fmt::format("0:{:.0f}", std::floor(lastFrame + 1e-3)));
+  }
   if (!arguments.sheet || lastFrame < 0.0) {
     return std::vector<double>{0.0};
   }
@@ -147,27 +161,25 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
   return Success{};
 }
 
-std::filesystem::path numbered(const std::filesystem::path& path, double frame) {
-  std::filesystem::path name = path;
-  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame))
-                                                        : fmt::format("{:08.3f}", frame);
-  name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
-  return name;
-}
-
-Status draw(const RenderArguments& arguments, const Scene& scene, const std::vector<double>& frames,
-            const std::vector<PictureFrame>& pictures, const PictureOptions& options) {
+/// The one file, or the numbered ones, that the arguments ask for.
+Status draw(const RenderArguments& arguments, const Film& film, const PictureOptions& options) {
   if (arguments.sheet) {
-    const Result<Image> sheet = renderSheet(scene, pictures, options);
+    const Result<Image> sheet = renderSheet(*film.sides.front().scene, film.sides.front().pictures, options);
     return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
   }
-  if (pictures.size() == 1 && arguments.frames.empty()) {
-    const Result<Image> image = renderFrame(scene, pictures.front(), options);
-    return image ? writePng(arguments.output, *image) : Status(image.error());
+  if (!arguments.video.empty()) {
+    return writeFilm(film, options, arguments.video, app::terminalProgress("drawing"));
   }
-  return renderSeries(scene, pictures, options, [&](std::size_t index, const Image& image) {
-    return writePng(numbered(arguments.output, frames[index]), image);
-  });
+  if (film.frames.size() == 1 && arguments.frames.empty()) {
+    return drawFilm(film, options,
+                    [&](std::size_t, const Image& image) { return writePng(arguments.output, image); });
+  }
+  return writeFilm(film, options, arguments.output, app::terminalProgress("drawing"));
+}
+
+/// Of pictures that are so many frames apart.
+double filmRate(double framesPerSecond, const std::vector<double>& frames) {
+  return frames.size() > 1 ? framesPerSecond / (frames[1] - frames[0]) : framesPerSecond;
 }
 
 Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
@@ -176,7 +188,11 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   if (!size || !view) {
     return size ? view.error() : size.error();
   }
-  if (std::filesystem::path(arguments.output).extension() != ".png") {
+  if (!arguments.video.empty() && !isVideoName(arguments.video)) {
+    return Error{"the name of a video ends in .mp4, .webm or .gif", arguments.video,
+                 "give a name such as punch.mp4"};
+  }
+  if (arguments.video.empty() && std::filesystem::path(arguments.output).extension() != ".png") {
     return Error{"the name of a picture has to end in .png", arguments.output,
                  "give a name such as picture.png"};
   }
@@ -184,6 +200,7 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   options.widthPixels = size->width;
   options.heightPixels = size->height;
   options.view = *view;
+  options.safeFrame = arguments.safeFrame;
   return options;
 }
 
@@ -264,9 +281,10 @@ Result<app::SequenceView> viewOf(const RenderArguments& arguments) {
 }
 
 Status renderSequence(const RenderArguments& arguments) {
-  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0) {
-    return Error{"a mesh sequence has no clips, trails or ghosts", "render",
-                 "leave --clip, --trails and --ghosts out"};
+  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 ||
+      !arguments.camera.empty() || !arguments.beside.empty() || arguments.view == bestViewName) {
+    return Error{"a mesh sequence has no clips, trails, ghosts or cameras, and nothing to stand beside",
+                 "render", "leave --clip, --trails, --ghosts, --camera, --beside and --view best out"};
   }
   Result<PictureOptions> options = optionsOf(arguments);
   const Result<app::SequenceView> view = viewOf(arguments);
@@ -292,7 +310,39 @@ Status renderSequence(const RenderArguments& arguments) {
     return pictures.error();
   }
   options->camera = pictures->camera;
-  return draw(arguments, pictures->drawing->scene(), *frames, pictures->pictures, *options);
+  return draw(arguments,
+              {{{&pictures->drawing->scene(), pictures->pictures}},
+               *frames,
+               filmRate(content->original->framesPerSecond, *frames)},
+              *options);
+}
+
+/// Null where none is asked for.
+Result<const SceneCamera*> cameraOf(const Scene& scene, const std::string& name) {
+  const SceneCamera* const camera = cameraNamed(scene, name);
+  if (camera != nullptr || name.empty()) {
+    return camera;
+  }
+  std::string cameras;
+  for (const SceneCamera& one : scene.cameras) {
+    cameras += (cameras.empty() ? "" : ", ") + one.name;
+  }
+  return Error{"there is no camera '" + name + "'", "--camera",
+               cameras.empty() ? "the file has none; take a --view" : "the file has " + cameras};
+}
+
+/// The view that shows the first trail best.
+Status takeBestView(const RenderArguments& arguments, const app::Document& document,
+                    const rig::MotionState& motion, PictureOptions& options) {
+  if (arguments.view != bestViewName) {
+    return Success{};
+  }
+  if (motion.trails.empty()) {
+    return Error{"the best view is that of a trail, and there is none", "--view",
+                 "name a recipe by --trails, or a file that was saved with its work"};
+  }
+  options.towardsEye = app::bestViewOf(document, motion, motion.trails.front());
+  return Success{};
 }
 
 /// None where no weights are asked for.
@@ -308,9 +358,40 @@ Result<NodeIndex> weightJoint(const Scene& scene, const std::string& name) {
   return Error{"no mesh follows a joint '" + name + "'", "--weights", "info --json lists the joints"};
 }
 
+/// The file that stands on the left, with the clip by its name; nothing where none is asked for.
+Result<std::optional<app::Document>> besideOf(const RenderArguments& arguments, const app::Document& document,
+                                              int clip) {
+  if (arguments.beside.empty()) {
+    return std::optional<app::Document>();
+  }
+  if (clip < 0) {
+    return Error{"has no clip to show beside another", arguments.input.file, "name a file with a clip"};
+  }
+  app::FileArguments input = arguments.input;
+  input.file = arguments.beside;
+  Result<app::Document> source = app::openDocument(input);
+  const Result<int> same = source ? app::findClip(*source, app::clipOf(document, clip).name, "--beside")
+                                  : Result<int>(source.error());
+  return same ? Result<std::optional<app::Document>>(std::move(source).value())
+              : Result<std::optional<app::Document>>(same.error());
+}
+
+std::vector<PictureFrame> picturesBeside(const app::Document& source, const std::string& clip,
+                                         const std::vector<double>& frames, CharacterLook look) {
+  const int number = app::findClip(source, clip, "--beside").value();
+  look.camera = look.camera != nullptr ? cameraNamed(*source.scene, look.camera->name) : nullptr;
+  look.weightsOf = NodeIndex::none;
+  const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(source, number));
+  std::vector<PictureFrame> pictures = picturesOfCharacter(source, motion, frames, look);
+  for (PictureFrame& picture : pictures) {
+    picture.label = "before" + (picture.label.empty() ? std::string() : ", " + picture.label);
+  }
+  return pictures;
+}
+
 Status renderCharacter(const RenderArguments& arguments) {
   Result<app::Document> document = app::openDocument(arguments.input);
-  const Result<PictureOptions> options = optionsOf(arguments);
+  Result<PictureOptions> options = optionsOf(arguments);
   if (!document || !options) {
     return document ? options.error() : document.error();
   }
@@ -331,20 +412,48 @@ Status renderCharacter(const RenderArguments& arguments) {
     return frames.error();
   }
   const Result<NodeIndex> joint = weightJoint(*document->scene, arguments.weights);
-  if (!joint) {
-    return joint.error();
+  const Result<const SceneCamera*> camera = cameraOf(*document->scene, arguments.camera);
+  if (!joint || !camera) {
+    return joint ? camera.error() : joint.error();
   }
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
   const CharacterLook look{.skeleton = arguments.skeleton,
                            .trails = !arguments.withoutTrails,
                            .ghosts = arguments.ghosts,
                            .weightsOf = *joint,
-                           .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet)};
-  return draw(arguments, *document->scene, *frames, picturesOfCharacter(*document, motion, *frames, look),
-              *options);
+                           .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet),
+                           .camera = *camera};
+  if (Status best = takeBestView(arguments, *document, *motion, *options); !best) {
+    return best;
+  }
+  Film film{{}, *frames, filmRate(motion->framesPerSecond, *frames)};
+  const Result<std::optional<app::Document>> source = besideOf(arguments, *document, clip);
+  if (!source) {
+    return source.error();
+  }
+  if (*source) {
+    film.sides.push_back(
+        {(*source)->scene.get(), picturesBeside(**source, app::clipOf(*document, clip).name, *frames, look)});
+  }
+  film.sides.push_back({document->scene.get(), picturesOfCharacter(*document, motion, *frames, look)});
+  return draw(arguments, film, *options);
+}
+
+/// What no option can say by itself.
+Status checkTogether(const RenderArguments& arguments) {
+  if (arguments.sheet && (!arguments.video.empty() || !arguments.beside.empty())) {
+    return Error{"a contact sheet is one picture of one file", "--sheet",
+                 "leave it out, or --video and --beside"};
+  }
+  return arguments.stages && !arguments.video.empty()
+             ? Status(Error{"the stages are one picture", "--stages", "leave it out, or --video"})
+             : Status(Success{});
 }
 
 Status runRender(RenderArguments arguments) {
+  if (Status sound = checkTogether(arguments); !sound) {
+    return sound;
+  }
   if (app::namesSequence({arguments.files.begin(), arguments.files.end()}) || asksForSequence(arguments)) {
     return renderSequence(arguments);
   }
@@ -368,39 +477,58 @@ void addSequenceOptions(app::CommandLine& line, RenderArguments& arguments) {
 } // namespace
 
 app::Verb renderVerb() {
-  return {
-      "render",
-      "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
-      [](app::CommandLine& line) {
-        const auto arguments = std::make_shared<RenderArguments>();
-        line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
-                       "punch.glb -o sheet.png --sheet --frames 18:36:2"});
-        line.options("FILE", arguments->files,
-                     std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
-            .required()
-            .takes(1, 2);
-        app::addTolerant(line, arguments->input);
-        app::addPlan(line, arguments->input);
-        line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN").required();
-        app::addClipArguments(line, arguments->input);
-        const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
-        line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
-        line.flag("--sheet", arguments->sheet,
-                  "One contact sheet: the frames of --frames, else twelve over the whole clip");
-        line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
-        line.option("--view", arguments->view, "front, side, top or three-quarter").showDefault();
-        line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
-        line.flag("--no-trails", arguments->withoutTrails,
-                  "Draw the character alone: trails of the file or recipe move it, and are not drawn");
-        line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
-            .between(0, 20);
-        line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
-        line.option(
-            "--weights", arguments->weights,
-            "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
-        addSequenceOptions(line, *arguments);
-        return [arguments] { return runRender(*arguments); };
-      }};
+  return {"render",
+          "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet, a "
+          "video.",
+          [](app::CommandLine& line) {
+            const auto arguments = std::make_shared<RenderArguments>();
+            line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
+                           "punch.glb -o sheet.png --sheet --frames 18:36:2",
+                           "punch.glb --video punch.mp4 --beside dummy.glb --safe-frame"});
+            line.options("FILE", arguments->files,
+                         std::string("A .glb, .gltf, .vrm, .fbx, .bvh or .dae file, or a mesh sequence: ") +
+                             app::sequenceWords)
+                .required()
+                .takes(1, 2);
+            app::addTolerant(line, arguments->input);
+            app::addPlan(line, arguments->input);
+            const app::DeclaredOption output =
+                line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN");
+            const app::DeclaredOption video =
+                line.option("--video", arguments->video,
+                            "The .mp4, .webm or .gif to write by ffmpeg, in place of -o; default: the whole "
+                            "clip, at its speed");
+            video.excludes(output);
+            line.requireOne(output, video);
+            app::addClipArguments(line, arguments->input);
+            const app::DeclaredOption frame =
+                line.option("--frame", arguments->frame, "One frame; default: 0");
+            line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
+            line.option("--beside", arguments->beside,
+                        "Another file with the clip, such as the source, drawn on the left");
+            line.flag("--sheet", arguments->sheet,
+                      "One contact sheet: the frames of --frames, else twelve over the whole clip");
+            line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
+            const app::DeclaredOption view =
+                line.option("--view", arguments->view,
+                            "front, side, top, three-quarter, or best: what shows the first trail best")
+                    .showDefault();
+            line.option("--camera", arguments->camera, "A camera of the file, which the clip may move")
+                .excludes(view);
+            line.flag("--safe-frame", arguments->safeFrame,
+                      "Outline the nine tenths of the picture that every screen shows");
+            line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
+            line.flag("--no-trails", arguments->withoutTrails,
+                      "Draw the character alone: trails of the file or recipe move it, and are not drawn");
+            line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
+                .between(0, 20);
+            line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+            line.option(
+                "--weights", arguments->weights,
+                "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
+            addSequenceOptions(line, *arguments);
+            return [arguments] { return runRender(*arguments); };
+          }};
 }
 
 } // namespace stretch::ui

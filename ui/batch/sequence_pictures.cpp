@@ -10,6 +10,7 @@
 #include "ui/render/picture/image_edits.h"
 #include "ui/render/scene/sequence_scene.h"
 #include "ui/viewport/assemble_picture.h"
+#include "ui/viewport/camera/look_through.h"
 
 namespace stretch::ui {
 
@@ -169,6 +170,9 @@ std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,
     pictures.push_back({assemblePicture({document, *motion, trails, frame, pose, measures}, selection,
                                         overlays, paletteOf(ThemeKind::dark)),
                         look.labelled ? fmt::format("frame {:g}", frame) : std::string()});
+    if (look.camera != nullptr) {
+      pictures.back().through = throughCamera(document, *look.camera, pose);
+    }
   }
   return pictures;
 }

@@ -44,6 +44,7 @@ struct CharacterLook {
   int ghosts = 0;                        ///< Before and after.
   NodeIndex weightsOf = NodeIndex::none; ///< Joint whose weights colour the mesh.
   bool labelled = false;
+  const SceneCamera* camera = nullptr; ///< Of the file, looked through; null: none.
 };
 
 /// Pictures of the window at these frames, every trail as if it were selected.

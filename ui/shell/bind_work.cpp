@@ -17,7 +17,7 @@ namespace stretch::ui {
 namespace {
 
 bool isBinding(const Shell& shell) {
-  return shell.binding.job != nullptr;
+  return shell.beside.binding.job != nullptr;
 }
 
 bool hasBoundMesh(const Scene& scene) {
@@ -46,7 +46,7 @@ bool canBind(const Shell& shell) {
 }
 
 Status bindOrStop(Shell& shell) {
-  BindWork& work = shell.binding;
+  BindWork& work = shell.beside.binding;
   if (isBinding(shell)) {
     work.job->cancel();
     return Success{};
@@ -95,7 +95,7 @@ std::string bindLabel(const Shell& shell) {
 } // namespace
 
 void updateBinding(Shell& shell) {
-  BindWork& work = shell.binding;
+  BindWork& work = shell.beside.binding;
   if (!isBinding(shell) || !work.job->isFinished()) {
     return;
   }

@@ -59,7 +59,7 @@ void askForClip(Shell& shell, const std::filesystem::path& file) {
 }
 
 void importClip(Shell& shell, const ClipAnswer& wanted) {
-  ClipImport& import = shell.clipImport;
+  ClipImport& import = shell.beside.clipImport;
   if (shell.open.character() == nullptr || import.job != nullptr) {
     tell(shell, ToastKind::info,
          import.job != nullptr ? "Another clip is being imported" : "Open a character first");
@@ -77,7 +77,7 @@ void importClip(Shell& shell, const ClipAnswer& wanted) {
 } // namespace stretch::ui
 
 void updateClipImport(Shell& shell) {
-  ClipImport& import = shell.clipImport;
+  ClipImport& import = shell.beside.clipImport;
   app::Session* const session = shell.open.character();
   const bool isDragging = session != nullptr && session->isDragging();
   if (import.job == nullptr || !import.job->isFinished() || isDragging) {

@@ -9,13 +9,16 @@
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/hand_place.h"
 #include "app/files/bundled_folder.h"
+#include "app/files/user_styles.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/added_file.h"
+#include "core/interchange/file_kind.h"
 #include "ui/panels/files/file_listing.h"
 #include "ui/shell/clip_import.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -29,11 +32,17 @@ void showCharacter(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   app::Session& session = *shell.open.character();
   viewport.shown = {};
-  viewport.facingYawRadians = facingYaw(session.document(), 0);
-  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
+  viewport.look.through.reset();
+  viewport.look.name.clear();
+  viewport.look.kept = {};
+  viewport.look.facingYawRadians = facingYaw(session.document(), 0);
+  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.look.facingYawRadians);
   viewport.framePending = true;
   if (const auto text = readText(viewPath(shell.files.path()))) {
-    readView(*text, session.document(), session.view(), viewport.camera);
+    ViewBookmark now{viewport.camera};
+    readView(*text, session.document(), session.view(), now, viewport.look.kept);
+    viewport.camera = now.camera;
+    viewport.look.name = now.through;
     session.followSelection();
     viewport.framePending = false;
   }
@@ -43,7 +52,8 @@ void showCharacter(Shell& shell) {
 void leaveCharacter(Shell& shell) {
   app::Session& session = *shell.open.character();
   finishTool(session, shell.tool, false);
-  const std::string view = viewText(session.view(), shell.viewport.camera);
+  const std::string view =
+      viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name}, shell.viewport.look.kept);
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));
   if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
     tellProblem(shell, writeText(viewPath(session.savePath()), view));
@@ -66,6 +76,7 @@ public:
   explicit WindowUser(Shell& shell) : shell_(shell) {}
 
   app::OpenDocument& open() override { return shell_.open; }
+  [[nodiscard]] app::SavedForm form() const override { return shell_.ui.savedForm; }
   void tell(app::Tone tone, const std::string& text) override { ui::tell(shell_, tone, text); }
   void closing() override {
     if (shell_.open.character() != nullptr) {
@@ -109,6 +120,15 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
     break;
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
+    break;
+  case FilePurpose::openStyle:
+    importStyle(shell, choice.path);
+    break;
+  case FilePurpose::saveStyle:
+    exportStyle(shell, choice.path);
+    break;
+  case FilePurpose::saveFilm:
+    startFilm(shell, choice.path);
     break;
   case FilePurpose::openModel:
   case FilePurpose::saveFrames:
@@ -179,8 +199,11 @@ void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
   const std::vector<fs::path> paths = droppedPaths(drops);
   DroppedFile dropped{paths.front()};
   if (!isAsked && character != nullptr && paths.size() == 1) {
-    dropped.canBeHeld = !app::handsForProp(*character).empty() && gltf::looksLikeThing(paths.front());
-    dropped.hasClips = !app::factsOf(paths.front()).clips.empty();
+    // A file of another program is not read to ask: it may be a clip.
+    const bool isForeign = interchange::isForeignName(paths.front().extension().string());
+    dropped.canBeHeld =
+        !isForeign && !app::handsForProp(*character).empty() && gltf::looksLikeThing(paths.front());
+    dropped.hasClips = isForeign || !app::factsOf(paths.front()).clips.empty();
   }
   if (dropped.canBeHeld || dropped.hasClips) {
     shell.ui.dialogs.dropped = dropped;
@@ -211,7 +234,9 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
   }
   const fs::path near = character->proposedSavePath();
   return purpose == FilePurpose::exportClean  ? near.stem().string() + "-clean.glb"
+         : purpose == FilePurpose::saveStyle  ? app::fileOfStyle({}, chosenStyle(shell).name).string()
          : purpose == FilePurpose::saveRecipe ? near.stem().string() + "-recipe.json"
+         : purpose == FilePurpose::saveFilm   ? near.stem().string() + ".mp4"
                                               : near.filename().string();
 }
 
@@ -277,8 +302,10 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
   updateBinding(shell);
+  updateFilm(shell);
   updateFitting(shell);
   updateClipImport(shell);
+  updateClipStyle(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

@@ -12,9 +12,9 @@ namespace {
 
 Status startFitting(Shell& shell, const std::string& label) {
   const app::Document& document = shell.open.character()->document();
-  shell.fitting.scene = document.scene;
-  shell.fitting.label = label;
-  shell.fitting.job = std::make_unique<app::Job<app::FittedLocators>>(
+  shell.beside.fitting.scene = document.scene;
+  shell.beside.fitting.label = label;
+  shell.beside.fitting.job = std::make_unique<app::Job<app::FittedLocators>>(
       [document](const skinning::Proceed& proceed) { return app::fitLocators(document, proceed); });
   return Success{};
 }
@@ -26,7 +26,8 @@ bool isMeshAlone(const Shell& shell) {
 
 bool canStop(const Shell& shell) {
   const app::SequenceSession* const sequence = shell.open.sequence();
-  return shell.fitting.job != nullptr || shell.binding.job != nullptr || shell.clipImport.job != nullptr ||
+  return shell.beside.fitting.job != nullptr || shell.beside.binding.job != nullptr ||
+         shell.beside.clipImport.job != nullptr || shell.beside.film.job != nullptr ||
          (sequence != nullptr && sequence->isWorking());
 }
 
@@ -36,9 +37,10 @@ Status stop(Shell& shell) {
       job->cancel();
     }
   };
-  cancel(shell.fitting.job);
-  cancel(shell.binding.job);
-  cancel(shell.clipImport.job);
+  cancel(shell.beside.fitting.job);
+  cancel(shell.beside.binding.job);
+  cancel(shell.beside.clipImport.job);
+  cancel(shell.beside.film.job);
   if (shell.open.sequence() != nullptr) {
     shell.open.sequence()->cancelWork();
   }
@@ -55,7 +57,7 @@ void fitBesideWindow(std::vector<app::Command<Shell>>& commands) {
     }
     const std::string label = fit.id == app::command::locatorsFit ? "Fit locators" : "Reset the locators";
     fit.enabled = [enabled = fit.enabled](const Shell& shell) {
-      return shell.fitting.job == nullptr && enabled(shell);
+      return shell.beside.fitting.job == nullptr && enabled(shell);
     };
     fit.run = [label, run = fit.run](Shell& shell) {
       return isMeshAlone(shell) ? startFitting(shell, label) : run(shell);
@@ -64,7 +66,7 @@ void fitBesideWindow(std::vector<app::Command<Shell>>& commands) {
 }
 
 void updateFitting(Shell& shell) {
-  FitWork& work = shell.fitting;
+  FitWork& work = shell.beside.fitting;
   app::Session* const session = shell.open.character();
   if (work.job == nullptr || !work.job->isFinished() || (session != nullptr && session->isDragging())) {
     return;
@@ -89,8 +91,9 @@ std::vector<app::Command<Shell>> stopCommands() {
   app::Command<Shell> command;
   command.id = app::command::workStop;
   command.label = "Stop what is in progress";
-  command.help = "Ends binding, fitting locators, importing a clip, compressing or exporting before it is "
-                 "done; what is open stays as it is.";
+  command.help =
+      "Ends binding, fitting locators, importing a clip, drawing a video, compressing or exporting before "
+      "it is done; what is open stays as it is.";
   command.keys = {"Esc"};
   command.enabled = canStop;
   command.run = stop;

@@ -93,8 +93,9 @@ void showSequence(Shell& shell) {
   // A body that lies along z is looked at from its side.
   const app::SequenceAnalysis& analysis = *shell.open.sequence()->document().analysis;
   const Vec3 size = analysis.high - analysis.low;
-  shell.viewport.facingYawRadians = size.z > size.x ? 0.5 * pi : 0.0;
-  shell.viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, shell.viewport.facingYawRadians);
+  shell.viewport.look.facingYawRadians = size.z > size.x ? 0.5 * pi : 0.0;
+  shell.viewport.camera =
+      lookFrom(Camera{}, ViewDirection::threeQuarter, shell.viewport.look.facingYawRadians);
   shell.viewport.framePending = true;
 }
 

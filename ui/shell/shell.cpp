@@ -37,17 +37,20 @@ EditorStatus statusOf(const Shell& shell) {
   if (shell.files.isOpening()) {
     status.busyText = "Opening " + shell.files.openingName();
     status.busyFraction = shell.files.openingShare();
-  } else if (shell.clipImport.job != nullptr) {
-    status.busyText = "Importing " + shell.clipImport.file.filename().string();
-    status.busyFraction = static_cast<float>(shell.clipImport.job->share());
+  } else if (shell.beside.clipImport.job != nullptr) {
+    status.busyText = "Importing " + shell.beside.clipImport.file.filename().string();
+    status.busyFraction = static_cast<float>(shell.beside.clipImport.job->share());
   } else if (sequence != nullptr && sequence->isWorking()) {
     describeWork(*sequence, status);
-  } else if (shell.fitting.job != nullptr) {
+  } else if (shell.beside.fitting.job != nullptr) {
     status.busyText = "Fitting locators";
-    status.busyFraction = static_cast<float>(shell.fitting.job->share());
-  } else if (shell.binding.job != nullptr) {
+    status.busyFraction = static_cast<float>(shell.beside.fitting.job->share());
+  } else if (shell.beside.film.job != nullptr) {
+    status.busyText = "Drawing " + shell.beside.film.path.filename().string();
+    status.busyFraction = static_cast<float>(shell.beside.film.job->share());
+  } else if (shell.beside.binding.job != nullptr) {
     status.busyText = "Binding the mesh";
-    status.busyFraction = static_cast<float>(shell.binding.job->share());
+    status.busyFraction = static_cast<float>(shell.beside.binding.job->share());
   }
   return status;
 }

@@ -12,9 +12,11 @@
 #include "app/open_document.h"
 #include "app/sequence/job.h"
 #include "ui/panels/context/panel_context.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/shell/bind_work.h"
+#include "ui/shell/film_work.h"
 #include "ui/shell/fit_work.h"
-#include "ui/shell/pane_layout.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_state.h"
@@ -26,6 +28,15 @@ struct ClipImport {
   std::filesystem::path file;
   std::shared_ptr<const Scene> scene;           ///< Scene of the character that they are for.
   std::unique_ptr<app::Job<app::NewClips>> job; ///< Null: none.
+};
+
+/// Work that goes on beside the window, each of which runs or does not.
+struct WorkBeside {
+  BindWork binding;
+  FitWork fitting;
+  ClipImport clipImport;
+  StyleWork styling;
+  FilmWork film;
 };
 
 /// The editor's state: plain parts that functions join. The session of what is open is the only door to the
@@ -40,9 +51,7 @@ struct Shell {
   ViewportState viewport;
   Tool tool;
   app::FileWork files;
-  BindWork binding;
-  FitWork fitting;
-  ClipImport clipImport;
+  WorkBeside beside;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   app::KeyboardLayout keyboard; ///< The operating system's, as of this frame.

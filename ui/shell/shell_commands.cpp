@@ -23,6 +23,7 @@
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 
 namespace stretch::ui {
@@ -80,6 +81,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::viewWeights, &overlays.weights},
       {command::viewGrid, &overlays.grid},
       {command::viewFrameNumbers, &overlays.trailFrameNumbers},
+      {command::viewSafeFrame, &overlays.safeFrame},
       {command::viewSideBySide, &overlays.sideBySide},
       {command::viewLeftPane, &panes.leftOpen},
       {command::viewBottomPane, &panes.bottomOpen},
@@ -126,8 +128,9 @@ ShellCommand switchCommand(const char* id, const char* label, const char* help,
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
   return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
+                 lookFreely(shell.viewport.look, shell.viewport.camera);
                  shell.viewport.camera =
-                     lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
+                     lookFrom(shell.viewport.camera, direction, shell.viewport.look.facingYawRadians);
                }));
 }
 
@@ -155,7 +158,7 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
-Status runOnControllers(Shell& shell, app::ControllerMotion motion) {
+Status runOnControllers(Shell& shell, app::PullMotion motion) {
   return startControllerTool(*shell.open.character(), shell.tool,
                              {motion, {}, shell.viewport.mousePixels, false});
 }
@@ -313,8 +316,9 @@ ShellCommand bundledCommand(const app::BundledClip& clip) {
 
 std::vector<ShellCommand> fileCommands() {
   return {
-      entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
-            {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
+      entry(command::fileOpen, "Open",
+            "Opens a character (.glb, .gltf, .vrm, .fbx, .bvh, .dae) or a mesh sequence.", {"Ctrl+O"},
+            nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
             "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
             exportNeeded, doing([](Shell& shell) { saveFile(shell); })),
@@ -326,6 +330,9 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::fileExportClean, "Export clean",
             "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
+      entry(command::fileFilm, "Playblast: video or pictures",
+            "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.",
+            {}, {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
       entry(command::recipeSave, "Save a recipe",
             "Writes the clip's poses, trails and weight, to be replayed on another clip or character.", {},
             {hasWork, "make a trail or pose a controller first"}, askingFor(FilePurpose::saveRecipe)),
@@ -377,13 +384,12 @@ std::vector<ShellCommand> toolCommands() {
       grab,
       entry(command::controllerMove, "Move the controllers",
             "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
-            controllerNeeded,
-            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::move); }),
+            controllerNeeded, [](Shell& shell) { return runOnControllers(shell, app::PullMotion::move); }),
       entry(command::controllerTurn, "Turn the controllers",
             "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
             "degrees.",
             {"R"}, controllerNeeded,
-            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::turn); }),
+            [](Shell& shell) { return runOnControllers(shell, app::PullMotion::turn); }),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
@@ -419,6 +425,8 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),
+      switchCommand(command::viewSafeFrame, "Safe frame",
+                    "Outlines the nine tenths of the picture that every screen shows.", {}),
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", {}),
       entry(command::viewFrameSelection, "Frame the selection",
@@ -427,18 +435,20 @@ std::vector<ShellCommand> viewCommands() {
       entry(command::viewFrameAll, "Frame everything",
             "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.framePending = true; })),
-      directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Numpad 1",
+      directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Ctrl+Numpad 1",
                        ViewDirection::front),
-      directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Numpad 3",
+      directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Ctrl+Numpad 3",
                        ViewDirection::side),
-      directionCommand(command::viewTop, "Top view", "Looks down on the character.", "Numpad 7",
+      directionCommand(command::viewTop, "Top view", "Looks down on the character.", "Ctrl+Numpad 7",
                        ViewDirection::top),
       directionCommand(command::viewPerspective, "Perspective view",
-                       "Looks with perspective, from the front and above.", "Numpad 5",
+                       "Looks with perspective, from the front and above.", "Ctrl+Numpad 5",
                        ViewDirection::threeQuarter),
-      switchCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", {"Ctrl+1"}),
-      switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", {"Ctrl+2"}),
-      switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", {"Ctrl+3"}),
+      switchCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", {"Ctrl+Alt+1"}),
+      switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.",
+                    {"Ctrl+Alt+2"}),
+      switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.",
+                    {"Ctrl+Alt+3"}),
       entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
             {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
       entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
@@ -478,11 +488,13 @@ std::vector<ShellCommand> editorCommands() {
   }
   fitBesideWindow(all);
   append(all, toolCommands());
+  append(all, styleCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
   append(all, stopCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
+  append(all, cameraCommands());
   append(all, helpCommands());
   return all;
 }

@@ -17,6 +17,8 @@ namespace stretch::ui {
 [[nodiscard]] std::vector<app::Command<Shell>> viewCommands();
 [[nodiscard]] std::vector<app::Command<Shell>> toolCommands();
 [[nodiscard]] std::vector<app::Command<Shell>> helpCommands();
+/// Cameras of the file, the best view, and the views that are kept under numbers.
+[[nodiscard]] std::vector<app::Command<Shell>> cameraCommands();
 
 /// Whether a switch is on; false for commands that are not switches.
 [[nodiscard]] bool isChecked(const Shell& shell, std::string_view commandId);

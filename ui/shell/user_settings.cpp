@@ -104,6 +104,34 @@ void readRecent(const Json& json, UiState& ui) {
   }
 }
 
+Json cameraJson(const ViewBookmark& view) {
+  Json json{{"target", vectorJson(view.camera.target)},
+            {"distance", view.camera.distance},
+            {"yaw", view.camera.yawRadians},
+            {"pitch", view.camera.pitchRadians},
+            {"angle", view.camera.fieldOfViewRadians},
+            {"orthographic", view.camera.projection == ProjectionKind::orthographic}};
+  if (!view.through.empty()) {
+    json["through"] = view.through;
+  }
+  return json;
+}
+
+void readCamera(const Json& json, ViewBookmark& view) {
+  Camera& camera = view.camera;
+  readVector(json, "target", camera.target);
+  take(json, "distance", camera.distance, 1e-6, 1e9);
+  take(json, "yaw", camera.yawRadians, -1e3, 1e3);
+  take(json, "pitch", camera.pitchRadians, -0.5 * pi, 0.5 * pi);
+  take(json, "angle", camera.fieldOfViewRadians, 0.01, 3.0);
+  bool orthographic = camera.projection == ProjectionKind::orthographic;
+  take(json, "orthographic", orthographic);
+  camera.projection = orthographic ? ProjectionKind::orthographic : ProjectionKind::perspective;
+  if (json.contains("through") && json["through"].is_string()) {
+    view.through = json["through"].get<std::string>();
+  }
+}
+
 } // namespace
 
 std::string settingsText(const UiState& ui, const PaneSizes& panes, const WindowMemory& window) {
@@ -140,24 +168,27 @@ void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, Window
   readRecent(json, ui);
 }
 
-std::string viewText(const app::ViewState& view, const Camera& camera) {
+std::string viewText(const app::ViewState& view, const ViewBookmark& now, const ViewBookmarks& kept) {
+  Json views = Json::object();
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i]) {
+      views[std::to_string(i + 1)] = cameraJson(*kept[i]);
+    }
+  }
   return Json{{"version", 1},
               {"clip", view.clip},
               {"frame", view.frame},
               {"range", {view.rangeStart, view.rangeEnd}},
               {"limbs", view.selection.limbs()},
               {"trail", view.selection.trail()},
-              {"camera",
-               {{"target", vectorJson(camera.target)},
-                {"distance", camera.distance},
-                {"yaw", camera.yawRadians},
-                {"pitch", camera.pitchRadians},
-                {"orthographic", camera.projection == ProjectionKind::orthographic}}}}
+              {"camera", cameraJson(now)},
+              {"kept_views", views}}
              .dump(2, ' ', false, Json::error_handler_t::replace) +
          "\n";
 }
 
-void readView(const std::string& text, const app::Document& document, app::ViewState& view, Camera& camera) {
+void readView(const std::string& text, const app::Document& document, app::ViewState& view, ViewBookmark& now,
+              ViewBookmarks& kept) {
   const Json json = gltf::parseAnyJson(text);
   if (!json.is_object()) {
     return;
@@ -180,14 +211,14 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
       }
     }
   }
-  const Json cameraJson = child(json, "camera");
-  readVector(cameraJson, "target", camera.target);
-  take(cameraJson, "distance", camera.distance, 1e-6, 1e9);
-  take(cameraJson, "yaw", camera.yawRadians, -1e3, 1e3);
-  take(cameraJson, "pitch", camera.pitchRadians, -0.5 * pi, 0.5 * pi);
-  bool orthographic = camera.projection == ProjectionKind::orthographic;
-  take(cameraJson, "orthographic", orthographic);
-  camera.projection = orthographic ? ProjectionKind::orthographic : ProjectionKind::perspective;
+  readCamera(child(json, "camera"), now);
+  const Json views = child(json, "kept_views");
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Json one = child(views, std::to_string(i + 1).c_str());
+    if (!one.empty()) {
+      readCamera(one, kept[i].emplace());
+    }
+  }
 }
 
 fs::path settingsPath() {

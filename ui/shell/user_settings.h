@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "app/session.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/panels/state/ui_state.h"
-#include "ui/render/view/camera.h"
-#include "ui/shell/pane_layout.h"
+#include "ui/viewport/camera/look_through.h"
 
 namespace stretch::ui {
 
@@ -21,9 +21,11 @@ struct WindowMemory {
 [[nodiscard]] std::string settingsText(const UiState& ui, const PaneSizes& panes, const WindowMemory& window);
 void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, WindowMemory& window);
 
-/// How one file was looked at last: camera, clip, playhead, selection.
-[[nodiscard]] std::string viewText(const app::ViewState& view, const Camera& camera);
-void readView(const std::string& text, const app::Document& document, app::ViewState& view, Camera& camera);
+/// How one file was looked at last: camera, clip, playhead, selection; and the views that are kept.
+[[nodiscard]] std::string viewText(const app::ViewState& view, const ViewBookmark& now,
+                                   const ViewBookmarks& kept);
+void readView(const std::string& text, const app::Document& document, app::ViewState& view, ViewBookmark& now,
+              ViewBookmarks& kept);
 
 [[nodiscard]] std::filesystem::path settingsPath();
 [[nodiscard]] std::filesystem::path keysPath();

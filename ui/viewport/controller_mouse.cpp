@@ -12,7 +12,7 @@ namespace stretch::ui {
 
 namespace {
 
-void start(ViewportContext& context, app::ControllerMotion motion, const app::AxisLock& lock) {
+void start(ViewportContext& context, app::PullMotion motion, const app::AxisLock& lock) {
   tellProblem(context, startControllerTool(*context.open.character(), context.tool,
                                            {motion, lock, context.viewport.pressPixels, true}));
 }
@@ -46,9 +46,9 @@ void hoverControllers(ViewportContext& context) {
 
 void markHeldHandle(ViewportState& viewport, const ControllerTool& tool) {
   const app::AxisLock& lock = tool.modal.lock;
-  const HandleKind kind = tool.modal.motion == app::ControllerMotion::turn ? HandleKind::ring
-                          : lock.plane                                     ? HandleKind::plane
-                                                                           : HandleKind::axis;
+  const HandleKind kind = tool.modal.motion == app::PullMotion::turn ? HandleKind::ring
+                          : lock.plane                               ? HandleKind::plane
+                                                                     : HandleKind::axis;
   viewport.hoveredHandle = lock.axis && !lock.ofCarrier
                                ? std::optional(HandlePart{kind, static_cast<std::size_t>(*lock.axis)})
                                : std::nullopt;
@@ -59,8 +59,7 @@ bool pressController(ViewportContext& context, bool add) {
   app::Session& session = *context.open.character();
   if (viewport.hoveredHandle) {
     const bool turns = viewport.hoveredHandle->kind == HandleKind::ring;
-    start(context, turns ? app::ControllerMotion::turn : app::ControllerMotion::move,
-          lockOf(*viewport.hoveredHandle));
+    start(context, turns ? app::PullMotion::turn : app::PullMotion::move, lockOf(*viewport.hoveredHandle));
     return true;
   }
   if (viewport.hoveredController.empty()) {
@@ -93,7 +92,7 @@ bool dragController(ViewportContext& context) {
   const ShownController* const pressed =
       findShown(viewport.controllers, selected.empty() ? std::string() : selected.back());
   const bool onlyTurns = pressed != nullptr && !pressed->placed.moves;
-  start(context, onlyTurns ? app::ControllerMotion::turn : app::ControllerMotion::move, {});
+  start(context, onlyTurns ? app::PullMotion::turn : app::PullMotion::move, {});
   return true;
 }
 

@@ -50,8 +50,7 @@ Vec3 pointAcross(const View& view, const Vec3& through, const Vec3& normal, cons
   return ray.origin + glm::dot(through - ray.origin, normal) / slope * ray.direction;
 }
 
-Vec3 pulledTo(const ControllerTool& tool, const View& view, const Vec2& mousePixels) {
-  const Mat3& axes = tool.held.back().placed.carrierAxesWorld;
+Vec3 pulledTo(const Pull& tool, const Mat3& axes, const View& view, const Vec2& mousePixels) {
   if (const std::optional<Vec3> axis = app::lockedAxis(tool.modal.lock, axes)) {
     return (positionAlongAxis(view, tool.anchor, *axis, mousePixels) -
             positionAlongAxis(view, tool.anchor, *axis, tool.startPixels)) *
@@ -115,7 +114,7 @@ Result<ControllerTool> startLocators(app::Session& session, const ControllerStar
   if (held.empty()) {
     return Error{"no locator is selected", "", "click one"};
   }
-  const bool moves = start.motion == app::ControllerMotion::move;
+  const bool moves = start.motion == app::PullMotion::move;
   ControllerTool tool = begun(session, start, std::move(held));
   tool.title = selected.size() == 1 ? selected.front() : fmt::format("{} locators", selected.size());
   tool.isOfLocators = true;
@@ -130,7 +129,7 @@ Status previewLocators(app::Session& session, const ControllerTool& tool) {
   const app::Document& base = session.atBegin();
   if (change == Vec3(0.0)) {
     session.preview(base);
-  } else if (tool.modal.motion == app::ControllerMotion::move) {
+  } else if (tool.modal.motion == app::PullMotion::move) {
     session.preview(app::moveLocators(base, idsOf(tool.held), change, mirror));
   } else {
     session.preview(app::turnLocators(base, idsOf(tool.held), change, mirror));
@@ -140,11 +139,26 @@ Status previewLocators(app::Session& session, const ControllerTool& tool) {
 
 } // namespace
 
+bool followMouse(Pull& pull, const Mat3& axes, const View& view, const Vec2& mousePixels) {
+  if (!pull.moved && glm::distance(mousePixels, pull.startPixels) < 3.0 * view.viewport.pixelsPerPoint) {
+    return false;
+  }
+  pull.moved = true;
+  if (pull.modal.motion == app::PullMotion::move) {
+    pull.modal.mouseWorld = pulledTo(pull, axes, view, mousePixels);
+  } else {
+    const Vec3 axis = app::lockedAxis(pull.modal.lock, axes).value_or(pull.modal.viewAxes[2]);
+    pull.modal.mouseRadians += turnBetween(view, pull.anchor, axis, pull.lastPixels, mousePixels);
+  }
+  pull.lastPixels = mousePixels;
+  return true;
+}
+
 Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start) {
   if (app::showsLocators(session)) {
     return startLocators(session, start);
   }
-  const bool moves = start.motion == app::ControllerMotion::move;
+  const bool moves = start.motion == app::PullMotion::move;
   const std::vector<std::string>& selected = session.view().selection.controllers();
   std::vector<rig::PlacedController> placed;
   std::vector<app::ControllerOffset> offsets;
@@ -188,21 +202,6 @@ Status previewControllers(app::Session& session, const ControllerTool& tool) {
     session.preview(session.atBegin());
   }
   return Success{};
-}
-
-void moveControllerMouse(ControllerTool& tool, const View& view, const Vec2& mousePixels) {
-  if (!tool.moved && glm::distance(mousePixels, tool.startPixels) < 3.0 * view.viewport.pixelsPerPoint) {
-    return;
-  }
-  tool.moved = true;
-  if (tool.modal.motion == app::ControllerMotion::move) {
-    tool.modal.mouseWorld = pulledTo(tool, view, mousePixels);
-  } else {
-    const Vec3 axis = app::lockedAxis(tool.modal.lock, tool.held.back().placed.carrierAxesWorld)
-                          .value_or(tool.modal.viewAxes[2]);
-    tool.modal.mouseRadians += turnBetween(view, tool.anchor, axis, tool.lastPixels, mousePixels);
-  }
-  tool.lastPixels = mousePixels;
 }
 
 void endControllers(app::Session& session, const ControllerTool& tool, bool keep) {

@@ -36,7 +36,7 @@ Result<app::Document> pulled(const GrabTool& tool, const Vec3& delta) {
 }
 
 Status previewGrab(app::Session& session, const GrabTool& tool) {
-  const Vec3 delta = app::grabDelta(tool.modal);
+  const Vec3 delta = app::worldChange(tool.modal);
   if (delta == Vec3(0.0)) {
     session.preview(tool.base);
     return Success{};
@@ -99,8 +99,10 @@ Result<GrabTool> grabOf(app::Session& session, const rig::Trail& trail, const Gr
   started.startPixels = start.startPixels;
   started.byDrag = start.byDrag;
   started.falloffRadius = start.falloffRadius;
-  started.modal = app::beginGrab(session.view().cameraAxes, app::nudgeUnits(session.document()));
-  started.modal.axis = start.axis;
+  started.modal.hasCarriers = false;
+  started.modal.viewAxes = session.view().cameraAxes;
+  started.modal.arrowUnits = app::nudgeUnits(session.document());
+  started.modal.lock.axis = start.axis;
   return started;
 }
 
@@ -222,27 +224,12 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
 
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels) {
   if (auto* controllers = std::get_if<ControllerTool>(&tool)) {
-    moveControllerMouse(*controllers, view, mousePixels);
+    followMouse(*controllers, controllers->held.back().placed.carrierAxesWorld, view, mousePixels);
     return previewControllers(session, *controllers);
   }
   auto* grab = std::get_if<GrabTool>(&tool);
-  if (grab == nullptr) {
-    return Success{};
-  }
-  if (!grab->moved && glm::distance(mousePixels, grab->startPixels) < 3.0 * view.viewport.pixelsPerPoint) {
-    return Success{};
-  }
-  grab->moved = true;
-  if (grab->modal.axis && !grab->modal.plane) {
-    const Vec3 axis = app::axisVector(*grab->modal.axis);
-    const double from = positionAlongAxis(view, grab->anchor, axis, grab->startPixels);
-    const double to = positionAlongAxis(view, grab->anchor, axis, mousePixels);
-    grab->modal.mouseWorld = (to - from) * axis;
-  } else {
-    grab->modal.mouseWorld = pointInViewPlane(view, grab->anchor, mousePixels) -
-                             pointInViewPlane(view, grab->anchor, grab->startPixels);
-  }
-  return previewGrab(session, *grab);
+  return grab != nullptr && followMouse(*grab, Mat3(1.0), view, mousePixels) ? previewGrab(session, *grab)
+                                                                             : Status(Success{});
 }
 
 Status turnFalloff(app::Session& session, Tool& tool, double steps) {
@@ -311,9 +298,12 @@ void describeTool(const Tool& tool, EditorStatus& status) {
     hints = app::modalHints(exaggerate->modal);
   } else if (const auto* grab = std::get_if<GrabTool>(&tool)) {
     const bool soft = grab->falloffRadius > 0.0 && !grab->tangent;
-    status.modalText = app::modalText(grab->modal, grab->tangent ? 0 : grab->selected.size());
+    const std::string spheres =
+        grab->selected.size() == 1 ? "sphere" : fmt::format("{} spheres", grab->selected.size());
+    status.modalText = app::modalText(grab->modal, grab->tangent ? "tangent" : spheres);
     status.modalText += soft ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
+    hints.push_back({"Wheel", "falloff"});
   } else if (const auto* keys = std::get_if<KeysTool>(&tool)) {
     status.modalText = app::modalText(keys->modal, app::keyCount(keys->picked));
     hints = app::modalHints(keys->modal);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/commands/keys/keys_modal.h"
-#include "app/commands/table/grab_modal.h"
 #include "app/commands/trail/exaggerate.h"
 #include "app/commands/trail/spheres.h"
 #include "app/edits/trail/sphere_edits.h"
@@ -24,19 +23,14 @@ struct ExaggerateTool {
   std::string limbTitle; ///< "left arm", "2 limbs".
 };
 
-/// Pulling spheres: by G until Enter or a click, or by a drag of the mouse until it lets go.
-struct GrabTool {
-  app::GrabModal modal;
+/// Pulling spheres, or a tangent's handle.
+struct GrabTool : Pull {
   int trailId = 0;
   app::Document base;                        ///< Document that the pull starts from.
   rig::TrailSettings settings;               ///< Settings of the trail at the beginning.
   std::vector<app::PlacedSphere> spheres;    ///< Places where they stood.
   std::vector<double> selected;              ///< Frames of those that are pulled in full.
   double falloffRadius = 0.0;                ///< World units; 0: only the selected.
-  bool byDrag = false;                       ///< Letting the mouse button go keeps it.
-  Vec3 anchor{0.0};                          ///< The point that is held, world.
-  Vec2 startPixels{0.0};                     ///< Place of the mouse, in the viewport.
-  bool moved = false;                        ///< The mouse left its place: a click is no drag.
   std::optional<app::TangentHandle> tangent; ///< This handle is pulled, and no sphere.
   Vec3 slope{0.0}; ///< Slope of the sphere's offset at the beginning, along the trail's axes.
 };

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
 #include "core/anim/frames.h"
 #include "rig/limb.h"
@@ -276,7 +277,7 @@ Vec3 tangentTip(const ViewportContext& context, const ShownTangent& tangent) {
   const auto* const grab = std::get_if<GrabTool>(&context.tool);
   const bool held =
       grab != nullptr && grab->tangent && (grab->tangent->frames < 0.0) == (tangent.handle.frames < 0.0);
-  return held ? grab->anchor + app::grabDelta(grab->modal) : tangent.tipWorld;
+  return held ? grab->anchor + app::worldChange(grab->modal) : tangent.tipWorld;
 }
 
 /// The tangent handles of the selected sphere: a thin line and a small square at its end.
@@ -311,7 +312,7 @@ void drawFalloff(ViewportContext& context) {
   if (grab == nullptr || grab->falloffRadius <= 0.0 || grab->tangent) {
     return;
   }
-  const Vec3 centre = grab->anchor + app::grabDelta(grab->modal);
+  const Vec3 centre = grab->anchor + app::worldChange(grab->modal);
   const double pixels = grab->falloffRadius / unitsPerPixel(context.viewport.view, centre);
   if (const auto place = placeOf(context.viewport, centre)) {
     ImGui::GetWindowDrawList()->AddCircle(*place, static_cast<float>(pixels / context.viewport.pixelsPerUnit),
@@ -361,6 +362,54 @@ void drawEaseCurve(ViewportContext& context) {
   draw->AddCircleFilled(place(ratio, remap.at(ratio)), theme.px(4.5F), theme.colours.text);
 }
 
+/// The picture of the file's camera, with what lies outside of it dimmed, and the safe frame.
+void drawCameraFrame(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  const auto aspect = viewport.look.through ? viewport.look.through->lens.aspect : std::nullopt;
+  const auto boxOf = [&](double share) {
+    const PixelBox pixels = frameIn(viewport.view.viewport, aspect, share);
+    const auto corner = [&](const Vec2& place) {
+      return ImVec2(viewport.box.min.x + static_cast<float>(place.x / viewport.pixelsPerUnit),
+                    viewport.box.min.y + static_cast<float>(place.y / viewport.pixelsPerUnit));
+    };
+    return Rect{corner(pixels.low), corner(pixels.high)};
+  };
+  ImDrawList* const draw = ImGui::GetWindowDrawList();
+  const Rect frame = boxOf(1.0);
+  if (viewport.look.through && aspect) {
+    const ImU32 dim = faded(context.theme.colours.background, 0.6F);
+    draw->AddRectFilled(viewport.box.min, {viewport.box.max.x, frame.min.y}, dim);
+    draw->AddRectFilled({viewport.box.min.x, frame.max.y}, viewport.box.max, dim);
+    draw->AddRectFilled({viewport.box.min.x, frame.min.y}, {frame.min.x, frame.max.y}, dim);
+    draw->AddRectFilled({frame.max.x, frame.min.y}, {viewport.box.max.x, frame.max.y}, dim);
+    draw->AddRect(frame.min, frame.max, context.theme.colours.border);
+  }
+  if (context.ui.overlays.safeFrame) {
+    const Rect safe = boxOf(safeFrame);
+    draw->AddRect(safe.min, safe.max, faded(context.theme.colours.text, 0.6F));
+    context.items.add("viewport/safe-frame", safe.min, safe.max);
+  }
+}
+
+/// The lens, and the rate of the clip.
+void drawLens(ViewportContext& context) {
+  const Theme& theme = context.theme;
+  const app::Session& session = *context.open.character();
+  std::string text = lensText(context.viewport.look, context.viewport.camera);
+  if (app::hasClip(session.document(), session.view().clip)) {
+    text += fmt::format(", {:.4g} fps", app::clipOf(session.document(), session.view().clip).framesPerSecond);
+  }
+  ImFont* const font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text.c_str());
+  const Rect& box = context.viewport.box;
+  // Above the label of what the picture shows; messages come at the top.
+  const ImVec2 corner{box.min.x + theme.unit() * 1.5F, box.max.y - theme.unit() * 1.5F - theme.px(38.0F)};
+  if (corner.x + size.x < box.max.x - theme.px(120.0F)) {
+    label(context, corner, text, theme.colours.quietText);
+    context.items.add("viewport/lens", corner, {corner.x + size.x, corner.y + size.y});
+  }
+}
+
 /// What the picture shows when it is not the plain result.
 void drawStateLabels(ViewportContext& context) {
   const Rect& box = context.viewport.box;
@@ -381,6 +430,7 @@ void drawStateLabels(ViewportContext& context) {
 
 void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   ImGui::PushClipRect(context.viewport.box.min, context.viewport.box.max, true);
+  drawCameraFrame(context);
   recordLimbs(context, frame);
   recordEnds(context, frame);
   recordSpheres(context);
@@ -398,6 +448,7 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawSelectionBox(context);
   drawLegends(context);
   drawAxisMarker(context);
+  drawLens(context);
   ImGui::PopClipRect();
   drawStateLabels(context);
 }

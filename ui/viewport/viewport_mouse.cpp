@@ -54,6 +54,10 @@ ViewportGesture navigationGesture(NavigationStyle style, const ImGuiIO& io) {
 void navigate(ViewportState& viewport) {
   const Vec2 moved = viewport.mousePixels - viewport.lastPixels;
   const Viewport& size = viewport.view.viewport;
+  if (moved != Vec2(0.0) && viewport.gesture <= ViewportGesture::zoom &&
+      viewport.gesture != ViewportGesture::none) {
+    lookFreely(viewport.look, viewport.camera);
+  }
   switch (viewport.gesture) {
   case ViewportGesture::orbit:
     viewport.camera = orbited(viewport.camera, size, moved);
@@ -309,6 +313,7 @@ void turnWheel(ViewportContext& context, double steps) {
     return;
   }
   ViewportState& viewport = context.viewport;
+  lookFreely(viewport.look, viewport.camera);
   viewport.camera =
       zoomed(viewport.camera, viewport.view.viewport, std::pow(0.88, steps), viewport.mousePixels);
 }

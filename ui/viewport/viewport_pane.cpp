@@ -116,16 +116,33 @@ void drawScene(ViewportContext& context, ViewportGpu& gpu, const Rect& picture) 
   drawViewportLabels(context, pose);
 }
 
+/// Puts the file's camera to where it stands at the playhead; one that is gone is looked through no longer.
+void lookThrough(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
+  app::Session* const session = context.open.character();
+  const SceneCamera* const camera =
+      session != nullptr ? cameraNamed(*session->document().scene, viewport.look.name) : nullptr;
+  viewport.look.through =
+      camera != nullptr ? throughCamera(session->document(), *camera, session->shownAt(session->view().frame))
+                        : std::nullopt;
+  if (!viewport.look.through) {
+    viewport.look.name.clear();
+  }
+}
+
 void updateView(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   Viewport size;
   size.widthPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.width()));
   size.heightPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.height()));
   size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(context.theme.scale);
-  viewport.view = makeView(viewport.camera, size);
+  lookThrough(context);
+  viewport.view =
+      viewport.look.through ? viewThrough(*viewport.look.through, size) : makeView(viewport.camera, size);
   if (context.open.character() != nullptr) {
     context.open.character()->view().cameraAxes =
         Mat3(viewRight(viewport.view), viewUp(viewport.view), -viewport.view.forward);
+    context.open.character()->view().camera = placeOf(viewport.view);
   }
 }
 
@@ -284,6 +301,7 @@ void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything) {
     box = gpu.bounds->boxOf(*session.document().scene, session.shownAt(session.view().frame));
     box.add(everything ? selectionBox(session, context.viewport.shown) : Box{});
   }
+  lookFreely(context.viewport.look, context.viewport.camera);
   context.viewport.camera = fitted(context.viewport.camera, context.viewport.view.viewport, box, 0.1);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/render/view/camera.h"
+#include "ui/viewport/camera/look_through.h"
 #include "ui/viewport/limb_hover.h"
 #include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"
@@ -30,14 +31,13 @@ enum class ViewportGesture {
 /// Memory of the viewport between frames.
 struct ViewportState {
   Camera camera;
+  ViewportLook look;
   View view;                  ///< View in this frame; pixels are the framebuffer's.
   Rect box;                   ///< The picture's place, window units.
   double pixelsPerUnit = 1.0; ///< Framebuffer pixels per window unit.
   bool hovered = false;       ///< The mouse is over it and nothing lies above.
   bool framePending = false;  ///< Show the whole character in the next frame.
   bool frameSelectionPending = false;
-  double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
-                                 ///< start.
   ShownTrails shown;
   ShownTangents tangents;
   std::vector<ShownController> controllers; ///< Empty while they are not shown.

@@ -2,11 +2,10 @@
 #include <array>
 #include <iterator>
 
-#include "app/commands/pose/controller_modal.h"
+#include "app/commands/pose/held_controllers.h"
 #include "app/commands/pose/posing.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
-#include "app/commands/table/grab_modal.h"
 #include "app/commands/table/needs.h"
 #include "app/commands/table/nudges.h"
 #include "app/commands/table/selection.h"
@@ -142,7 +141,7 @@ bool hasMovable(const Session& session) {
 
 Status nudgeSelected(Session& session, const Chord& chord) {
   const ViewState& view = session.view();
-  ControllerModal modal;
+  PullModal modal;
   modal.viewAxes = view.cameraAxes;
   modal.arrowsWorld = nudgeOf(chord, view.cameraAxes, nudgeUnits(session.document()));
   std::vector<rig::PlacedController> placed;
@@ -154,7 +153,7 @@ Status nudgeSelected(Session& session, const Chord& chord) {
     }
   }
   OffsetPose pose;
-  pose.offsets = changedOffsets(modal, heldControllers(ControllerMotion::move, placed, offsets));
+  pose.offsets = changedOffsets(modal, heldControllers(PullMotion::move, placed, offsets));
   return poseAll(session, pose, poseLabel(session.document(), "Nudge", view.selection.controllers()));
 }
 

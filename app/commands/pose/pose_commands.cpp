@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
 #include "app/commands/pose/posing.h"
+#include "app/commands/pose/seen_posing.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/needs.h"
@@ -128,26 +131,56 @@ Status mirrorSelected(Session& session) {
   return poseAll(session, needed, poseLabel(document, "Mirror", view.selection.controllers()));
 }
 
-Status copyPose(Session& session) {
-  session.view().copiedPose = inLengths(session.document(), shownPose(session, posedIds(session)));
-  return Success{};
+Error noneOfCopied() {
+  return {"this character has none of the controllers that were copied", "",
+          "copy a pose of controllers that it has"};
+}
+
+std::vector<std::string> idsOf(const std::vector<ControllerOffset>& offsets) {
+  std::vector<std::string> ids;
+  std::ranges::transform(offsets, std::back_inserter(ids), &ControllerOffset::id);
+  return ids;
+}
+
+/// "; the left hand is held elsewhere", by a trail or a hold; empty where all came there.
+std::string missedText(const Document& document, const std::vector<std::string>& missed) {
+  if (missed.empty()) {
+    return {};
+  }
+  std::vector<std::string> titles;
+  std::ranges::transform(missed, std::back_inserter(titles),
+                         [&](const std::string& id) { return controllerTitle(document, id); });
+  return fmt::format("; the {} {} held elsewhere", listed(titles), missed.size() == 1 ? "is" : "are");
+}
+
+Status pasteSeen(Session& session, const SeenPose& pose, const char* verb) {
+  if (std::ranges::none_of(pose.controllers, [&](const SeenController& seen) {
+        return findController(session.document(), controllersOf(session.document()), seen.id).ok();
+      })) {
+    return noneOfCopied();
+  }
+  const Result<PosedAsSeen> posed = posedAsSeen(session, pose);
+  if (!posed) {
+    return posed.error();
+  }
+  if (posed->offsets.empty()) {
+    return Error{"the character stands so already", "", "move the playhead, or copy another pose"};
+  }
+  return poseAll(session, posed->offsets,
+                 poseLabel(session.document(), verb, idsOf(posed->offsets.offsets)) +
+                     missedText(session.document(), posed->missed));
 }
 
 /// By names; the attributes that are as they were on both sides get no key.
-Status pastePose(Session& session) {
+Status pasteOffsets(Session& session, const OffsetPose& copied) {
   const ViewState& view = session.view();
-  OffsetPose pose = inWorldUnits(session.document(), *view.copiedPose);
+  OffsetPose pose = inWorldUnits(session.document(), copied);
   if (pose.empty()) {
-    return Error{"this character has none of the controllers that were copied", "",
-                 "copy a pose of controllers that it has"};
+    return noneOfCopied();
   }
   std::erase_if(pose.values,
                 [&](const AttributeValue& value) { return shownValue(session, value.id) == value.value; });
-  std::vector<std::string> ids;
-  for (const ControllerOffset& offset : pose.offsets) {
-    ids.push_back(offset.id);
-  }
-  const std::string label = poseLabel(session.document(), "Paste the pose on", ids);
+  const std::string label = poseLabel(session.document(), "Paste the offsets on", idsOf(pose.offsets));
   std::erase_if(pose.offsets, [&](const ControllerOffset& offset) {
     return offset == ControllerOffset{offset.id, Vec3(0.0), Vec3(0.0)} &&
            adjustmentAt(session.document(), view.clip, view.frame, offset.id) == nullptr;
@@ -155,8 +188,50 @@ Status pastePose(Session& session) {
   return poseAll(session, pose, label);
 }
 
+Status pastePose(Session& session) {
+  const auto copied = *session.view().copiedPose;
+  const SeenPose* const seen = std::get_if<SeenPose>(&copied);
+  return seen != nullptr ? pasteSeen(session, *seen, "Paste the pose on")
+                         : pasteOffsets(session, std::get<OffsetPose>(copied));
+}
+
 bool canPastePose(const Session& session) {
   return session.view().copiedPose && clipNeeded().holds(session);
+}
+
+bool canPasteMirrored(const Session& session) {
+  return canPastePose(session) && std::holds_alternative<SeenPose>(*session.view().copiedPose);
+}
+
+bool canCopyPose(const Session& session) {
+  return clipNeeded().holds(session) && !controllersOf(session.document()).controllers.empty();
+}
+
+std::vector<DocumentCommand> copyingCommands() {
+  return {
+      entry(command::poseCopy, "Copy the pose",
+            "Copies how the selected controllers are seen at the playhead, whatever moves them; the whole "
+            "character where none is selected.",
+            {}, {canCopyPose, "open a character that has controllers"},
+            doing([](Session& session) { session.view().copiedPose = seenAtPlayhead(session); })),
+      entry(command::poseCopyOffsets, "Copy the offsets",
+            "Copies what the selected controllers are offset by at the playhead.", {},
+            {hasPosable, "select a controller first"}, doing([](Session& session) {
+              session.view().copiedPose =
+                  inLengths(session.document(), shownPose(session, posedIds(session)));
+            })),
+      entry(command::posePaste, "Paste the pose",
+            "Poses the character at the playhead as it was copied; another character in proportion to its "
+            "limbs. Copied offsets are set on the controllers of the same names.",
+            {}, {canPastePose, "copy a pose first"}, pastePose),
+      entry(command::posePasteMirrored, "Paste the pose mirrored",
+            "Poses the character at the playhead as it was copied, with left and right exchanged.",
+            {"Ctrl+Shift+V"}, {canPasteMirrored, "copy a pose first"},
+            [](Session& session) {
+              const SeenPose copied = std::get<SeenPose>(*session.view().copiedPose);
+              return pasteSeen(session, mirroredPose(session.document(), copied), "Paste mirrored on");
+            }),
+  };
 }
 
 /// Curl of hands, roll of feet.
@@ -298,13 +373,9 @@ std::vector<DocumentCommand> poseCommands() {
             "Poses the other side of the body as the selected controllers are; with both sides "
             "selected they change places.",
             {}, {hasPosable, "select a controller first"}, mirrorSelected));
-  commands.push_back(entry(command::poseCopy, "Copy the pose",
-                           "Copies what the selected controllers are offset by at the playhead.", {},
-                           {hasPosable, "select a controller first"}, copyPose));
-  commands.push_back(entry(command::posePaste, "Paste the pose",
-                           "Poses the controllers of the same names at the playhead; on another character in "
-                           "proportion to its limbs.",
-                           {}, {canPastePose, "copy a pose first"}, pastePose));
+  for (DocumentCommand& command : copyingCommands()) {
+    commands.push_back(std::move(command));
+  }
   commands.push_back(entry(
       command::poseTween, "Tween half-way",
       "Poses the selected controllers half-way between the key before the playhead and the key after it.",

@@ -11,9 +11,13 @@ inline constexpr const char* fileSave = "file.save";
 inline constexpr const char* fileSaveAs = "file.save-as";
 inline constexpr const char* fileSaveIncremental = "file.save-incremental";
 inline constexpr const char* fileExportClean = "file.export-clean";
+inline constexpr const char* fileFilm = "file.film";
 inline constexpr const char* fileQuit = "file.quit";
 inline constexpr const char* recipeSave = "recipe.save";
 inline constexpr const char* recipeLoad = "recipe.load";
+inline constexpr const char* styleTake = "style.take";
+inline constexpr const char* styleImport = "style.import";
+inline constexpr const char* styleExport = "style.export";
 
 inline constexpr const char* undo = "edit.undo";
 inline constexpr const char* redo = "edit.redo";
@@ -52,6 +56,7 @@ inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";
 inline constexpr const char* trailToggle = "trail.toggle";
 inline constexpr const char* trailExaggerate = "trail.exaggerate";
+inline constexpr const char* clipExaggerate = "clip.exaggerate";
 inline constexpr const char* trailConnect = "trail.connect";
 inline constexpr const char* trailFollow = "trail.follow";
 inline constexpr const char* trailApply = "trail.apply";
@@ -105,6 +110,17 @@ inline constexpr const char* viewFront = "view.front";
 inline constexpr const char* viewSide = "view.side";
 inline constexpr const char* viewTop = "view.top";
 inline constexpr const char* viewPerspective = "view.perspective";
+inline constexpr const char* viewCamera = "view.camera";
+inline constexpr const char* viewBest = "view.best";
+inline constexpr const char* viewSafeFrame = "view.safe-frame";
+/// Commands of the keys Ctrl+1 to Ctrl+9: the view is kept under that number.
+inline constexpr std::array<const char*, 9> keepView{"view.keep-1", "view.keep-2", "view.keep-3",
+                                                     "view.keep-4", "view.keep-5", "view.keep-6",
+                                                     "view.keep-7", "view.keep-8", "view.keep-9"};
+/// Commands of the keys 1 to 9 of the numpad: to that view.
+inline constexpr std::array<const char*, 9> keptView{"view.kept-1", "view.kept-2", "view.kept-3",
+                                                     "view.kept-4", "view.kept-5", "view.kept-6",
+                                                     "view.kept-7", "view.kept-8", "view.kept-9"};
 
 inline constexpr const char* sequenceCompress = "sequence.compress";
 inline constexpr const char* sequenceCancel = "sequence.cancel";
@@ -174,6 +190,8 @@ inline constexpr const char* poseResetRigRange = "pose.reset-rig-range";
 inline constexpr const char* poseMirror = "pose.mirror";
 inline constexpr const char* poseCopy = "pose.copy";
 inline constexpr const char* posePaste = "pose.paste";
+inline constexpr const char* posePasteMirrored = "pose.paste-mirrored";
+inline constexpr const char* poseCopyOffsets = "pose.copy-offsets";
 inline constexpr const char* poseTween = "pose.tween";
 inline constexpr const char* poseCurlMore = "pose.curl-more";
 inline constexpr const char* poseCurlLess = "pose.curl-less";

@@ -53,12 +53,6 @@ std::optional<ModalOutcome> endBy(const Chord& chord) {
                                     : std::nullopt;
 }
 
-Vec3 axisVector(int axis) {
-  Vec3 vector(0.0);
-  vector[static_cast<std::size_t>(axis)] = 1.0;
-  return vector;
-}
-
 Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits) {
   const double step = stepUnits * (chord.shift ? 10.0 : chord.ctrl ? 0.1 : 1.0);
   switch (chord.key) {

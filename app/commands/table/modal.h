@@ -42,8 +42,6 @@ inline constexpr std::array<char, 3> axisNames{'X', 'Y', 'Z'};
 
 /// 0 for x, 1 for y, 2 for z; nothing for another letter.
 [[nodiscard]] std::optional<int> axisOf(char letter);
-/// Unit vector along axis 0, 1 or 2.
-[[nodiscard]] Vec3 axisVector(int axis);
 
 /// Direction and length of an arrow's or page key's nudge: right, up, towards the viewer, times the step
 /// (Shift ten times, Ctrl a tenth); zero for other keys. `viewAxes`: world columns: right, up, towards the

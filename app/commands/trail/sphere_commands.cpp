@@ -6,7 +6,7 @@
 
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
-#include "app/commands/table/grab_modal.h"
+#include "app/commands/table/modal.h"
 #include "app/commands/table/needs.h"
 #include "app/commands/table/nudges.h"
 #include "app/commands/table/selection.h"

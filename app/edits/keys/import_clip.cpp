@@ -14,6 +14,7 @@
 #include "core/base/number.h"
 #include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/patch/new_clips.h"
+#include "core/interchange/file_kind.h"
 #include "rig/retarget/copy_tracks.h"
 #include "rig/retarget/retarget.h"
 
@@ -25,6 +26,7 @@ namespace {
 struct Donor {
   Document document;
   std::optional<rig::Skeleton> skeleton; // a biped's
+  std::vector<std::string> warnings;     // of a file of another program: what was left out of it
 };
 
 bool movesJoints(const Clip& clip) {
@@ -50,6 +52,9 @@ Result<Donor> readDonor(const std::filesystem::path& file) {
   donor.document.body = rig::detectBody(*donor.document.scene);
   if (donor.document.clips->empty()) {
     return Error{"the file holds no clip", file.string(), "give a file with an animation"};
+  }
+  if (interchange::isForeignName(file.extension().string())) {
+    donor.warnings = std::move(loaded.value().warnings);
   }
   donor.skeleton = rig::skeletonOf(*donor.document.scene, donor.document.body);
   return donor;
@@ -229,7 +234,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
                  "name the clip that is wanted"};
   }
   const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.body);
-  NewClips brought;
+  NewClips brought{{}, donor->warnings};
   std::optional<Error> first;
   double done = 0.0;
   bool isStopped = false;

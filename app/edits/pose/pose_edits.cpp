@@ -55,10 +55,6 @@ std::string jointOpposite(const Document& document, const rig::Controller& joint
   return best;
 }
 
-Vec3 reflectedMove(const Vec3& move, const Vec3& normal) {
-  return move - 2.0 * glm::dot(move, normal) * normal;
-}
-
 /// Length of the controller; nothing where the character lacks it.
 std::optional<rig::Controller> knownController(const Document& document, const rig::ControllerList& list,
                                                const std::string& id) {
@@ -134,8 +130,7 @@ Result<OffsetPose> mirroredPose(const Document& document, int clip, double frame
       return Error{"has no other side", offset.id, "take it out of the selection"};
     }
     const Vec3& normal = offset.id == "body" || offset.id == "hips" ? inClip : inBind;
-    mirrored.offsets.push_back(
-        {other, reflectedMove(offset.move, normal), -reflectedMove(offset.turn, normal)});
+    mirrored.offsets.push_back({other, reflected(offset.move, normal), -reflected(offset.turn, normal)});
   }
   for (const AttributeValue& value : pose.values) {
     if (const std::string other = otherSideOf(document, value.id); !other.empty()) {

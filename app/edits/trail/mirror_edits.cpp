@@ -12,10 +12,6 @@ namespace stretch::app {
 
 namespace {
 
-Vec3 reflected(const Vec3& vector, const Vec3& normal) {
-  return vector - 2.0 * glm::dot(vector, normal) * normal;
-}
-
 /// Rest positions of the bases of the first pair of limbs that was found, left then right.
 std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const std::vector<Mat4>& worlds) {
   const std::vector<rig::Limb>& limbs = document.body.limbs;
@@ -47,6 +43,10 @@ Vec3 sagittalPoint(const Document& document, int clip, double frame) {
 }
 
 } // namespace
+
+Vec3 reflected(const Vec3& vector, const Vec3& normal) {
+  return vector - 2.0 * glm::dot(vector, normal) * normal;
+}
 
 Result<std::string> otherSide(const Document& document, const std::string& limbId) {
   const rig::Limb* limb = findLimb(document, limbId);

@@ -16,6 +16,9 @@ namespace stretch::app {
 /// (+Y is up). (1, 0, 0) when the character has no pair.
 [[nodiscard]] Vec3 sagittalNormal(const Document& document, int clip, double frame);
 
+/// A vector in a mirror at right angles to this unit normal.
+[[nodiscard]] Vec3 reflected(const Vec3& vector, const Vec3& unitNormal);
+
 struct SagittalPlane {
   Vec3 point{0.0};
   Vec3 normal{1.0, 0.0, 0.0}; ///< Unit length, level with the ground, to the character's left.

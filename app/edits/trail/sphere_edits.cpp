@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/trail_edits.h"
 #include "core/anim/frames.h"
 
@@ -42,21 +43,22 @@ void addOffset(Spheres& spheres, double frame, const Vec3& delta) {
   spheres.insert(after, {frame, delta, std::nullopt});
 }
 
+/// Spheres change neither range nor stop, so nothing else of the trail's settings moves with them.
 Result<Document> changeSpheres(const Document& document, int trailId, Spheres spheres) {
-  const rig::Trail* trail = findTrail(document, trailId);
+  Document changed = document;
+  rig::Trail* const trail = findTrail(changed, trailId);
   if (trail == nullptr) {
     return missingTrail(trailId);
   }
   dropUnmoved(spheres);
-  rig::TrailSettings settings = trail->settings;
-  settings.spheres = std::move(spheres);
-  Result<Document> changed = setTrailSettings(document, trailId, settings);
-  if (changed) {
-    rig::Trail& edited = *findTrail(*changed, trailId);
-    edited.exaggerated = true;
-    edited.connected = edited.follow;
-    edited.applied = edited.applied && edited.connected;
+  const bool isSame = trail->settings.spheres == spheres;
+  trail->settings.spheres = std::move(spheres);
+  if (const Status valid = checkTrailSettings(changed, *trail); !valid) {
+    return valid.error();
   }
+  trail->exaggerated = true;
+  trail->connected = trail->follow;
+  trail->applied = trail->applied && isSame && trail->connected;
   return changed;
 }
 

@@ -1,31 +1,23 @@
 #pragma once
 
-#include <array>
+#include <string>
 #include <vector>
 
 #include "app/document.h"
+#include "rig/styles/style.h"
 
 namespace stretch::app {
 
-/// How far a cartoon stretches its limbs, as lengths over the rest (docs/exaggeration.md, How far
-/// cartoons go).
-struct Style {
-  const char* name;
-  double arm;
-  double torso; ///< Value for spine and neck.
-  double leg;
-};
-
-[[nodiscard]] const std::array<Style, 6>& styles();
-
-/// The scale that a style gives to a limb; a chain of the user's is taken for an arm.
-[[nodiscard]] double scaleOf(const Style& style, rig::LimbKind kind);
-
-/// Gives each of the trails the scale of its limb.
+/// Gives each of the trails what the style says of its limb (docs/styles.md); range, space and spheres stay.
 [[nodiscard]] Result<Document> applyStyle(const Document& document, const std::vector<int>& trailIds,
-                                          const Style& style);
+                                          const rig::Style& style);
 
-/// Whether all of the trails have the scales of the style.
-[[nodiscard]] bool hasStyle(const Document& document, const std::vector<int>& trailIds, const Style& style);
+/// Whether all of the trails are as the style has them.
+[[nodiscard]] bool hasStyle(const Document& document, const std::vector<int>& trailIds,
+                            const rig::Style& style);
+
+/// The style that the exaggerated trails of a clip show, with the weight of the limb that has most of it. An
+/// empty name becomes that of the clip. An error where the clip has none.
+[[nodiscard]] Result<rig::Style> styleOfClip(const Document& document, int clip, const std::string& name);
 
 } // namespace stretch::app

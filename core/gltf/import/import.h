@@ -12,7 +12,7 @@ namespace stretch::gltf {
 // The parts of the import. Each needs a source whose structure, graph, buffers and accessors were validated
 // without errors, and reports what it finds to `problems`; after an error its answer is not to be used.
 
-/// Nodes, roots, skins, meshes, materials, images and the humanoid table.
+/// Nodes, roots, skins, meshes, materials, images, cameras and the humanoid table.
 [[nodiscard]] Scene importScene(const Source& source, Problems& problems);
 
 /// One clip for each animation of the file, in its order; channels that drive nothing we know are left out.
@@ -42,6 +42,9 @@ private:
 /// The bytes of an entry of "images" as they lie in the file; nothing when they cannot be read.
 [[nodiscard]] std::optional<Bytes> encodedImage(const Source& source, const Json& image);
 [[nodiscard]] std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems);
+
+/// The nodes that carry a camera; one that says nothing usable is left out with a warning.
+[[nodiscard]] std::vector<SceneCamera> importCameras(const Source& source, Problems& problems);
 
 /// Whether a primitive of "meshes" becomes one of Mesh::primitives: it has positions, and triangles.
 [[nodiscard]] bool holdsTriangles(const Json& primitive);

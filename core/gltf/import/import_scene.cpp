@@ -51,6 +51,7 @@ Node importNode(const Json& json) {
   }
   const Json* mark = findPath(json, {"extras", "stretch_engine"});
   node.isBindLeaf = mark != nullptr && flagOr(*mark, "bind", false);
+  node.isBindCorner = node.isBindLeaf && flagOr(*mark, "corner", false);
   for (const double weight : numbersOf(json, "weights")) {
     node.morphWeights.push_back(static_cast<float>(weight));
   }
@@ -136,6 +137,7 @@ std::vector<Skin> importSkins(const Source& source, Problems& problems) {
     Skin& skin = skins[i];
     skin.name = textOr(json, "name");
     skin.joints = nodesOf(json, "joints");
+    skin.fileJoints = skin.joints.size();
     const int accessor = indexOr(json, "inverseBindMatrices");
     skin.inverseBind = accessor < 0 ? std::vector<Mat4>(skin.joints.size(), Mat4(1.0))
                                     : readInverseBind(source, accessor, skin.joints.size(),
@@ -157,6 +159,7 @@ Scene importScene(const Source& source, Problems& problems) {
   scene.materials = importMaterials(source, problems);
   scene.images = importImages(source, scene.materials, problems);
   scene.humanoid = importHumanoid(source, problems);
+  scene.cameras = importCameras(source, problems);
   if (!problems.hasErrors()) {
     foldBindLeaves(scene);
   }

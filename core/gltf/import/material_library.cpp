@@ -4,12 +4,12 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "core/gltf/import/import.h"
-#include "core/gltf/import/webp_image.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/problems.h"
@@ -46,14 +46,6 @@ void collectExtensions(const Json& json, std::set<std::string>& names) {
       collectExtensions(value, names);
     }
   }
-}
-
-std::string mediaTypeOf(const Bytes& bytes) {
-  if (webpPixels(bytes) > 0) {
-    return "image/webp";
-  }
-  const bool isJpeg = bytes.size() > 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
-  return isJpeg ? "image/jpeg" : "image/png";
 }
 
 std::size_t appendView(Source& materials, const Bytes& bytes) {
@@ -156,7 +148,7 @@ private:
       return std::nullopt;
     }
     if (!image.contains("mimeType")) {
-      image["mimeType"] = mediaTypeOf(*bytes);
+      image["mimeType"] = mediaTypeOf(*bytes).value_or("image/png");
     }
     image.erase("uri");
     image["bufferView"] = appendView(made_, *bytes);
@@ -202,43 +194,16 @@ Source materialsOf(const Source& source, std::vector<std::string>& warnings) {
   return LibraryMaker(source, warnings).make();
 }
 
-std::size_t addTexture(Source& materials, const Bytes& image, const std::string& name) {
-  if (materials.buffers.empty()) {
-    Source empty = emptyLibrary();
-    materials.buffers = std::move(empty.buffers);
-    materials.json = std::move(empty.json);
-    materials.hasBinaryChunk = true;
+std::optional<std::string> mediaTypeOf(std::span<const std::uint8_t> image) {
+  const std::string_view start(reinterpret_cast<const char*>(image.data()),
+                               std::min<std::size_t>(image.size(), 12));
+  if (start.starts_with("RIFF") && start.substr(8) == "WEBP") {
+    return "image/webp";
   }
-  const std::size_t view = appendView(materials, image);
-  Json& json = *materials.json;
-  const std::string mediaType = mediaTypeOf(image);
-  json["images"].push_back({{"name", name}, {"mimeType", mediaType}, {"bufferView", view}});
-  Json texture{{"source", json["images"].size() - 1}};
-  if (mediaType == "image/webp") {
-    texture = Json{{"extensions", {{"EXT_texture_webp", texture}}}};
-    json["extensionsUsed"] = {"EXT_texture_webp"};
+  if (start.starts_with("\xFF\xD8\xFF")) {
+    return "image/jpeg";
   }
-  json["textures"].push_back(std::move(texture));
-  return json["textures"].size() - 1;
-}
-
-void putMaterials(const Source& materials, Json& json,
-                  const std::function<std::size_t(std::span<const std::uint8_t>)>& addView) {
-  for (const char* const list :
-       {"materials", "textures", "samplers", "images", "extensionsUsed", "extensionsRequired"}) {
-    if (const Json* found = find(materials.json, list)) {
-      json[list] = *found;
-    }
-  }
-  for (std::size_t i = 0; i < sizeOf(json, "images"); ++i) {
-    const Json& view =
-        element(materials.json, "bufferViews", wholeOr(element(json, "images", i), "bufferView", 0));
-    const std::span<const std::uint8_t> bytes(materials.buffers.front());
-    // Adding a view may move everything that is in the document.
-    const std::size_t added =
-        addView(bytes.subspan(wholeOr(view, "byteOffset", 0), wholeOr(view, "byteLength", 0)));
-    json["images"][i]["bufferView"] = added;
-  }
+  return start.starts_with("\x89PNG") ? std::optional<std::string>("image/png") : std::nullopt;
 }
 
 ShownMaterials shownMaterials(const Source& materials) {

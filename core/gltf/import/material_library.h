@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/file.h"
 #include "core/gltf/source/source.h"
 #include "core/scene/scene.h"
 
@@ -17,14 +16,8 @@ namespace stretch::gltf {
 /// be read is left out, with a line in `warnings`.
 [[nodiscard]] Source materialsOf(const Source& source, std::vector<std::string>& warnings);
 
-/// Adds an encoded image (PNG, JPEG, WebP) and a texture that shows it, repeated; answers the texture's
-/// index.
-std::size_t addTexture(Source& materials, const Bytes& image, const std::string& name);
-
-/// Writes materials into a file that has none yet. `addView` stores the bytes of an image and answers the
-/// index of its buffer view.
-void putMaterials(const Source& materials, Json& json,
-                  const std::function<std::size_t(std::span<const std::uint8_t>)>& addView);
+/// Media type of an encoded image by how it begins: PNG, JPEG or WebP; nothing for any other.
+[[nodiscard]] std::optional<std::string> mediaTypeOf(std::span<const std::uint8_t> image);
 
 /// A material as the viewport draws it, with the sets of texture coordinates that its textures use.
 struct ShownMaterial {

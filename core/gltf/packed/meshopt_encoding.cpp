@@ -112,7 +112,8 @@ private:
   void place(std::size_t index, const std::optional<Elements>& elements) {
     pad();
     Json& view = (*result_.json)["bufferViews"][index];
-    const std::span<const std::uint8_t> raw(source_.buffers[0].data() + view["byteOffset"].get<std::size_t>(),
+    const std::span<const std::uint8_t> raw(source_.buffers[0].data() +
+                                                view.value("byteOffset", std::size_t{0}),
                                             view["byteLength"].get<std::size_t>());
     Bytes& bytes = result_.buffers[0];
     const std::size_t offset = bytes.size();

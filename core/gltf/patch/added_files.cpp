@@ -110,7 +110,7 @@ void addExtensions(const Json& thing, const char* list, Journal& journal) {
   for (std::size_t i = 0; i < sizeOf(thing, list); ++i) {
     const Json& name = element(thing, list, i);
     if (name.is_string() && !listsText(journal.json(), list, name.get_ref<const std::string&>())) {
-      journal.append(Pointer("/" + std::string(list)), name);
+      journal.append(Pointer() / std::string(list), name);
     }
   }
 }
@@ -137,7 +137,7 @@ void addFile(const AddedFile& file, std::size_t buffer, std::size_t start, Journ
         entry["buffer"] = buffer;
         entry["byteOffset"] = start + wholeOr(entry, "byteOffset", 0);
       }
-      journal.append(Pointer("/" + std::string(list)), std::move(entry));
+      journal.append(Pointer() / std::string(list), std::move(entry));
     }
   }
   const Json* const listed = find(element(thing, "scenes", 0), "nodes");

@@ -17,7 +17,8 @@ struct AddedNode {
   Transform rest;
   NodeIndex meshFrom; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
                       ///< None: no mesh.
-  bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
+  bool isBindLeaf = true;    ///< Marked in extras, so that readers of ours know it.
+  bool isBindCorner = false; ///< Marked so beside it.
 };
 
 /// A node of the source that stands elsewhere at rest, or is turned otherwise; its scale stays.
@@ -34,6 +35,13 @@ struct SkinSlot {
   Mat4 inverseBind; ///< Its inverse bind matrix.
 };
 
+/// A joint that a skin of the source gets behind those that it has.
+struct AddedSlot {
+  int skin = -1;
+  NodeIndex node; ///< Node of the source, or an added one.
+  Mat4 inverseBind{1.0};
+};
+
 /// A skin that saving appends. Its index is the number of skins of the source plus its position in
 /// Edits::addedSkins.
 struct AddedSkin {
@@ -43,13 +51,15 @@ struct AddedSkin {
 };
 
 /// A node whose mesh is bound to a skin. The attributes JOINTS_0 and WEIGHTS_0 of its primitives point to new
-/// accessors, sets beyond the first go. A mesh that nodes show which are not bound, or bound in another way,
-/// is left to them: the node gets a copy, which shares every other accessor.
+/// accessors, those of the second set where a vertex needs it; other sets go. A mesh that nodes show which
+/// are not bound, or bound in another way, is left to them: the node gets a copy, which shares every other
+/// accessor.
 struct BoundMesh {
-  NodeIndex node; ///< Node of the source; holds a mesh.
+  NodeIndex node; ///< Node of the source that holds a mesh, or an added one that takes it over.
   int skin = -1;  ///< Skin of the source or added.
-  /// For each primitive of Mesh::primitives (core/scene/scene.h) an entry per vertex; the first four slots
-  /// count. Points and lines, which are not among those, follow the skin's first joint.
+  /// For each primitive of Mesh::primitives (core/scene/scene.h) an entry per vertex, the slots with weight
+  /// first. Points and lines, which are not among those, stay as they are on the skin that moves them
+  /// already, and follow the first joint of another.
   std::vector<std::vector<VertexInfluences>> influences;
 };
 
@@ -70,6 +80,7 @@ struct Edits {
   std::vector<AddedNode> addedNodes;
   std::vector<MovedNode> movedNodes;
   std::vector<SkinSlot> skinSlots;
+  std::vector<AddedSlot> addedSlots; ///< In the order in which a skin's list goes on.
   std::vector<AddedSkin> addedSkins;
   std::vector<BoundMesh> boundMeshes;
   std::vector<ClipTracks> clips;
@@ -78,7 +89,7 @@ struct Edits {
 
   [[nodiscard]] bool empty() const {
     return addedFiles.empty() && addedNodes.empty() && movedNodes.empty() && skinSlots.empty() &&
-           addedSkins.empty() && boundMeshes.empty() && clips.empty() && work.isNull();
+           addedSlots.empty() && addedSkins.empty() && boundMeshes.empty() && clips.empty() && work.isNull();
   }
 };
 

@@ -63,10 +63,10 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   AppendedData data(journal, buffer, start + bytes.size());
   patchNodes(edits.addedNodes, journal);
   moveNodes(edits.movedNodes, journal);
-  if (!edits.skinSlots.empty()) {
+  if (!edits.skinSlots.empty() || !edits.addedSlots.empty()) {
     Problems known; // of a file that was read
     const std::optional<PlainSource> plain = withPlainViews(base, known);
-    patchSkins(plain ? plain->source : base, edits.skinSlots, journal, data);
+    patchSkins(plain ? plain->source : base, edits, journal, data);
   }
   patchBinding(edits, journal, data);
   patchClips(edits.clips, journal, data);

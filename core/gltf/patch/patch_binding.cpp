@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -16,6 +17,7 @@ namespace {
 using Pointer = Json::json_pointer;
 
 constexpr std::size_t slotsOfSet = 4; // joints that JOINTS_0 and WEIGHTS_0 name for a vertex
+constexpr std::array setNames{std::pair("JOINTS_0", "WEIGHTS_0"), std::pair("JOINTS_1", "WEIGHTS_1")};
 
 void appendSkin(const AddedSkin& skin, Journal& journal, AppendedData& data) {
   std::vector<float> numbers(skin.joints.size() * matrixSize);
@@ -66,6 +68,7 @@ public:
   void bind(const BoundMesh& bound) {
     const Pointer node = Pointer("/nodes") / at(bound.node);
     const auto mesh = static_cast<std::size_t>(indexOr(journal_.json().at(node), "mesh"));
+    const bool staysOnSkin = indexOr(journal_.json().at(node), "skin") == bound.skin;
     const std::size_t own = ownMesh(mesh);
     if (own != mesh) {
       journal_.set(node / "mesh", own);
@@ -82,7 +85,7 @@ public:
       const Pointer place = Pointer("/meshes") / own / "primitives" / i;
       if (holdsTriangles(primitives[i])) {
         point(place, accessor, bound.influences[shown++]);
-      } else {
+      } else if (!staysOnSkin) {
         VertexInfluences first;
         first.weights[0] = 1.0F;
         point(place, accessor, std::vector<VertexInfluences>(vertices, first));
@@ -92,7 +95,7 @@ public:
   }
 
 private:
-  struct Written {
+  struct WrittenSet {
     std::size_t joints = 0;
     std::size_t weights = 0;
     std::vector<std::uint16_t> jointNumbers;
@@ -114,17 +117,18 @@ private:
   }
 
   // Primitives that share their vertices share what those follow, too.
-  const Written& written(std::size_t positions, const std::vector<VertexInfluences>& influences) {
-    Written made;
+  const WrittenSet& written(std::size_t positions, std::size_t set,
+                            const std::vector<VertexInfluences>& influences) {
+    WrittenSet made;
     for (const VertexInfluences& vertex : influences) {
-      for (std::size_t i = 0; i < slotsOfSet; ++i) {
+      for (std::size_t i = set * slotsOfSet; i < (set + 1) * slotsOfSet; ++i) {
         const bool isUsed = vertex.weights[i] > 0.0F; // glTF wants unused slots to name joint 0
         made.jointNumbers.push_back(isUsed ? vertex.joints[i] : std::uint16_t{0});
         made.weightNumbers.push_back(isUsed ? vertex.weights[i] : 0.0F);
       }
     }
-    std::vector<Written>& known = written_[positions];
-    for (const Written& other : known) {
+    std::vector<WrittenSet>& known = written_[positions];
+    for (const WrittenSet& other : known) {
       if (other.jointNumbers == made.jointNumbers && other.weightNumbers == made.weightNumbers) {
         return other;
       }
@@ -142,9 +146,13 @@ private:
     if (influences.empty()) {
       return;
     }
-    const Written& accessors = written(positions, influences);
-    journal_.set(primitive / "attributes" / "JOINTS_0", accessors.joints);
-    journal_.set(primitive / "attributes" / "WEIGHTS_0", accessors.weights);
+    const bool needsSecond = std::ranges::any_of(
+        influences, [](const VertexInfluences& vertex) { return vertex.weights[slotsOfSet] > 0.0F; });
+    for (std::size_t set = 0; set < (needsSecond ? setNames.size() : 1); ++set) {
+      const WrittenSet& accessors = written(positions, set, influences);
+      journal_.set(primitive / "attributes" / setNames[set].first, accessors.joints);
+      journal_.set(primitive / "attributes" / setNames[set].second, accessors.weights);
+    }
   }
 
   Journal& journal_;
@@ -152,7 +160,7 @@ private:
   const Json source_; // before any mesh was bound
   std::set<NodeIndex> boundNodes_;
   std::set<std::size_t> taken_;
-  std::map<std::size_t, std::vector<Written>> written_; // by accessor of the positions
+  std::map<std::size_t, std::vector<WrittenSet>> written_; // by accessor of the positions
 };
 
 } // namespace

@@ -27,6 +27,9 @@ Json nodeJson(const AddedNode& node) {
   }
   if (node.isBindLeaf) {
     json["extras"] = {{"stretch_engine", {{"bind", true}}}};
+    if (node.isBindCorner) {
+      json["extras"]["stretch_engine"]["corner"] = true;
+    }
   }
   return json;
 }

@@ -21,10 +21,9 @@ inline constexpr std::size_t matrixSize = 16; ///< Numbers of a matrix in an acc
 /// Writes a matrix column by column; its last row is that of an affine one.
 void store(const Mat4& matrix, float* numbers);
 
-/// Points slots of skins to other joints; each skin gets an accessor of inverse bind matrices of its own. The
-/// buffer views of the source have to be plain.
-void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
-                AppendedData& data);
+/// Appends joints to skins, and points slots of skins to other joints; each skin gets an accessor of inverse
+/// bind matrices of its own. The buffer views of the source have to be plain.
+void patchSkins(const Source& source, const Edits& edits, Journal& journal, AppendedData& data);
 
 /// Appends the skins and binds meshes to them, or to skins of the source.
 void patchBinding(const Edits& edits, Journal& journal, AppendedData& data);

@@ -48,18 +48,28 @@ void store(const Mat4& matrix, float* numbers) {
   }
 }
 
-void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
-                AppendedData& data) {
+void patchSkins(const Source& source, const Edits& edits, Journal& journal, AppendedData& data) {
   std::map<int, std::vector<float>> matrices;
+  const auto numbersOf = [&](int skin) {
+    const auto [numbers, isNew] = matrices.try_emplace(skin);
+    if (isNew) {
+      numbers->second =
+          inverseBindNumbers(source, element(source.json, "skins", static_cast<std::size_t>(skin)));
+    }
+    return numbers;
+  };
+  for (const AddedSlot& slot : edits.addedSlots) {
+    std::vector<float>& numbers = numbersOf(slot.skin)->second;
+    numbers.resize(numbers.size() + matrixSize);
+    store(slot.inverseBind, numbers.data() + numbers.size() - matrixSize);
+    journal.append(Pointer("/skins") / static_cast<std::size_t>(slot.skin) / "joints", slot.node.value);
+  }
   std::set<std::pair<int, int>> kept; // skins and joints
-  for (const SkinSlot& slot : slots) {
+  for (const SkinSlot& slot : edits.skinSlots) {
     const auto skin = static_cast<std::size_t>(slot.skin);
     const auto place = static_cast<std::size_t>(slot.slot);
     const Json& ofSource = element(source.json, "skins", skin);
-    const auto [numbers, isNew] = matrices.try_emplace(slot.skin);
-    if (isNew) {
-      numbers->second = inverseBindNumbers(source, ofSource);
-    }
+    const auto numbers = numbersOf(slot.skin);
     const int joint = ofSource["joints"][place].get<int>();
     const bool losesSlot = slot.node != NodeIndex(joint); // a leaf that is used again keeps its own
     if (losesSlot && kept.insert({slot.skin, joint}).second) {

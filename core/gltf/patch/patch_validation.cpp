@@ -56,6 +56,12 @@ Status validateSlots(const Json& json, const Edits& edits) {
       return unfit(fmt::format("slot {} of skin {}", slot.slot, slot.skin));
     }
   }
+  for (const AddedSlot& slot : edits.addedSlots) {
+    if (!isIndex(slot.skin, sizeOf(json, "skins")) || !isIndex(slot.node.value, nodes) ||
+        !isFinite(slot.inverseBind)) {
+      return unfit(fmt::format("a joint that skin {} gets", slot.skin));
+    }
+  }
   return Success{};
 }
 
@@ -85,8 +91,11 @@ Status validateSkins(const Json& json, const Edits& edits) {
 std::size_t jointCount(const Json& json, const Edits& edits, int skin) {
   const auto index = static_cast<std::size_t>(skin);
   const std::size_t ofSource = sizeOf(json, "skins");
-  return index < ofSource ? sizeOf(element(json, "skins", index), "joints")
-                          : edits.addedSkins[index - ofSource].joints.size();
+  if (index >= ofSource) {
+    return edits.addedSkins[index - ofSource].joints.size();
+  }
+  return sizeOf(element(json, "skins", index), "joints") +
+         static_cast<std::size_t>(std::ranges::count(edits.addedSlots, skin, &AddedSlot::skin));
 }
 
 bool nameJoints(const std::vector<VertexInfluences>& vertices, std::size_t joints) {
@@ -116,8 +125,11 @@ bool fitsMesh(const Json& json, const Json& mesh, std::size_t joints, const Boun
 Status validateBound(const Json& json, const Edits& edits) {
   const std::size_t skins = sizeOf(json, "skins") + edits.addedSkins.size();
   for (const BoundMesh& bound : edits.boundMeshes) {
-    const bool isThere = isIndex(bound.node.value, sizeOf(json, "nodes")) && isIndex(bound.skin, skins);
-    const int mesh = isThere ? indexOr(element(json, "nodes", at(bound.node)), "mesh") : -1;
+    const std::size_t nodes = sizeOf(json, "nodes");
+    const bool isAdded = isIndex(bound.node.value - static_cast<int>(nodes), edits.addedNodes.size());
+    const NodeIndex holder = isAdded ? edits.addedNodes[at(bound.node) - nodes].meshFrom : bound.node;
+    const bool isThere = isIndex(holder.value, nodes) && isIndex(bound.skin, skins);
+    const int mesh = isThere ? indexOr(element(json, "nodes", at(holder)), "mesh") : -1;
     if (!isIndex(mesh, sizeOf(json, "meshes")) ||
         !fitsMesh(json, element(json, "meshes", static_cast<std::size_t>(mesh)),
                   jointCount(json, edits, bound.skin), bound)) {

@@ -7,6 +7,7 @@
 #include "core/gltf/source/json_text.h"
 #include "core/gltf/source/plain_source.h"
 #include "core/gltf/source/uri.h"
+#include "core/interchange/foreign_file.h"
 
 namespace stretch::gltf {
 
@@ -64,6 +65,34 @@ std::optional<Source> fromText(const Bytes& bytes, Problems& problems) {
   Source source;
   source.json = *std::move(json);
   return source;
+}
+
+// A file of another program is made into glTF first (core/interchange).
+std::optional<Source> fromForeign(const std::filesystem::path& path, interchange::Format format,
+                                  std::size_t bytes, Problems& problems) {
+  Result<interchange::Converted> made = interchange::convertedInProcess(path, format, bytes);
+  if (!made) {
+    problems.error(made.error().where, made.error().what, made.error().remedy);
+    return std::nullopt;
+  }
+  for (std::string& warning : made->warnings) {
+    problems.warning(interchange::nameOf(format), std::move(warning));
+  }
+  return fromGlb(made->glb, problems);
+}
+
+std::optional<Source> fromBytes(const std::filesystem::path& path, const Bytes& bytes, Problems& problems) {
+  if (isGlb(bytes)) {
+    return fromGlb(bytes, problems);
+  }
+  if (const std::optional<interchange::Format> format = interchange::formatOf(bytes)) {
+    return fromForeign(path, *format, bytes.size(), problems);
+  }
+  if (const std::optional<Error> other = interchange::otherKind(bytes)) {
+    problems.error(other->where, other->what, other->remedy);
+    return std::nullopt;
+  }
+  return fromText(bytes, problems);
 }
 
 Bytes fromDataUri(const std::string& uri, const std::string& where, Problems& problems) {
@@ -130,7 +159,7 @@ std::optional<Source> readSource(const std::filesystem::path& path, Problems& pr
     problems.error(bytes.error().where, bytes.error().what, bytes.error().remedy);
     return std::nullopt;
   }
-  std::optional<Source> source = isGlb(*bytes) ? fromGlb(*bytes, problems) : fromText(*bytes, problems);
+  std::optional<Source> source = fromBytes(path, *bytes, problems);
   if (source) {
     source->path = path;
   }

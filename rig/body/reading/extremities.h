@@ -57,7 +57,7 @@ struct Extremities {
 [[nodiscard]] Extremities takeApart(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                                     const MirrorPlane& plane, const Vec3& up);
 
-/// What the name says: of its words, also of those that are written without gaps ("frontleg", "LEFTWING").
+/// The name's own word: of its words, also of those that are written without gaps ("frontleg", "LEFTWING").
 [[nodiscard]] std::set<PartWord> partWords(std::string_view name);
 
 } // namespace stretch::rig::body

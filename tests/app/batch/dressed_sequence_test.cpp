@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/base/file.h"
 #include "core/gltf/import/accessor.h"
 #include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
@@ -170,6 +171,26 @@ TEST_CASE("an OBJ sequence keeps its seams, hard edges and the materials of its 
   CHECK(ends.baseColor == glm::vec4(0.25F, 0.5F, 0.75F, 0.5F));
   CHECK(ends.alphaMode == AlphaMode::blend);
   CHECK(ends.emissive == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("an OBJ whose names are in an older encoding than UTF-8 is compressed, its materials' names made "
+          "readable") {
+  const test::TemporaryFolder folder;
+  const PaintedBar bar(folder.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "frames")) {
+    const Result<Bytes> bytes = readFile(entry.path());
+    REQUIRE(bytes);
+    std::string text(bytes->begin(), bytes->end());
+    for (std::size_t at = text.find("paint\n"); at != std::string::npos; at = text.find("paint\n", at)) {
+      text.replace(at, 5,
+                   "l\xE4"
+                   "der"); // Latin-1
+    }
+    REQUIRE((entry.path().extension() == ".png" || writeText(entry.path(), text)));
+  }
+  const gltf::Loaded file = compressed((folder / "frames").string(), folder / "bar.glb", "3");
+  CHECK(file.scene->materials.at(0).name == "l\xEF\xBF\xBD"
+                                            "der");
 }
 
 TEST_CASE("a sequence with seams compares with its compression place by place") {

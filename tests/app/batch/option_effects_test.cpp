@@ -280,7 +280,10 @@ TEST_CASE("Every option of info, check and trail changes what they tell") {
                          rowsBehind("IN/dummy.glb", reportRows))},
              inputs);
   checkTable({"check", "--json",
-              joinedRows({{"FILE", "IN/odd.glb", "IN/dummy.glb"}}, rowsBehind("IN/dummy.glb", reportRows))},
+              joinedRows({{"FILE", "IN/odd.glb", "IN/dummy.glb"}},
+                         rowsBehind("IN/dummy.glb", joinedRows({{"--engine", "", "--engine three,unreal"},
+                                                                {"--before", "", "--before IN/copy.glb"}},
+                                                               reportRows)))},
              inputs);
   const std::string arm = "IN/dummy.glb --limb left-arm";
   checkTable(
@@ -333,25 +336,33 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                     {"--no-pull", arm + " --scale 0.3 --axes x", arm + " --scale 0.3 --axes x --no-pull"},
                     {"--stay-in-world", "--limb spine --range 21:27 --scale 2 " + arm + " --scale 1.5",
                      "--limb spine --range 21:27 --scale 2 " + arm + " --scale 1.5 --stay-in-world"}},
-                   rowsBehind(arm + " --scale 2", joinedRows({{"--axes", "", "--axes xz"},
-                                                              {"--pivot", "", "--pivot end"},
-                                                              {"--ease-in", "", "--ease-in 0.5,0.2"},
-                                                              {"--ease-out", "", "--ease-out 0.3,0.5"},
-                                                              {"--remap", "", "--remap linear"},
-                                                              {"--bend", "", "--bend straighten"},
-                                                              {"--blend", "", "--blend 1"},
-                                                              {"--switch", "", "--switch 0.5"},
-                                                              {"--volume", "", "--volume 0"},
-                                                              {"--turn-end", "", "--turn-end"},
-                                                              {"--release", "", "--release 12"},
-                                                              {"--overshoot", "", "--overshoot 0.5"},
-                                                              {"--space", "", "--space base"},
-                                                              {"--reference", "", "--reference rest"},
-                                                              {"--clip", "", "--clip Guard"},
-                                                              {"--keep-skeleton", "", "--keep-skeleton"},
-                                                              {"--key-every-frame", "--release 30",
-                                                               "--release 30 --key-every-frame"}},
-                                                             joinedRows(clipRows, reportRows))))))},
+                   rowsBehind(
+                       arm + " --scale 2",
+                       joinedRows({{"--axes", "", "--axes xz"},
+                                   {"--pivot", "", "--pivot end"},
+                                   {"--ease-in", "", "--ease-in 0.5,0.2"},
+                                   {"--ease-out", "", "--ease-out 0.3,0.5"},
+                                   {"--remap", "", "--remap linear"},
+                                   {"--bend", "", "--bend straighten"},
+                                   {"--blend", "", "--blend 1"},
+                                   {"--switch", "", "--switch 0.5"},
+                                   {"--volume", "", "--volume 0"},
+                                   {"--turn-end", "", "--turn-end"},
+                                   {"--release", "", "--release 12"},
+                                   {"--overshoot", "", "--overshoot 0.5"},
+                                   {"--space", "", "--space base"},
+                                   {"--reference", "", "--reference rest"},
+                                   {"--as-seen", "--camera front", "--camera front --as-seen"},
+                                   {"--camera", "--as-seen --camera front", "--as-seen --camera side"},
+                                   {"--no-keep-depth", "--as-seen --camera front",
+                                    "--as-seen --camera front --no-keep-depth"},
+                                   {"--turn-to-view", "--camera front", "--camera front --turn-to-view 20"},
+                                   {"--clip", "", "--clip Guard"},
+                                   {"--keep-skeleton", "", "--keep-skeleton"},
+                                   {"--form", "", "--form volume"},
+                                   {"--influences", "--form volume", "--form volume --influences 4"},
+                                   {"--key-every-frame", "--release 30", "--release 30 --key-every-frame"}},
+                                  joinedRows(clipRows, reportRows))))))},
       inputs);
 }
 
@@ -369,6 +380,9 @@ TEST_CASE("Every option of elastic changes the keys that it writes") {
                                   {"--key-every-frame", "--limb left-arm --range 10:30 --amount 0.1",
                                    "--limb left-arm --range 10:30 --amount 0.1 --key-every-frame"}},
                                  rowsBehind(arm, joinedRows({{"--keep-skeleton", "", "--keep-skeleton"},
+                                                             {"--form", "", "--form volume"},
+                                                             {"--influences", "--form volume",
+                                                              "--form volume --influences 4"},
                                                              {"--range", "", "--range 2:10"},
                                                              {"--amount", "", "--amount 0.5"},
                                                              {"--stiffness", "", "--stiffness 2"},
@@ -403,18 +417,22 @@ TEST_CASE("Every option of pose changes the keys that it writes") {
            fileRows("dummy.glb", "copy.glb", recipe),
            rowsBehind(
                "IN/dummy.glb -o OUT/out.glb",
-               joinedRows({{"--recipe", "--pin-feet", "--pin-feet " + recipe},
-                           {"--offsets", recipe, recipe + " --offsets IN/table.csv"},
-                           {"--units", "--offsets IN/table.csv", "--offsets IN/table.csv --units metres"},
-                           {"--clip", recipe, recipe + " --clip Guard"},
-                           {"--key-every-frame", recipe, recipe + " --key-every-frame"},
-                           {"--pin-feet", "--recipe IN/low.json", "--recipe IN/low.json --pin-feet"},
-                           {"--prop", recipe, recipe + ' ' + prop},
-                           {"--prop-hand", prop, prop + " --prop-hand left-arm"},
-                           {"--prop-frame", prop, prop + " --prop-frame 24"},
-                           {"--keep-skeleton", "--recipe IN/stretched.json",
-                            "--recipe IN/stretched.json --keep-skeleton"}},
-                          rowsBehind(recipe, joinedRows(clipRows, reportRows)))))},
+               joinedRows(
+                   {{"--recipe", "--pin-feet", "--pin-feet " + recipe},
+                    {"--offsets", recipe, recipe + " --offsets IN/table.csv"},
+                    {"--units", "--offsets IN/table.csv", "--offsets IN/table.csv --units metres"},
+                    {"--clip", recipe, recipe + " --clip Guard"},
+                    {"--key-every-frame", recipe, recipe + " --key-every-frame"},
+                    {"--pin-feet", "--recipe IN/low.json", "--recipe IN/low.json --pin-feet"},
+                    {"--prop", recipe, recipe + ' ' + prop},
+                    {"--prop-hand", prop, prop + " --prop-hand left-arm"},
+                    {"--prop-frame", prop, prop + " --prop-frame 24"},
+                    {"--keep-skeleton", "--recipe IN/stretched.json",
+                     "--recipe IN/stretched.json --keep-skeleton"},
+                    {"--form", "--recipe IN/stretched.json", "--recipe IN/stretched.json --form volume"},
+                    {"--influences", "--recipe IN/stretched.json --form volume",
+                     "--recipe IN/stretched.json --form volume --influences 4"}},
+                   rowsBehind(recipe, joinedRows(clipRows, reportRows)))))},
       inputs);
 }
 
@@ -435,9 +453,12 @@ TEST_CASE("Every option of import-clip and resave changes the file that they wri
                                                             {"--name", one, one + " --name other"}},
                                                            rowsBehind(from, reportRows))));
   const std::vector<OptionRow> ofWork =
-      rowsBehind("IN/worked.glb -o OUT/out.glb " + one, {{"--clean", "", "--clean"},
-                                                         {"--keep-skeleton", "", "--keep-skeleton"},
-                                                         {"--key-every-frame", "", "--key-every-frame"}});
+      rowsBehind("IN/worked.glb -o OUT/out.glb " + one,
+                 {{"--clean", "", "--clean"},
+                  {"--keep-skeleton", "", "--keep-skeleton"},
+                  {"--form", "", "--form volume"},
+                  {"--influences", "--form volume", "--form volume --influences 4"},
+                  {"--key-every-frame", "", "--key-every-frame"}});
   checkTable({"import-clip", "--json --clean", joinedRows(ofImport, ofWork)}, inputs);
   checkTable({"resave", "", fileRows("dummy.glb", "copy.glb", "")}, inputs);
 }

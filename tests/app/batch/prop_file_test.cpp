@@ -342,3 +342,17 @@ TEST_CASE("nodes of a thing that are named like limbs are no limbs of the charac
   REQUIRE(poseWithProp(output, (folder / "sheets.glb").string()).exitCode == 0);
   CHECK(jointsOf(openedFile(output)) == jointsOf(openedFile(posedCharacter)));
 }
+
+TEST_CASE("a thing or a clip out of a file that is no glTF is refused by the name of that file") {
+  const TemporaryFolder folder;
+  const std::string mesh = (folder / "chair.obj").string();
+  REQUIRE(writeText(folder / "chair.obj", "v 0 0 0\n"));
+  const std::string output = (folder / "out.glb").string();
+  for (const test::VerbAnswer& answer :
+       {poseWithProp(output, mesh),
+        test::runVerb({"import-clip", posedCharacter, "-o", output, "--from", mesh})}) {
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains("chair.obj: "));
+  }
+  CHECK_FALSE(std::filesystem::exists(output));
+}

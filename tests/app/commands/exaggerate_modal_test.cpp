@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "app/commands/table/grab_modal.h"
 #include "app/commands/trail/exaggerate_modal.h"
 
 using namespace stretch;
@@ -227,35 +226,4 @@ TEST_CASE("The modal's settings carry over to another limb without its range") {
   CHECK(result.scale == 3.0);
   CHECK(result.startFrame == 4.0);
   CHECK(result.spheres == other.spheres);
-}
-
-TEST_CASE("Grab: X 0.2 Enter") {
-  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
-  modal.mouseWorld = Vec3(5.0);
-  CHECK(type(modal, "X 0 . 2 Enter") == ModalOutcome::keep);
-  CHECK(grabDelta(modal).x == Approx(0.2));
-  CHECK(grabDelta(modal).y == 0.0);
-  CHECK(modalText(modal, 1) == "sphere along X 0.200");
-}
-
-TEST_CASE("Grab follows the mouse, locked to an axis or to a plane") {
-  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
-  modal.mouseWorld = Vec3(1.0, 2.0, 3.0);
-  CHECK(grabDelta(modal) == Vec3(1.0, 2.0, 3.0));
-  type(modal, "Y");
-  CHECK(grabDelta(modal) == Vec3(0.0, 2.0, 0.0));
-  type(modal, "Shift+Y");
-  CHECK(grabDelta(modal) == Vec3(1.0, 0.0, 3.0));
-  type(modal, "Shift+Y");
-  CHECK(grabDelta(modal) == Vec3(1.0, 2.0, 3.0));
-}
-
-TEST_CASE("Grab by arrows and with a minus") {
-  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
-  type(modal, "Right Shift+Up Ctrl+Left");
-  CHECK(grabDelta(modal).x == Approx(0.009));
-  CHECK(grabDelta(modal).y == Approx(0.1));
-  type(modal, "Z 3 -");
-  CHECK(grabDelta(modal).z == Approx(-3.0));
-  CHECK(type(modal, "Esc") == ModalOutcome::restore);
 }

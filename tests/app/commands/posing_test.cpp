@@ -6,30 +6,19 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
-#include "app/commands/table/document_commands.h"
 #include "app/commands/table/nudges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/open_document.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/run_command.h"
 
 using namespace stretch;
 using namespace stretch::app;
+using test::run;
 
 namespace {
-
-/// The problem that a command tells; empty when it did its work.
-std::string run(Session& session, const std::string& id) {
-  const std::vector<DocumentCommand> commands = documentCommands();
-  const auto command = std::ranges::find(commands, id, &DocumentCommand::id);
-  REQUIRE(command != commands.end());
-  if (!command->enabled(session)) {
-    return command->needsNow ? command->needsNow(session) : command->needs;
-  }
-  const Status done = command->run(session);
-  return done ? std::string() : done.error().line();
-}
 
 OffsetPose moved(const std::string& id, const Vec3& move) {
   return {{{id, move, Vec3(0.0)}}, {}};
@@ -266,10 +255,10 @@ TEST_CASE("A turn in the middle is mirrored in place: leaning left becomes leani
   CHECK(mirrored.turn.z == Approx(-0.5));
 }
 
-TEST_CASE("A pose is copied from one frame to another, with its attributes, in one step") {
+TEST_CASE("Offsets are copied from one frame to another, with its attributes, in one step") {
   Session session = posed("left-hand", {0.1, 0.2, 0.3}, 4.0);
   REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.25}}}, "Stretch"));
-  CHECK(run(session, command::poseCopy).empty());
+  CHECK(run(session, command::poseCopyOffsets).empty());
   REQUIRE(run(session, command::poseResetRigRange).empty());
   session.view().frame = 12.0;
   CHECK(run(session, command::posePaste).empty());
@@ -279,9 +268,9 @@ TEST_CASE("A pose is copied from one frame to another, with its attributes, in o
   CHECK(session.document().adjustments.empty());
 }
 
-TEST_CASE("A copied pose fits a character of another size") {
+TEST_CASE("Copied offsets fit a character of another size") {
   Session session = posed("left-hand", {0.1, 0.2, 0.3});
-  run(session, command::poseCopy);
+  CHECK(run(session, command::poseCopyOffsets).empty());
   Document larger = test::boxer();
   for (rig::Limb& limb : larger.body.limbs) {
     limb.restLength *= 2.0;

@@ -18,43 +18,99 @@ rig::Trail trailOf(int id, const char* limb) {
   rig::Trail trail;
   trail.id = id;
   trail.limb = limb;
-  trail.settings.endFrame = 10.0;
+  trail.settings.startFrame = 2.0;
+  trail.settings.endFrame = 12.0;
+  trail.exaggerated = true;
   return trail;
 }
 
-/// Trails 1 to 3 on an arm, a leg and the spine.
+/// Trails 1 to 3 on an arm, a leg and the spine of the one clip "Punch".
 app::Document threeTrails() {
   app::Document document;
+  Clip clip;
+  clip.name = "Punch";
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
   document.body.limbs = {limbOf(rig::biped::leftArm, "left-arm"), limbOf(rig::biped::leftLeg, "left-leg"),
                          limbOf(rig::biped::spine, "spine")};
   document.trails = {trailOf(1, "left-arm"), trailOf(2, "left-leg"), trailOf(3, "spine")};
   return document;
 }
 
+const rig::Style& style(const char* name) {
+  const rig::Style* const found = rig::styleNamed(rig::builtInStyles(), name);
+  REQUIRE(found != nullptr);
+  return *found;
+}
+
 } // namespace
 
 TEST_CASE("A style scales arms, legs and body as its cartoon does, and only the trails that are named") {
   const app::Document before = threeTrails();
-  const app::Style& piggyBank = app::styles()[3];
+  const rig::Style& piggyBank = style("piggy bank");
   const Result<app::Document> after = app::applyStyle(before, {1, 2}, piggyBank);
   REQUIRE(after.ok());
   CHECK(after->trails[0].settings.scale == 2.0);
   CHECK(after->trails[1].settings.scale == 4.0);
-  CHECK(after->trails[2].settings.scale == before.trails[2].settings.scale);
+  CHECK(after->trails[2].settings == before.trails[2].settings);
   CHECK(app::hasStyle(*after, {1, 2}, piggyBank));
   CHECK_FALSE(app::hasStyle(*after, {1, 2, 3}, piggyBank));
-  CHECK_FALSE(app::hasStyle(*after, {1, 2}, app::styles()[0]));
+  CHECK_FALSE(app::hasStyle(*after, {1, 2}, style("duck amuck")));
+}
+
+TEST_CASE(
+    "A style gives a trail its ease, its way back in lengths of the range, and its swing, and the next one "
+    "takes them back") {
+  const Result<app::Document> snappy = app::applyStyle(threeTrails(), {1}, style("Snappy"));
+  REQUIRE(snappy.ok());
+  const rig::TrailSettings& settings = snappy->trails[0].settings;
+  CHECK(settings.easeIn == rig::Ease{0.6, 0.1});
+  CHECK(settings.releaseFrames == Approx(4.0)); // 0.4 of ten frames
+  CHECK(settings.overshoot == 0.15);
+  CHECK((settings.startFrame == 2.0 && settings.endFrame == 12.0));
+  const Result<app::Document> amuck = app::applyStyle(*snappy, {1}, style("Duck"));
+  REQUIRE(amuck.ok());
+  CHECK(amuck->trails[0].settings.easeIn.percent == 0.0);
+  CHECK_FALSE(amuck->trails[0].settings.releaseFrames);
+  CHECK(amuck->trails[0].settings.overshoot == 0.0);
 }
 
 TEST_CASE("A style for a trail that is not there is refused") {
-  CHECK_THAT(test::refusal(app::applyStyle(threeTrails(), {7}, app::styles()[0])),
+  CHECK_THAT(test::refusal(app::applyStyle(threeTrails(), {7}, style("Subtle"))),
              Catch::StartsWith("trail 7: there is no such trail"));
 }
 
-TEST_CASE("No style stretches the body further than the limbs do") {
-  for (const app::Style& style : app::styles()) {
-    CAPTURE(style.name);
-    CHECK(style.torso <= std::max(style.arm, style.leg));
-    CHECK(app::scaleOf(style, rig::LimbKind::neck) == app::scaleOf(style, rig::LimbKind::spine));
+TEST_CASE("A style that is taken from a clip has the settings of its trails and the weight of its limbs") {
+  app::Document document = threeTrails();
+  document.trails[0].settings.scale = 2.4;
+  document.trails[0].settings.releaseFrames = 5.0;
+  document.trails[0].settings.overshoot = 0.2;
+  document.trails[0].settings.axes = {true, false, true};
+  document.trails[1].settings.scale = 1.6;
+  document.trails[2].settings.scale = 1.1;
+  document.weights = {{"left-arm", 0, true, {}}};
+  document.weights[0].settings.amount = 0.4;
+  document.weights[0].settings.stiffness = 2.0;
+  const Result<rig::Style> taken = app::styleOfClip(document, 0, "");
+  REQUIRE(taken.ok());
+  CHECK(taken->name == "Punch");
+  CHECK(taken->origin == rig::StyleOrigin::own);
+  CHECK(taken->arm.usual == 2.4);
+  CHECK(taken->leg.usual == 1.6);
+  CHECK(taken->torso.usual == 1.1);
+  CHECK(taken->other.most == 2.4);
+  CHECK(taken->release == Approx(0.5));
+  CHECK(taken->overshoot == 0.2);
+  CHECK(taken->axes == rig::AxesRule::level);
+  CHECK(taken->weight == rig::StyleWeight{0.4, 2.0, 0.7});
+  CHECK(app::styleOfClip(document, 0, "Mine")->name == "Mine");
+}
+
+TEST_CASE("Paths that are not exaggerated, and those of other clips, are no style") {
+  app::Document document = threeTrails();
+  for (rig::Trail& trail : document.trails) {
+    trail.exaggerated = trail.id == 1;
+    trail.clip = trail.id == 1 ? 1 : 0;
   }
+  CHECK_THAT(test::refusal(app::styleOfClip(document, 0, "")),
+             Catch::Contains("no trail of the clip is exaggerated"));
 }

@@ -71,7 +71,7 @@ export async function read(file) {
   );
   meshes.sort((a, b) => a.mesh - b.mesh || a.primitive - b.primitive || a.node - b.node);
   const names = (json.nodes ?? []).map((node) => node.name ?? '');
-  return { json: asWritten, scene: gltf.scene, clips: gltf.animations, clipNames: (json.animations ?? []).map((clip) => clip.name ?? ''), names, nodes, meshes };
+  return { json: asWritten, parser: gltf.parser, scene: gltf.scene, clips: gltf.animations, clipNames: (json.animations ?? []).map((clip) => clip.name ?? ''), names, nodes, meshes };
 }
 
 /// Calls visit(time) with the scene posed at each time of the clip (null: at rest).

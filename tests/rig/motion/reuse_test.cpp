@@ -34,7 +34,7 @@ Trail busyTrail() {
 std::vector<Part> partsOfSettings() {
   [[maybe_unused]] const auto& [start, end, scale, axes, pivot, space, viewAxes, reference, bend, remap,
                                 easeIn, easeOut, stretchSwitch, volume, release, overshoot, pull, blend, stay,
-                                turnEnd, stop, spheres] = TrailSettings{};
+                                turnEnd, stop, sight, spheres] = TrailSettings{};
   const std::vector<std::pair<const char*, std::function<void(TrailSettings&)>>> changes{
       {"start", [](TrailSettings& s) { s.startFrame = 2.0; }},
       {"end", [](TrailSettings& s) { s.endFrame = 14.0; }},
@@ -68,6 +68,11 @@ std::vector<Part> partsOfSettings() {
       {"stop",
        [](TrailSettings& s) {
          s.stopAt = StopPlane{Vec3(0.0, 0.5, 0.0), Vec3(0.0, -1.0, 0.0)};
+       }},
+      {"sight",
+       [](TrailSettings& s) {
+         s.sight.camera = "front";
+         s.sight.asSeen = true;
        }},
       {"spheres", [](TrailSettings& s) { s.spheres.clear(); }},
   };

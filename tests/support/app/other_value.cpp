@@ -24,6 +24,8 @@ Json otherValue(const app::SettingFacts& setting) {
     return Json::array({0.25, 0.75});
   case SettingKind::vector:
     return Json::array({1.0, -2.5, 0.0});
+  case SettingKind::text:
+    return "side"; // a camera that every character has
   }
   return nullptr;
 }

@@ -179,8 +179,9 @@ Document randomOrder(const Document& document, const rig::Trail& trail, Dice& di
   case 2:
     return orUnchanged(document, renameGroup(document, trail.id, "all"));
   case 3:
-    return orUnchanged(document,
-                       applyStyle(document, ids, styles().at(static_cast<std::size_t>(dice.below(6)))));
+    return orUnchanged(
+        document,
+        applyStyle(document, ids, rig::builtInStyles().at(static_cast<std::size_t>(dice.below(11)))));
   case 4: {
     const Result<CreatedTrail> mirrored = mirrorTrail(document, trail.id);
     return mirrored ? mirrored->document : document;

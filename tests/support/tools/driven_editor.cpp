@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/interchange/reader_process.h"
 #include "tests/support/ui_driver/script.h"
 
 // The editor as the product runs it, with a script for a hand: SCRIPT [FILE [FILE]]. The environment's
@@ -24,6 +25,9 @@ int failWith(const std::string& line) {
 
 int main(int argumentCount, char** arguments) {
   using namespace stretch;
+  if (const auto status = interchange::runAsReader(argumentCount, arguments)) {
+    return *status;
+  }
   Result<test::Script> script = test::Script::read(argumentCount > 1 ? arguments[1] : "");
   if (!script) {
     return failWith(script.error().line());

@@ -28,6 +28,7 @@
 #include "skinning/linear_blend_skinning.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
+#include "ui/shell/style_work.h"
 
 namespace stretch::test {
 
@@ -505,7 +506,7 @@ std::optional<std::string> characterState(Shell& shell, std::string_view name) {
   return key ? key : sessionState(shell, name);
 }
 
-/// States of what stands over the picture: messages and the tour's card.
+/// States of what stands over the picture: messages, the tour's card, the clip in a style.
 std::optional<std::string> messageState(const Shell& shell, std::string_view name) {
   const std::vector<Toast>& toasts = shell.ui.toasts;
   const std::map<std::string_view, std::string> states{
@@ -515,6 +516,10 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
       {"toast.share", shareOfPicture(shell, "toast/0")},
       {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
       {"tour.share", shareOfPicture(shell, "tour")},
+      {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
+      {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
+                                   (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},
+      {"clip-style", chosenStyle(shell).name},
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);

@@ -55,17 +55,17 @@ TEST_CASE("A release is dragged out across the seam of a loop") {
   CHECK(panels.settings().releaseFrames == Approx(6.0));
 }
 
-TEST_CASE("A style that was taken is named until its scales are changed, and no scale names one by chance") {
+TEST_CASE("A style that was taken is named until its settings are changed, and none is named by chance") {
   const app::Document before = LoopPanels::document(2.0);
   const std::vector<int> trails{1};
-  const Result<app::Document> styled = app::applyStyle(before, trails, app::styles()[1]);
+  ui::TrailPanels panels;
+  const Result<app::Document> styled = app::applyStyle(before, trails, panels.styles[1]);
   REQUIRE(styled);
-  ui::TakenStyle taken;
-  CHECK(ui::shownStyle(taken, *styled, trails).index == -1);
-  CHECK(ui::shownStyle(taken, *styled, trails).otherwise == "none yet");
-  taken = {before.scene, trails, 1};
-  CHECK(ui::shownStyle(taken, *styled, trails).index == 1);
-  CHECK(ui::shownStyle(taken, before, trails).index == -1);
-  CHECK(ui::shownStyle(taken, before, trails).otherwise == std::string(app::styles()[1].name) + ", changed");
-  CHECK(ui::shownStyle(taken, *styled, {1, 2}).otherwise == "none yet");
+  CHECK(ui::shownStyle(panels, *styled, trails).index == -1);
+  CHECK(ui::shownStyle(panels, *styled, trails).otherwise == "none yet");
+  panels.takenStyle = {before.scene, trails, 1};
+  CHECK(ui::shownStyle(panels, *styled, trails).index == 1);
+  CHECK(ui::shownStyle(panels, before, trails).index == -1);
+  CHECK(ui::shownStyle(panels, before, trails).otherwise == panels.styles[1].name + ", changed");
+  CHECK(ui::shownStyle(panels, *styled, {1, 2}).otherwise == "none yet");
 }

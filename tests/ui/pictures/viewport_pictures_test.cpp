@@ -28,8 +28,9 @@ void openCharacter(GuiStage& stage) {
                                                     {.startFrame = 18.0, .endFrame = 30.0, .scale = 1.8});
   stage.open.open(document);
   stage.open.character()->view().frame = 26.0;
-  stage.viewport.facingYawRadians = facingYaw(document, 0);
-  stage.viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, stage.viewport.facingYawRadians);
+  stage.viewport.look.facingYawRadians = facingYaw(document, 0);
+  stage.viewport.camera =
+      lookFrom(Camera{}, ViewDirection::threeQuarter, stage.viewport.look.facingYawRadians);
   stage.viewport.framePending = true;
 }
 
@@ -122,7 +123,7 @@ const Overlays overlays[] = {
     {"front",
      [](GuiStage& stage) {
        stage.viewport.camera =
-           lookFrom(stage.viewport.camera, ViewDirection::front, stage.viewport.facingYawRadians);
+           lookFrom(stage.viewport.camera, ViewDirection::front, stage.viewport.look.facingYawRadians);
      }},
     {"sequence", openSequence},
     {"sequence-error",

@@ -14,9 +14,9 @@
 #include "tests/support/ui_driver/script.h"
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/panels/context/view_schema.h"
+#include "ui/panels/frame/pane_layout.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
-#include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
 
 using namespace stretch;
@@ -150,13 +150,16 @@ TEST_CASE("How a file was looked at survives, as far as it still makes sense") {
   Camera camera;
   camera.distance = 3.5;
   app::ViewState read;
-  Camera readCamera;
-  readView(viewText(view, camera), document, read, readCamera);
+  ViewBookmark readCamera;
+  ViewBookmarks kept;
+  readView(viewText(view, {camera}, {}), document, read, readCamera, kept);
+  CHECK(kept == ViewBookmarks{});
   CHECK(read.frame == 7.0);
   CHECK(read.selection.limbs() == std::vector<std::string>{"left-arm"});
   CHECK(read.selection.trail() == 0);
-  CHECK(readCamera == camera);
-  readView("{\"frame\": 1e9, \"clip\": 5, \"camera\": {\"target\": [1, \"x\"]}}", document, read, readCamera);
+  CHECK(readCamera.camera == camera);
+  readView("{\"frame\": 1e9, \"clip\": 5, \"camera\": {\"target\": [1, \"x\"]}}", document, read, readCamera,
+           kept);
   CHECK(read.frame == 20.0);
   CHECK(read.clip == 0);
 }
@@ -223,24 +226,35 @@ TEST_CASE("Where the view looks from, and the part of time that was worked on, a
   camera.pitchRadians = -0.5;
   camera.projection = GENERATE(ProjectionKind::orthographic, ProjectionKind::perspective);
   app::ViewState read;
-  Camera readCamera;
-  readCamera.projection = camera.projection == ProjectionKind::orthographic ? ProjectionKind::perspective
-                                                                            : ProjectionKind::orthographic;
-  readView(viewText(view, camera), document, read, readCamera);
+  ViewBookmark readCamera;
+  ViewBookmarks kept;
+  readCamera.camera.projection = camera.projection == ProjectionKind::orthographic
+                                     ? ProjectionKind::perspective
+                                     : ProjectionKind::orthographic;
+  ViewBookmarks views;
+  views[2] = ViewBookmark{camera};
+  views[8] = ViewBookmark{Camera{}, "Shot"};
+  camera.fieldOfViewRadians = 0.9;
+  readView(viewText(view, {camera, "Side"}, views), document, read, readCamera, kept);
   CHECK(read.rangeStart == 3.0);
   CHECK(read.rangeEnd == 14.0);
-  CHECK(readCamera == camera);
+  CHECK(readCamera == ViewBookmark{camera, "Side"});
+  CHECK(kept == views);
 }
 
 TEST_CASE("Numbers of a remembered view that make no sense leave the view as it is") {
   const app::Document document = test::boxer();
   app::ViewState view;
-  Camera camera;
+  ViewBookmark now;
+  ViewBookmarks kept;
+  Camera& camera = now.camera;
   camera.target = Vec3(1.0, 2.0, 3.0);
   const Camera before = camera;
   readView(
-      R"({"frame": -4, "range": [2], "limbs": [3, "left-arm"], "camera": {"target": [1, 2], "yaw": "left"}})",
-      document, view, camera);
+      R"({"frame": -4, "range": [2], "limbs": [3, "left-arm"], "camera": {"target": [1, 2], "yaw": "left"},
+          "kept_views": {"1": 3, "0": {"yaw": 1}, "10": {"yaw": 1}}})",
+      document, view, now, kept);
+  CHECK(kept == ViewBookmarks{});
   CHECK(view.frame == 0.0);
   CHECK(view.rangeStart == app::ViewState{}.rangeStart);
   CHECK(view.selection.limbs() == std::vector<std::string>{"left-arm"});

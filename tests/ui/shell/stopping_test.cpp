@@ -108,7 +108,8 @@ TEST_CASE("A clip that is ready while something is dragged comes in when the dra
   app::Session& session = *working.shell.open.character();
   const std::size_t before = session.document().clips->size();
   session.begin("Drag");
-  while (working.shell.clipImport.job != nullptr && !working.shell.clipImport.job->isFinished()) {
+  while (working.shell.beside.clipImport.job != nullptr &&
+         !working.shell.beside.clipImport.job->isFinished()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   updateClipImport(working.shell);

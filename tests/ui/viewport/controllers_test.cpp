@@ -98,7 +98,7 @@ TEST_CASE("A controller that is dragged stays under the mouse") {
   const View view = boxersFront();
   boxer.session.view().cameraAxes = Mat3(1.0);
   const Vec2 from = projectToPixels(view, boxer.place("left-hand"))->pixels;
-  REQUIRE(startControllerTool(boxer.session, boxer.tool, {app::ControllerMotion::move, {}, from, true}));
+  REQUIRE(startControllerTool(boxer.session, boxer.tool, {app::PullMotion::move, {}, from, true}));
   const Vec2 to = from + Vec2(-20.0, -35.0);
   REQUIRE(moveToolMouse(boxer.session, boxer.tool, view, to));
   CHECK(glm::distance(projectToPixels(view, boxer.place("left-hand"))->pixels, to) < 0.5);
@@ -117,7 +117,7 @@ TEST_CASE("The mouse turns a controller about the ring that it holds, more than 
     return centre + 60.0 * Vec2(std::cos(angle), -std::sin(angle));
   };
   REQUIRE(startControllerTool(boxer.session, boxer.tool,
-                              {app::ControllerMotion::turn, {2, false, false}, around(0.0), true}));
+                              {app::PullMotion::turn, {2, false, false}, around(0.0), true}));
   for (double degrees = 10.0; degrees <= 400.0; degrees += 10.0) {
     REQUIRE(moveToolMouse(boxer.session, boxer.tool, view, around(degrees)));
   }
@@ -149,7 +149,7 @@ TEST_CASE("Turning what only moves is refused with a line that says what turns")
   PosedBoxer boxer;
   app::selectController(boxer.session, "left-elbow", false);
   const Status done =
-      startControllerTool(boxer.session, boxer.tool, {app::ControllerMotion::turn, {}, Vec2(0.0), false});
+      startControllerTool(boxer.session, boxer.tool, {app::PullMotion::turn, {}, Vec2(0.0), false});
   REQUIRE_FALSE(done);
   CHECK(done.error().line().find("select") != std::string::npos);
   CHECK_FALSE(isRunning(boxer.tool));

@@ -350,7 +350,7 @@ TEST_CASE("Dragging a controller moves it under the mouse, one that only turns i
   stage.pointAt(from + Vec2(-10.0, 20.0));
   const auto* const moving = std::get_if<ControllerTool>(&stage.tool);
   REQUIRE(moving != nullptr);
-  CHECK(moving->modal.motion == app::ControllerMotion::move);
+  CHECK(moving->modal.motion == app::PullMotion::move);
   stage.pointAt(from + Vec2(-30.0, 40.0));
   stage.release();
   CHECK_FALSE(isRunning(stage.tool));
@@ -375,7 +375,7 @@ TEST_CASE("Dragging a controller that cannot move turns it") {
   stage.pointAt(stage.viewport.mousePixels + Vec2(0.0, 20.0));
   const auto* const turned = std::get_if<ControllerTool>(&stage.tool);
   REQUIRE(turned != nullptr);
-  CHECK(turned->modal.motion == app::ControllerMotion::turn);
+  CHECK(turned->modal.motion == app::PullMotion::turn);
   stage.release();
   CHECK_FALSE(isRunning(stage.tool));
 }
@@ -396,7 +396,7 @@ TEST_CASE(
   const Vec3 before = hand();
   CHECK(isUnderMouse(before));
   app::selectController(session, "left-hand", false);
-  REQUIRE(startControllerTool(session, stage.tool, {app::ControllerMotion::move, {}, {400.0, 300.0}, true}));
+  REQUIRE(startControllerTool(session, stage.tool, {app::PullMotion::move, {}, {400.0, 300.0}, true}));
   REQUIRE(moveToolMouse(session, stage.tool, stage.viewport.view, Vec2(440.0, 180.0)));
   finishTool(session, stage.tool, true);
   app::clearControllers(session);

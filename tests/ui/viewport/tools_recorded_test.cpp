@@ -40,7 +40,7 @@ Status startOnKeys(app::Session& session, Tool& tool, bool scales) {
   return startKeys(session, tool, modal);
 }
 
-Status startOnControllers(app::Session& session, Tool& tool, app::ControllerMotion motion) {
+Status startOnControllers(app::Session& session, Tool& tool, app::PullMotion motion) {
   session.view().frame = 8.0;
   app::selectControllers(session, {"left-hand", "right-hand"});
   return startControllerTool(session, tool, {motion, {}, {400.0, 300.0}, false});
@@ -62,14 +62,10 @@ const Beginning beginnings[] = {
      }},
     {"move keys", [](app::Session& session, Tool& tool) { return startOnKeys(session, tool, false); }},
     {"scale keys", [](app::Session& session, Tool& tool) { return startOnKeys(session, tool, true); }},
-    {"move controllers",
-     [](app::Session& session, Tool& tool) {
-       return startOnControllers(session, tool, app::ControllerMotion::move);
-     }},
-    {"turn controllers",
-     [](app::Session& session, Tool& tool) {
-       return startOnControllers(session, tool, app::ControllerMotion::turn);
-     }},
+    {"move controllers", [](app::Session& session,
+                            Tool& tool) { return startOnControllers(session, tool, app::PullMotion::move); }},
+    {"turn controllers", [](app::Session& session,
+                            Tool& tool) { return startOnControllers(session, tool, app::PullMotion::turn); }},
 };
 
 std::vector<std::string> keysToTry() {

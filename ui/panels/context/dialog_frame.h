@@ -11,6 +11,7 @@ struct DialogSpec {
   const char* icon = "";
   std::string title = {};
   float width = 480.0F; ///< Design pixels.
+  float across = 0.5F;  ///< Middle of the dialog as a part of the window's width.
   float height = 0.0F; ///< Design pixels; 0: as high as the content, which scrolls where the window is lower.
   bool closable = true; ///< Esc and the cross close it.
 };
@@ -42,6 +43,7 @@ void drawQuestions(PanelContext& context); ///< Unsaved changes, first start, re
 void drawJointDialog(PanelContext& context);
 void drawRenameDialog(PanelContext& context);
 void drawClipDialog(PanelContext& context);
+void drawClipStyleDialog(PanelContext& context);
 void drawHistoryDialog(PanelContext& context);
 
 } // namespace stretch::ui

@@ -8,9 +8,9 @@ namespace stretch::ui {
 
 namespace {
 
-std::size_t fittingParts(const std::vector<RowPart>& parts, float available, float buttonWidth) {
+std::size_t fittingParts(const std::vector<RowControl>& parts, float available, float buttonWidth) {
   float whole = 0.0F;
-  for (const RowPart& part : parts) {
+  for (const RowControl& part : parts) {
     whole += part.width;
   }
   if (whole <= available) {
@@ -28,7 +28,7 @@ std::size_t fittingParts(const std::vector<RowPart>& parts, float available, flo
 } // namespace
 
 void rowOfParts(PanelContext& context, const std::string& id, float available,
-                const std::vector<RowPart>& parts) {
+                const std::vector<RowControl>& parts) {
   const Theme& theme = context.theme;
   const float buttonWidth = theme.px(30.0F);
   const std::size_t shown = fittingParts(parts, available, buttonWidth + theme.px(4.0F));

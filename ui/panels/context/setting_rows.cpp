@@ -30,9 +30,11 @@ std::optional<double> standardNumber(const Json& standard) {
 RowEdit numberControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
                       const Json& value, const RowExtras& extras) {
   double number = value.get<double>();
-  const EditPhase phase = numberSlider(
-      context, id, setting, settingHelp(setting),
-      {.maximum = extras.maximum, .standard = standardNumber(Json::parse(setting.standard))}, number);
+  const EditPhase phase = numberSlider(context, id, setting, settingHelp(setting),
+                                       {.minimum = extras.minimum,
+                                        .maximum = extras.maximum,
+                                        .standard = standardNumber(Json::parse(setting.standard))},
+                                       number);
   return {phase, Json(setting.kind == app::SettingKind::whole ? std::round(number) : number)};
 }
 
@@ -157,7 +159,7 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
                        const Help& help, const NumberExtras& extras, double& value) {
   const std::string suffix = extras.isPart ? std::string() : unitSuffix(setting);
   SliderSpec spec{.id = id,
-                  .minimum = setting.row.minimum.value_or(setting.minimum),
+                  .minimum = extras.minimum.value_or(setting.row.minimum.value_or(setting.minimum)),
                   .maximum = extras.maximum.value_or(setting.row.maximum.value_or(setting.maximum)),
                   .step = setting.kind == app::SettingKind::whole ? 1.0 : setting.row.step,
                   .fineStep = setting.row.fineStep,
@@ -232,6 +234,8 @@ RowEdit settingControl(PanelContext& context, const std::string& id, const app::
     return axesControl(context, id, value);
   case app::SettingKind::ease:
     return easeControl(context, id, setting, value);
+  case app::SettingKind::text: // a name is chosen from a list of its own
+    return {{}, value};
   case app::SettingKind::vector:
     break;
   }

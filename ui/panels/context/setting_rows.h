@@ -27,14 +27,16 @@ namespace stretch::ui {
 /// Facts about a row that only the moment knows.
 struct RowExtras {
   double automatic = 0.0;             ///< Shown while an optional number is left to the program.
-  std::optional<double> maximum = {}; ///< Bound of dragging, instead of the setting's own.
-  std::vector<bool> offered = {};     ///< Choices that can be chosen; empty: all.
-  std::string hint = {};              ///< In an empty text field; else the default.
+  std::optional<double> minimum = {}; ///< Bounds of dragging, instead of the setting's own.
+  std::optional<double> maximum = {};
+  std::vector<bool> offered = {}; ///< Choices that can be chosen; empty: all.
+  std::string hint = {};          ///< In an empty text field; else the default.
 };
 
 /// Facts about one number that only the moment knows.
 struct NumberExtras {
-  std::optional<double> maximum = {};  ///< Bound of dragging, instead of the setting's own.
+  std::optional<double> minimum = {}; ///< Bounds of dragging, instead of the setting's own.
+  std::optional<double> maximum = {};
   std::optional<double> standard = {}; ///< Value that Reset gives.
   float width = 0.0F;                  ///< 0: the available width.
   bool isPart = false; ///< Part of a vector, in a narrow field: no unit behind it, no filled part.

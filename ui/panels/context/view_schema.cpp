@@ -1,5 +1,6 @@
 #include "ui/panels/context/view_schema.h"
 
+#include "app/schema/form_schema.h"
 #include "app/schema/schema_rows.h"
 
 namespace stretch::ui {
@@ -19,6 +20,8 @@ app::Schema<ViewportOverlays> shownThings() {
       setting<V>({.name = "weights", .help = "How much the mesh follows one joint, as colour."}, &V::weights),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
+      setting<V>({.name = "safe_frame", .help = "The part of the picture that every screen shows."},
+                 &V::safeFrame),
       setting<V>({.name = "side_by_side", .help = "The original beside the exaggerated character."},
                  &V::sideBySide),
       setting<V>({.name = "trail_frame_numbers", .help = "Numbers of frames along trails."},
@@ -174,7 +177,9 @@ const app::Schema<app::SequenceView>& sequenceViewSchema() {
 }
 
 const app::Schema<UiState>& windowSchema() {
-  static const app::Schema<UiState> schema = windowWays();
+  static const app::Schema<UiState> schema = app::joined<UiState>(
+      {windowWays(), app::partOf<UiState>(
+                         app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; })});
   return schema;
 }
 

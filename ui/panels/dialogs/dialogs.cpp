@@ -127,7 +127,9 @@ bool beginDialog(PanelContext& context, const DialogSpec& spec, bool& open) {
   const float width = std::min(theme.px(spec.width), screen.x - margin);
   const float height = std::min(theme.px(spec.height), screen.y - margin);
   const float lowestMiddle = std::ceil(0.5F * (margin + std::max(height, shownHeight(name))));
-  ImGui::SetNextWindowPos({std::floor(screen.x * 0.5F), std::max(std::floor(screen.y * 0.46F), lowestMiddle)},
+  const float middle =
+      std::clamp(screen.x * spec.across, 0.5F * (width + margin), screen.x - 0.5F * (width + margin));
+  ImGui::SetNextWindowPos({std::floor(middle), std::max(std::floor(screen.y * 0.46F), lowestMiddle)},
                           ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({width, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(16.0F), dialogPadding(theme)));
@@ -217,6 +219,7 @@ void drawDialogs(PanelContext& context) {
   drawKeysOverview(context);
   drawRenameDialog(context);
   drawClipDialog(context);
+  drawClipStyleDialog(context);
   drawRetimeDialog(context);
   drawHistoryDialog(context);
   drawContextMenu(context);

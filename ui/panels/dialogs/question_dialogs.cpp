@@ -253,8 +253,8 @@ void drawAbout(PanelContext& context) {
   paragraph("Exaggerates the motion of a rigged biped: pick a limb, make its path bigger, and the limb "
             "squashes and stretches to follow, as in the cartoons of the 1940s.");
   verticalSpace(widgetsOf(context), 8.0F);
-  note(widgetsOf(context),
-       "Opens and saves glTF 2.0 (.glb, .gltf, .vrm). What it does not edit comes back as it was.");
+  note(widgetsOf(context), "Opens and saves glTF 2.0 (.glb, .gltf, .vrm). What it does not edit comes back "
+                           "as it was. FBX, BVH and Collada open as a new glTF.");
   if (dialogButtons(context, "about", {{.id = "", .text = "Close"}}) == 0) {
     ui.dialogs.aboutOpen = false;
     ImGui::CloseCurrentPopup();

@@ -81,6 +81,8 @@ void drawSettingsDialog(PanelContext& context) {
   themeRow(context);
   interfaceScaleRow(context);
   navigationRow(context);
+  viewRow(context, "settings/", windowSetting("form"), context.ui);
+  explain(context, explanationOf(windowSetting("form"), context.ui));
   for (const char* name : {"snap", "exaggerate_at_tip", "every_frame", "on_twos"}) {
     viewRow(context, "settings/", windowSetting(name), context.ui);
     explain(context, windowSetting(name).help);

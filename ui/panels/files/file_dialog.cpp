@@ -4,6 +4,8 @@
 
 #include "app/sequence/open_any.h"
 #include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/context/setting_rows.h"
+#include "ui/panels/context/view_schema.h"
 #include "ui/panels/files/file_facts_pane.h"
 #include "ui/panels/files/file_listing.h"
 #include "ui/widgets/button.h"
@@ -414,6 +416,12 @@ void typesRow(PanelContext& context) {
     ImGui::EndChild();
     dialog.highlighted = chosen >= 0 && chosen != dialog.type ? -1 : dialog.highlighted;
     dialog.type = chosen >= 0 ? chosen : dialog.type;
+    ImGui::SameLine();
+  } else if (dialog.purpose == FilePurpose::saveModel || dialog.purpose == FilePurpose::exportClean) {
+    ImGui::BeginChild("files/form", {ImGui::GetContentRegionAvail().x - side - context.theme.unit(),
+                                     context.theme.rowHeight()});
+    viewRow(context, "files/", *app::findSetting(windowSchema(), "form"), context.ui);
+    ImGui::EndChild();
     ImGui::SameLine();
   }
   ButtonSpec make{.id = "files/new-folder", .icon = icon::plus, .text = "New folder"};

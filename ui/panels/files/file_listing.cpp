@@ -1,10 +1,10 @@
 #include "ui/panels/files/file_listing.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <system_error>
 
+#include "core/base/lower_case.h"
 #include "ui/panels/context/panel_support.h"
 
 namespace stretch::ui {
@@ -13,20 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool comesBefore(const FileEntry& a, const FileEntry& b) {
-  return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
+  return a.isFolder != b.isFolder ? a.isFolder : lowerCase(a.name) < lowerCase(b.name);
 }
 
 } // namespace
 
 bool hasExtension(const fs::path& path, const std::vector<std::string>& extensions) {
-  const std::string extension = lowered(path.extension().string());
+  const std::string extension = lowerCase(path.extension().string());
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
@@ -35,7 +29,7 @@ std::vector<FileType> fileTypesOf(FilePurpose purpose) {
     return {};
   }
   return {{"All", extensionsOf(purpose)},
-          {"Characters", {".glb", ".gltf", ".vrm", ".vrma"}},
+          {"Characters", {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae"}},
           {"Sequences", {".obj", ".ply", ".pc2", ".mdd"}}};
 }
 
@@ -54,7 +48,7 @@ std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, st
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return {".glb", ".gltf", ".vrm", ".vrma", ".pc2", ".mdd", ".obj", ".ply"};
+    return {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae", ".pc2", ".mdd", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:
@@ -62,13 +56,17 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".glb", ".gltf"};
   case FilePurpose::openRecipe:
   case FilePurpose::saveRecipe:
+  case FilePurpose::openStyle:
+  case FilePurpose::saveStyle:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
     return {".json"};
   case FilePurpose::openSkeleton:
-    return {".glb", ".gltf", ".vrm"};
+    return {".glb", ".gltf", ".vrm", ".fbx", ".bvh", ".dae"};
   case FilePurpose::openClip:
-    return {".glb", ".gltf", ".vrm", ".vrma"};
+    return {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae"};
+  case FilePurpose::saveFilm:
+    return {".mp4", ".webm", ".gif", ".png"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -78,7 +76,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
          purpose != FilePurpose::openProp && purpose != FilePurpose::openClip &&
-         purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openStyle && purpose != FilePurpose::openModuli &&
+         purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -97,6 +96,10 @@ const char* titleOf(FilePurpose purpose) {
     return "Load a recipe";
   case FilePurpose::saveRecipe:
     return "Save the recipe";
+  case FilePurpose::openStyle:
+    return "Import a style";
+  case FilePurpose::saveStyle:
+    return "Export the style";
   case FilePurpose::exportSequence:
     return "Export the skinned clip";
   case FilePurpose::openModuli:
@@ -105,6 +108,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Save moduli";
   case FilePurpose::openSkeleton:
     return "Take the bones of a file";
+  case FilePurpose::saveFilm:
+    return "Save a video or numbered pictures";
   case FilePurpose::saveFrames:
     break;
   }

@@ -44,7 +44,7 @@ void drawViewportBar(PanelContext& context) {
        {command::viewGrid, icon::grid, "Gr"},
        {command::viewSideBySide, icon::columns, "||"}}};
   const float side = context.theme.px(30.0F);
-  std::vector<RowPart> parts;
+  std::vector<RowControl> parts;
   parts.reserve(switches.size());
   for (const auto& entry : switches) {
     parts.push_back({side + context.theme.px(2.0F),

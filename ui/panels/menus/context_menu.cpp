@@ -37,6 +37,7 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        "",
                                        command::poseCopy,
                                        command::posePaste,
+                                       command::posePasteMirrored,
                                        command::poseMirror,
                                        "",
                                        command::controllersAll,
@@ -161,7 +162,7 @@ std::string spheresText(const app::ViewState& view) {
              : std::to_string(view.selection.spheres().size()) + " spheres";
 }
 
-std::string controllersText(const app::Session& session) {
+std::string controllersTitle(const app::Session& session) {
   const std::vector<std::string>& selected = session.view().selection.controllers();
   return selected.size() == 1 ? capitalised(app::controllerTitle(session.document(), selected.front()))
                               : std::to_string(selected.size()) + " controllers";
@@ -231,7 +232,7 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
   case MenuTarget::sphere:
     return spheresText(view);
   case MenuTarget::controller:
-    return controllersText(session);
+    return controllersTitle(session);
   case MenuTarget::hold:
     return holdText(context);
   case MenuTarget::key:

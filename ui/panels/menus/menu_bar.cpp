@@ -125,7 +125,9 @@ void poseMenu(PanelContext& context) {
              "",
              poseMirror,
              poseCopy,
+             poseCopyOffsets,
              posePaste,
+             posePasteMirrored,
              poseTween,
              "",
              poseCurlMore,
@@ -175,34 +177,16 @@ void drawRigMenu(PanelContext& context) {
 
 namespace {
 
-void drawKeysMenu(PanelContext& context) {
+void drawTrailMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
-                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
-                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
-                              "",         keysRestore, keysRestoreAll}},
-           false);
-}
-
-} // namespace
-
-void drawMenuBar(PanelContext& context) {
-  using namespace command;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
-  drawMenu(context,
-           {"File",
-            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
-           true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
-  drawLimbMenu(context);
-  drawRigMenu(context);
-  poseMenu(context);
   drawMenu(context,
            {"Trail",
-            {trailToggle,
+            {clipExaggerate,
+             styleTake,
+             styleImport,
+             styleExport,
+             "",
+             trailToggle,
              trailExaggerate,
              trailConnect,
              trailFollow,
@@ -225,6 +209,60 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+}
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
+void viewMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"View", {viewFrameSelection,
+                              viewFrameAll,
+                              viewBest,
+                              "",
+                              viewFront,
+                              viewSide,
+                              viewTop,
+                              viewPerspective,
+                              viewCamera,
+                              viewSafeFrame,
+                              "",
+                              viewControllers,
+                              viewSkeleton,
+                              viewWire,
+                              viewJointNames,
+                              viewWeights,
+                              viewHeatMap,
+                              viewGhosts,
+                              viewFrameNumbers,
+                              viewGrid,
+                              viewSideBySide}},
+           false);
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
+             fileExportClean, fileFilm, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+  drawLimbMenu(context);
+  drawRigMenu(context);
+  poseMenu(context);
+  drawTrailMenu(context);
   drawKeysMenu(context);
   drawMenu(
       context,
@@ -233,12 +271,7 @@ void drawMenuBar(PanelContext& context) {
                 rangeStart,   rangeEnd,       "",          timeEveryFrame, timeOnTwos,     "",
                 clipPrevious, clipNext,       clipRate24,  clipRate25,     clipRate30,     clipRateOwn}},
       false);
-  drawMenu(context,
-           {"View",
-            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
-             viewControllers, viewSkeleton, viewWire, viewJointNames, viewWeights, viewHeatMap, viewGhosts,
-             viewFrameNumbers, viewGrid, viewSideBySide}},
-           false);
+  viewMenu(context);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);

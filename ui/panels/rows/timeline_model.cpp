@@ -59,11 +59,26 @@ public:
       if (const rig::Limb* const limb = app::findLimb(document_, id)) {
         const KeyedRows some = rowsOfLimb(all_, *limb);
         keyed.insert(keyed.end(), some.begin(), some.end());
+        inLimbs_.insert(some.begin(), some.end());
       }
     }
     keyed = limbs.empty() ? all_ : std::move(keyed);
     std::vector<double> frames = own_ ? framesOf(keyed) : app::shownKeyFrames(session_, limbs);
     add({label, std::move(frames), selected}, std::move(keyed));
+  }
+
+  /// A row of the clip's own keys that are in no limb's row, of the nodes that belong to it; none without
+  /// keys.
+  template <typename Belongs>
+  void addOthers(const std::string& label, Belongs&& belongs) {
+    KeyedRows keyed;
+    std::ranges::copy_if(all_, std::back_inserter(keyed), [&](const app::KeyRow& row) {
+      return !row.isOffset() && !inLimbs_.contains(row) && belongs(row.node);
+    });
+    if (!keyed.empty()) {
+      std::vector<double> frames = framesOf(keyed);
+      add({label, std::move(frames)}, std::move(keyed));
+    }
   }
 
   void addController(const std::string& id, bool selected) {
@@ -102,6 +117,7 @@ private:
   app::Session& session_;
   const app::Document& document_;
   KeyedRows all_;
+  std::set<app::KeyRow> inLimbs_;
   KeyRowsState& state_;
 };
 
@@ -133,6 +149,12 @@ void gatherEveryLimb(app::Session& session, KeyRowsState& state) {
   for (const rig::Limb& limb : app::allLimbs(document)) {
     gatherer.addClip(limbHeading(document, limb.id), {limb.id}, app::isSelected(session, limb.id));
   }
+  // All rows together are all keys: whoever boxes them takes the body along.
+  const auto isAboveHips = [&](NodeIndex node) {
+    return document.body.hips.exists() && isAncestorOrSelf(*document.scene, node, document.body.hips);
+  };
+  gatherer.addOthers("Hips and root", isAboveHips);
+  gatherer.addOthers("Other joints", [&](NodeIndex node) { return !isAboveHips(node); });
   for (const std::string& id : gatherer.keyedControllers()) {
     gatherer.addController(id, isPosed(session, id));
   }

@@ -18,11 +18,14 @@ enum class FilePurpose {
   openProp,
   openClip,
   saveRecipe,
+  openStyle,
+  saveStyle,
   saveFrames,
   exportSequence,
   openModuli,
   saveModuli,
-  openSkeleton
+  openSkeleton,
+  saveFilm
 };
 
 /// One row of a folder's listing.

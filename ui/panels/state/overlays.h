@@ -14,6 +14,7 @@ struct ViewportOverlays {
   bool grid = true;
   bool trailFrameNumbers = false;
   bool trailTicks = true;
+  bool safeFrame = false;              ///< The part of the picture that every screen shows.
   bool sideBySide = false;             ///< Original beside exaggerated.
   bool trailsOnlyWhenSelected = false; ///< Else every visible trail is drawn.
   int ghostsBefore = 3;

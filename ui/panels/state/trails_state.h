@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/auto/exaggerate_clip.h"
 #include "core/scene/scene.h"
 #include "rig/motion/motion.h"
 
@@ -30,16 +31,43 @@ struct LookState {
   bool bodyTravels = false;                        ///< Why a new trail there starts in the space root.
 };
 
+/// How much of the selected trail is seen, as last looked for.
+struct SeenState {
+  std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
+  int trailId = 0;
+  CameraPlace camera = {};
+  std::string text = {};
+  double share = 1.0;
+};
+
 /// The style that was taken last, and for which trails of which character.
 struct TakenStyle {
   std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
   std::vector<int> trails = {};            ///< Ids.
-  int style = 0;                           ///< Into app::styles().
+  int style = 0;                           ///< Into TrailPanels::styles.
+};
+
+/// The whole clip exaggerated in one style, while it is looked at before it is kept.
+struct ClipStyleState {
+  bool open = false;
+  int style = usualStyle; ///< Into TrailPanels::styles.
+  double strength = 1.0;
+  std::vector<rig::Moment> moments = {};  ///< Moments of the clip, strongest first.
+  std::vector<bool> on = {};              ///< Moments that are to be exaggerated.
+  std::vector<app::AutoMoment> made = {}; ///< Outcome of those that are on, as last worked out.
+  bool changed = false;                   ///< It is to be worked out anew.
+  bool working = false;                   ///< It is being worked out.
+  bool accepted = false;                  ///< It is to be kept, as soon as it is worked out.
+
+  static constexpr int usualStyle = 6; ///< The average of the measured ones.
 };
 
 /// The panels of trails and their settings.
 struct TrailPanels {
+  std::vector<rig::Style> styles = rig::builtInStyles(); ///< Styles that are offered: with the user's own.
+  ClipStyleState clipStyle;
   LookState look;
+  SeenState seen;
   TakenStyle takenStyle;
   RenameState rename;
   bool allWarnings = false; ///< Every warning of the trail is listed, not the first alone.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/schema/saved_form.h"
 #include "ui/panels/state/answers.h"
 #include "ui/panels/state/body_state.h"
 #include "ui/panels/state/dialog_state.h"
@@ -49,6 +50,7 @@ struct UiState {
   std::vector<Toast> toasts;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   std::vector<std::string> closedSections;       ///< Ids of collapsed sections of panels.
+  app::SavedForm savedForm;                      ///< How stretches are told in files.
   UiAnswers answers;
   bool panelDrag = false; ///< The session's drag was begun by a panel.
 };

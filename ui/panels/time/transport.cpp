@@ -202,13 +202,13 @@ std::string workText(const app::Document& document, int clip) {
 }
 
 /// As wide as the shown clip's name asks for, in what the other parts leave of the row.
-float clipChooserWidth(const PanelContext& context, const std::vector<RowPart>& others, float available) {
+float clipChooserWidth(const PanelContext& context, const std::vector<RowControl>& others, float available) {
   const Theme& theme = context.theme;
   const app::Session& session = *context.open.character();
   const int clip = session.view().clip;
   const std::string name = clipName(app::clipOf(session.document(), clip), static_cast<std::size_t>(clip));
   float left = available - theme.px(60.0F); // Of the text at the row's end.
-  for (const RowPart& part : others) {
+  for (const RowControl& part : others) {
     left -= part.width;
   }
   const float wanted = textSize(theme.fonts.body, name).x + theme.px(42.0F);
@@ -242,9 +242,9 @@ void drawTransport(PanelContext& context) {
   const ShownTime time = shownTime(context);
   const Theme& theme = context.theme;
   jumps(context);
-  std::vector<RowPart> parts{{theme.px(30.0F) + theme.unit(), [&] { loopSwitch(context); }},
-                             {theme.px(56.0F) + theme.unit(), [&] { frameField(context, time); }},
-                             {theme.px(72.0F) + theme.unit(), [&] { speedChooser(context); }}};
+  std::vector<RowControl> parts{{theme.px(30.0F) + theme.unit(), [&] { loopSwitch(context); }},
+                                {theme.px(56.0F) + theme.unit(), [&] { frameField(context, time); }},
+                                {theme.px(72.0F) + theme.unit(), [&] { speedChooser(context); }}};
   if (context.open.character() != nullptr) {
     parts.push_back({theme.px(84.0F) + theme.unit(), [&] { rateChooser(context); }});
     parts.push_back({theme.px(clipLoopWidth) + theme.unit(), [&] { clipLoopSwitch(context); }});

@@ -70,6 +70,9 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
     spaceRows(context, trail);
     stopRows(context, trail);
   }
+  if (section(widgets, "trail/section-sight", "Camera", closed)) {
+    sightRows(context, trail);
+  }
   weightSection(context, trail.limb);
   holdSection(context);
 }

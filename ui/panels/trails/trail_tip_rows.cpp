@@ -8,6 +8,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/seen.h"
 #include "app/evaluate/way_back.h"
 #include "rig/motion/solve.h"
 #include "ui/panels/context/setting_rows.h"
@@ -22,34 +23,39 @@ namespace {
 
 using rig::TrailSettings;
 
-/// Scales measured in cartoons, offered for every limb at once.
+/// Styles for every limb at once: each gets its own scale.
 void styleRow(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const Help help{"Style",
-                  "Scales measured in cartoons of the 1940s and 1950s: arms, body and legs each get theirs.",
+                  "How the limbs are exaggerated: measured in cartoons of the 1940s and 1950s, made for this "
+                  "program, or your own. Arms, body and legs each get their scale.",
                   {}};
   labelledRow(widgets, "Style", help);
-  std::vector<Choice> choices;
-  for (const app::Style& style : app::styles()) {
-    const auto times = [](double factor) { return "\xC3\x97" + shortNumber(factor); };
-    choices.push_back(
-        {style.name,
-         {style.name,
-          "Arms " + times(style.arm) + ", body " + times(style.torso) + ", legs " + times(style.leg),
-          {}}});
-    choices.back().note =
-        times(style.arm) + " arms  " + times(style.leg) + " legs  " + times(style.torso) + " torso";
-  }
+  TrailPanels& panels = context.ui.trails;
   const app::Document& document = context.character().document();
   const std::vector<int> trails = app::targetTrails(context.character());
-  const ShownStyle shown = shownStyle(context.ui.trails.takenStyle, document, trails);
-  if (const int chosen =
-          dropdown(widgets, "trail/style", choices, shown.index, help, 0.0F, shown.otherwise.c_str());
+  const ShownStyle shown = shownStyle(panels, document, trails);
+  if (const int chosen = dropdown(widgets, "trail/style", styleChoices(panels.styles), shown.index, help,
+                                  0.0F, shown.otherwise.c_str());
       chosen >= 0) {
-    context.ui.trails.takenStyle = {document.scene, trails, chosen};
+    panels.takenStyle = {document.scene, trails, chosen};
     editOnce(context, "Take a style",
-             app::applyStyle(document, trails, app::styles()[static_cast<std::size_t>(chosen)]));
+             app::applyStyle(document, trails, panels.styles[static_cast<std::size_t>(chosen)]));
   }
+}
+
+/// The range of the slider of scales: that of the style which was taken for the trails, else the widest.
+RowExtras scaleExtras(const PanelContext& context, const rig::Trail& trail) {
+  const TrailPanels& panels = context.ui.trails;
+  const app::Session& session = context.character();
+  const rig::Limb* const limb = app::findLimb(session.document(), trail.limb);
+  if (limb == nullptr || panels.takenStyle.scene != session.document().scene ||
+      panels.takenStyle.trails != app::targetTrails(session)) {
+    return {};
+  }
+  const rig::ScaleRange& range =
+      rig::scalesOf(panels.styles[static_cast<std::size_t>(panels.takenStyle.style)], limb->kind);
+  return {.minimum = range.least, .maximum = range.most};
 }
 
 void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
@@ -86,8 +92,8 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
 /// Why the limb does not get as long or as short as it should, and what to do.
 std::string reachProblem(const PanelContext& context, const rig::SolvedTrail& solved) {
   const rig::TipSolution& tip = solved.tip;
-  if (tip.outcome == rig::TipOutcome::nothingToScale || tip.reached()) {
-    return {};
+  if (tip.outcome == rig::TipOutcome::nothingToScale || tip.reached() || tip.seen) {
+    return {}; // as seen: the trail's own warning says it
   }
   const bool tooLong = tip.reachedLength > tip.wantedLength;
   const std::string limb = app::limbTitle(context.character().document(), solved.trail.limb);
@@ -117,6 +123,9 @@ LookState lookNow(const app::Document& document, std::shared_ptr<const rig::Moti
   LookState look;
   look.trailId = solved.trail.id;
   look.warnings = app::motionWarnings(document, *motion, solved, whatToLookAt(*motion, solved));
+  for (const std::string& warning : app::seenWarnings(document, *motion, solved)) {
+    look.warnings.push_back(warning);
+  }
   if (const auto wayBack = app::wayBackProblem(document, *motion, solved)) {
     look.warnings.push_back(wayBack->what);
     look.clipCouldLoop = wayBack->loopHelps;
@@ -217,13 +226,32 @@ void messageRows(PanelContext& context, const std::vector<Message>& messages) {
 
 } // namespace
 
-ShownStyle shownStyle(const TakenStyle& taken, const app::Document& document,
+std::vector<Choice> styleChoices(const std::vector<rig::Style>& styles) {
+  const auto times = [](const rig::ScaleRange& range) { return "\xC3\x97" + shortNumber(range.usual); };
+  std::vector<Choice> choices;
+  for (const rig::Style& style : styles) {
+    const std::string origin = style.origin == rig::StyleOrigin::measured ? "Measured"
+                               : style.origin == rig::StyleOrigin::ours   ? "Made for this program"
+                                                                          : "Your own";
+    Choice choice{style.name};
+    choice.help = {style.name,
+                   origin + ": arms " + times(style.arm) + ", body " + times(style.torso) + ", legs " +
+                       times(style.leg),
+                   {}};
+    choice.note = times(style.arm) + " arms  " + times(style.leg) + " legs  " + times(style.torso) + " torso";
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+ShownStyle shownStyle(const TrailPanels& panels, const app::Document& document,
                       const std::vector<int>& trails) {
+  const TakenStyle& taken = panels.takenStyle;
   if (taken.scene != document.scene || taken.trails != trails) {
     return {};
   }
-  const app::Style& style = app::styles()[static_cast<std::size_t>(taken.style)];
-  return {app::hasStyle(document, trails, style) ? taken.style : -1, std::string(style.name) + ", changed"};
+  const rig::Style& style = panels.styles[static_cast<std::size_t>(taken.style)];
+  return {app::hasStyle(document, trails, style) ? taken.style : -1, style.name + ", changed"};
 }
 
 void rangeRow(PanelContext& context, const rig::Trail& trail) {
@@ -253,7 +281,7 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
 }
 
 void scaleRows(PanelContext& context, const rig::Trail& trail) {
-  trailRow(context, trail, "scale");
+  trailRow(context, trail, "scale", {}, scaleExtras(context, trail));
   styleRow(context);
   trailSection(context, trail, "tip", {}, {"scale"});
 }

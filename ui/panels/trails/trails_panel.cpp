@@ -257,13 +257,19 @@ void drawTrailsPanel(PanelContext& context) {
   if (any) {
     return;
   }
+  commandButton(context, {.command = command::clipExaggerate,
+                          .icon = icon::magic,
+                          .text = "Exaggerate the clip",
+                          .emphasis = Emphasis::primary,
+                          .width = ImGui::GetContentRegionAvail().x});
   const bool limbChosen = !session.view().selection.limbs().empty();
   const std::string key = keyOf(context, command::trailExaggerate);
   emptyState(widgets, icon::bolt, limbChosen ? "Ready to exaggerate" : "No trail yet",
-             limbChosen ? "Press " + (key.empty() ? std::string("Exaggerate") : key) +
-                              " to make the limb's path bigger, or Trail to see the path first."
-                        : "Click a limb on the left and press " +
-                              (key.empty() ? std::string("Exaggerate") : key) + ".");
+             limbChosen
+                 ? "Press " + (key.empty() ? std::string("Exaggerate") : key) +
+                       " to make the limb's path bigger, or Trail to see the path first."
+                 : "Exaggerate the clip does it for every moment. Or click a limb on the left and press " +
+                       (key.empty() ? std::string("Exaggerate") : key) + ".");
 }
 
 } // namespace stretch::ui

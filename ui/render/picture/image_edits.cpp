@@ -87,6 +87,20 @@ void paste(Image& sheet, const Image& picture, int x, int y) {
   }
 }
 
+void outline(Image& image, const PixelBox& box, const glm::vec3& colorSrgb) {
+  const int thick = std::max(1, image.height / 540);
+  const int left = static_cast<int>(std::lround(box.low.x));
+  const int top = static_cast<int>(std::lround(box.low.y));
+  const int width = static_cast<int>(std::lround(box.high.x)) - left;
+  const int height = static_cast<int>(std::lround(box.high.y)) - top;
+  const Image across = filled(std::max(width, thick), thick, colorSrgb);
+  const Image down = filled(thick, std::max(height, thick), colorSrgb);
+  paste(image, across, left, top);
+  paste(image, across, left, top + height - thick);
+  paste(image, down, left, top);
+  paste(image, down, left + width - thick, top);
+}
+
 int SheetLayout::left(std::size_t index) const {
   return static_cast<int>(index % static_cast<std::size_t>(columns)) * cellWidth;
 }

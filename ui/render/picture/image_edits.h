@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
+#include "ui/render/view/camera_view.h"
 
 namespace stretch::ui {
 
@@ -20,6 +21,9 @@ void makeOpaque(Image& image);
 
 /// Copies `picture` into `sheet`, its top left at (x, y); what does not fit is cut off.
 void paste(Image& sheet, const Image& picture, int x, int y);
+
+/// Draws a thin rectangle; what lies outside is cut off.
+void outline(Image& image, const PixelBox& box, const glm::vec3& colorSrgb);
 
 /// Places of pictures of one size on a sheet, row by row, with a thin gap between them.
 struct SheetLayout {

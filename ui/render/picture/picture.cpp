@@ -15,9 +15,14 @@ constexpr int smallestSide = 16;
 constexpr int largestSide = 8192;
 
 Camera cameraFor(const PictureOptions& options, const Viewport& viewport, const Box& shown) {
-  return options.camera
-             ? *options.camera
-             : fitted(lookFrom({}, options.view, options.facingYawRadians), viewport, shown, 0.045);
+  if (options.camera) {
+    return *options.camera;
+  }
+  Camera camera = lookFrom({}, options.view, options.facingYawRadians);
+  if (options.towardsEye) {
+    camera = lookingFrom(camera, *options.towardsEye);
+  }
+  return fitted(camera, viewport, shown, 0.045);
 }
 
 int labelHeight(const PictureOptions& options) {
@@ -90,9 +95,10 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   if (content.shape) {
     parts.renderer.reshape(content.shape());
   }
-  const Overlay overlay = overlayOf(*parts.scene, parts.view, content);
+  const View view = picture.through ? viewThrough(*picture.through, parts.view.viewport) : parts.view;
+  const Overlay overlay = overlayOf(*parts.scene, view, content);
   const Status drawn =
-      parts.renderer.draw(parts.target, parts.view, {content.frame, content.ghosts, overlay, style});
+      parts.renderer.draw(parts.target, view, {content.frame, content.ghosts, overlay, style});
   if (!drawn) {
     return drawn.error();
   }
@@ -100,6 +106,11 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   makeOpaque(image);
   const int margin = labelHeight(parts.options);
   parts.face.write(image, margin, 2 * margin, picture.label, style.palette.label);
+  if (parts.options.safeFrame) {
+    const Viewport size{static_cast<double>(image.width), static_cast<double>(image.height)};
+    const auto aspect = picture.through ? picture.through->lens.aspect : std::nullopt;
+    outline(image, frameIn(size, aspect, safeFrame), glm::vec3(style.palette.label));
+  }
   if (picture.legend) {
     drawLegend(image, parts.face, margin, *picture.legend, style.palette.label);
   }

@@ -8,6 +8,7 @@
 
 #include "ui/render/picture/picture_content.h"
 #include "ui/render/picture/picture_legend.h"
+#include "ui/render/view/camera_view.h"
 
 namespace stretch::ui {
 
@@ -16,6 +17,7 @@ struct PictureFrame {
   PictureContent content; ///< The measures in its style are taken from the scene instead.
   std::string label = {}; ///< "frame 12", written in the corner; empty for none.
   std::optional<PictureLegend> legend = {};
+  std::optional<ThroughCamera> through = {}; ///< Instead of the camera of the series.
 };
 
 /// How pictures without a display are made.
@@ -23,9 +25,11 @@ struct PictureOptions {
   int widthPixels = 1280; ///< 16..8192.
   int heightPixels = 720;
   ViewDirection view = ViewDirection::threeQuarter;
-  double facingYawRadians = 0.0; ///< Direction that the character faces: 0 is +Z.
-  std::optional<Camera> camera;  ///< Instead of a standard view that fits what all frames show.
-  int supersampling = 2;         ///< Pixels drawn for each pixel of the picture, along each side; 1..4.
+  double facingYawRadians = 0.0;  ///< Direction that the character faces: 0 is +Z.
+  std::optional<Vec3> towardsEye; ///< Direction, unit: instead of `view`, in perspective.
+  bool safeFrame = false;         ///< The part that every screen shows is outlined.
+  std::optional<Camera> camera;   ///< Instead of a standard view that fits what all frames show.
+  int supersampling = 2;          ///< Pixels drawn for each pixel of the picture, along each side; 1..4.
 };
 
 /// Draws pictures of one scene, one after the other, with the same camera. Owns its context without a

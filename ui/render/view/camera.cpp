@@ -119,6 +119,13 @@ Camera lookFrom(Camera camera, ViewDirection direction, double facingYawRadians)
   return camera;
 }
 
+Camera lookingFrom(Camera camera, const Vec3& towardsEye) {
+  camera.projection = ProjectionKind::perspective;
+  camera.yawRadians = std::atan2(towardsEye.x, towardsEye.z);
+  camera.pitchRadians = std::asin(std::clamp(towardsEye.y, -1.0, 1.0));
+  return camera;
+}
+
 Camera orbited(Camera camera, const Viewport& viewport, const Vec2& dragPixels) {
   const double radiansPerPixel = pi / heightOf(viewport);
   camera.yawRadians = std::remainder(camera.yawRadians - dragPixels.x * radiansPerPixel, 2.0 * pi);

@@ -72,6 +72,9 @@ struct ScreenPoint {
 /// perspective.
 [[nodiscard]] Camera lookFrom(Camera camera, ViewDirection direction, double facingYawRadians = 0.0);
 
+/// The camera turned to look from a direction (towards the eye, unit), in perspective; all else stays.
+[[nodiscard]] Camera lookingFrom(Camera camera, const Vec3& towardsEye);
+
 /// Turns by a drag of the mouse; a drag across the viewport's height is half a turn. The pitch stops at the
 /// poles.
 [[nodiscard]] Camera orbited(Camera camera, const Viewport& viewport, const Vec2& dragPixels);

@@ -1,0 +1,118 @@
+#include "app/auto/clip_ground.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/planted_feet.h"
+#include "app/evaluate/way_back.h"
+#include "app/standing_floor.h"
+#include "core/anim/frames.h"
+
+namespace stretch::app {
+
+namespace {
+
+// Of limbs and mesh in one frame.
+void lowerTo(const FrameState& frame, const LimbPlaces& places, ClipGround& ground) {
+  for (const std::vector<Vec3>& points : places) {
+    for (const Vec3& point : points) {
+      ground.lowest = std::min(ground.lowest, point.y);
+    }
+  }
+  const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, frame);
+  ground.lowestVertex = vertex ? std::min(ground.lowestVertex, vertex->y) : ground.lowestVertex;
+}
+
+Vec3 middleOf(const LimbPlaces& places) {
+  Vec3 sum(0.0);
+  for (const std::vector<Vec3>& points : places) {
+    sum += points.front();
+  }
+  return sum / static_cast<double>(places.size());
+}
+
+// Whether the limbs are at the clip's end where they are at its beginning, wherever the body got to and
+// whatever else moves.
+bool limbsMeet(const ClipGround& ground) {
+  constexpr double sameShare = 0.02; // of the height
+  const Clip& clip = clipOf(ground.document, ground.clip);
+  if (ground.limbs.empty() || !(clip.endSeconds > clip.startSeconds)) {
+    return false;
+  }
+  const auto placesAt = [&](double seconds) {
+    return placesOf(ground.limbs, evaluateOriginal(ground.document, ground.clip, seconds));
+  };
+  const LimbPlaces first = placesAt(clip.startSeconds);
+  const LimbPlaces last = placesAt(clip.endSeconds);
+  const Vec3 travel = middleOf(last) - middleOf(first);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t k = 0; k < first[i].size(); ++k) {
+      if (glm::length(last[i][k] - first[i][k] - travel) > sameShare * ground.document.body.height) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const FrameState& frame) {
+  std::vector<glm::vec3> places;
+  surface.positions(frame, places);
+  const auto lowest = std::ranges::min_element(places, {}, &glm::vec3::y);
+  return lowest == places.end() ? std::nullopt : std::optional(Vec3(*lowest));
+}
+
+LimbPlaces placesOf(const std::vector<rig::Limb>& limbs, const FrameState& frame) {
+  LimbPlaces places;
+  for (const rig::Limb& limb : limbs) {
+    places.push_back(rig::pointsToLead(limb, frame));
+  }
+  return places;
+}
+
+const LimbPlaces& ClipGround::placesAt(double frame) const {
+  const double last = static_cast<double>(places.size() - 1);
+  return places[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))];
+}
+
+const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg) const {
+  static const std::vector<Vec2> none;
+  const auto found = stands.find(leg);
+  return found == stands.end() ? none : found->second;
+}
+
+ClipGround clipGround(const Document& document, int clip) {
+  ClipGround ground{document, clip};
+  const Clip& motion = clipOf(document, clip);
+  ground.framesPerSecond = motion.framesPerSecond;
+  ground.lastFrame = std::max(0.0, wholeFrameAtMost(endInFrames(motion)));
+  ground.limbs = allLimbs(document);
+  ground.endsMeet = endsMeet(document, clip) || limbsMeet(ground);
+  ground.wraps =
+      ground.endsMeet && motion.startSeconds < 0.5 / motion.framesPerSecond && !hasWeight(document, clip);
+  ground.lowest = std::numeric_limits<double>::infinity();
+  ground.lowestVertex = ground.lowest;
+  ground.surface = std::make_shared<const skinning::SurfacePart>(
+      *document.scene, std::vector<bool>(document.scene->nodes.size(), true));
+  Document source = document; // trails and weight that are there are no part of the ground
+  source.trails.clear();
+  source.weights.clear();
+  const rig::MotionState state = prepareMotion(source, clip);
+  for (double frame = 0.0; frame <= ground.lastFrame; frame += 1.0) {
+    const FrameState shown = evaluate(source, state, frame / ground.framesPerSecond);
+    ground.places.push_back(placesOf(ground.limbs, shown));
+    lowerTo(shown, ground.places.back(), ground);
+  }
+  for (const rig::Pin& pin : plantedFeet(document, clip, {0.0, ground.lastFrame}).pins) {
+    ground.stands[pin.limb].push_back(pin.time.rangeFrames);
+  }
+  ground.floor = floorHeight(document, clip);
+  return ground;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/anim/frame_state.h"
+#include "skinning/surface_part.h"
+
+namespace stretch::app {
+
+/// Limbs at one frame, in the order of allLimbs: where each of their points is, the place that stays first.
+using LimbPlaces = std::vector<std::vector<Vec3>>;
+
+/// Facts about a clip without new trails that every choice for it is measured against.
+struct ClipGround {
+  const Document& document; ///< Has to outlive it.
+  int clip = 0;
+  double framesPerSecond = 30.0;
+  double lastFrame = 0.0; ///< Whole.
+  bool endsMeet = false;  ///< Its last pose is its first again.
+  bool wraps = false;     ///< A way back may go on at its start: it has keys from there on, and nothing hangs
+                          ///< on its end.
+  std::vector<rig::Limb> limbs;
+  std::vector<LimbPlaces> places;                  ///< One for each whole frame from 0.
+  std::map<std::string, std::vector<Vec2>> stands; ///< By leg: first and last frame of standing, ascending.
+  std::shared_ptr<const skinning::SurfacePart> surface; ///< All of the mesh.
+  double lowestVertex = 0.0;                            ///< Height that no vertex goes below in the clip.
+  double lowest = 0.0;         ///< Height that no point of a limb goes below in the clip.
+  std::optional<double> floor; ///< Floor on which feet stand.
+
+  [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
+  [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg) const;
+};
+
+[[nodiscard]] ClipGround clipGround(const Document& document, int clip);
+
+/// The lowest vertex of the mesh in a frame; nothing for a body without one.
+[[nodiscard]] std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface,
+                                                 const FrameState& frame);
+
+[[nodiscard]] LimbPlaces placesOf(const std::vector<rig::Limb>& limbs, const FrameState& frame);
+
+} // namespace stretch::app

@@ -1,0 +1,289 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "app/auto/held_together.h"
+#include "app/auto/planned_trail.h"
+#include "app/edits/trail/place_trails.h"
+#include "app/edits/trail/starting_settings.h"
+#include "app/standing_floor.h"
+#include "rig/motion/order.h"
+#include "rig/trail/release.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr double weakShare = 0.15;    // of the clip's strongest: what is weaker is no action beside it
+constexpr double fullStrength = 6.0;  // reaches per second: from here on a moment gets all that the style
+                                      // says
+constexpr double leastShare = 0.2;    // of the style's exaggeration, for the weakest
+constexpr double shortestRange = 2.0; // frames
+constexpr double shortestRelease = 2.0;
+constexpr double asStrong = 0.8;  // of a stronger one: both lead
+constexpr double sharedWay = 0.5; // of the next range: until then it has hardly begun
+
+double clipStrength(const std::vector<rig::Moment>& moments) {
+  double strongest = 0.0;
+  for (const rig::Moment& moment : moments) {
+    strongest = moment.limb == rig::wholeBody ? strongest : std::max(strongest, moment.strength);
+  }
+  return strongest;
+}
+
+bool overlap(const rig::Moment& a, const rig::Moment& b) {
+  return std::max(a.startFrame, b.startFrame) < std::min(a.endFrame, b.endFrame);
+}
+
+class Planner {
+public:
+  Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings)
+      : ground_(ground), moments_(moments), settings_(settings), strongest_(clipStrength(moments)) {}
+
+  [[nodiscard]] AutoPlan plan() {
+    plan_.leftOut.resize(moments_.size());
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      plan_.leftOut[i] = tried(i);
+    }
+    addTrunk();
+    giveRoom();
+    plan_.grips = gripsFor(ground_, plan_);
+    return std::move(plan_);
+  }
+
+private:
+  // Empty where a trail was made.
+  [[nodiscard]] std::string tried(std::size_t place) {
+    const rig::Moment& moment = moments_[place];
+    if (moment.kind == rig::MomentKind::landing || moment.limb == rig::wholeBody) {
+      return "a landing is of the whole body, whose feet stay where they are";
+    }
+    const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
+    if (limb == nullptr) {
+      return "the character has no such limb";
+    }
+    if (overlappingTrail(ground_.document, moment.limb, ground_.clip, moment.startFrame, moment.endFrame) !=
+        nullptr) {
+      return "a trail is there already";
+    }
+    if (moment.strength < weakShare * strongest_) {
+      return "it is weak beside the clip's strongest";
+    }
+    const std::optional<Vec2> range = rangeOf(moment, *limb);
+    if (!range) {
+      return "the foot carries the body there";
+    }
+    if (carriesStandingLeg(*limb, *range)) {
+      return "it carries a leg that stands";
+    }
+    addTrail(place, *limb, *range);
+    return {};
+  }
+
+  // A leg that stands has no stroke; one that is put down comes back to its place before.
+  [[nodiscard]] std::optional<Vec2> rangeOf(const rig::Moment& moment, const rig::Limb& limb) const {
+    Vec2 range(moment.startFrame, moment.endFrame);
+    for (const Vec2& stand : isLeg(limb) ? ground_.standsOf(limb.id) : std::vector<Vec2>{}) {
+      if (stand.x <= range.x) {
+        range.x = std::max(range.x, std::min(stand.y - 1.0, range.y));
+      } else if (stand.x < range.y + shortestRelease) {
+        const double back = std::max(shortestRelease, std::round(0.3 * (stand.x - range.x)));
+        range.y = std::min(range.y, stand.x - back);
+      }
+    }
+    return range.y - range.x >= shortestRange ? std::optional(range) : std::nullopt;
+  }
+
+  [[nodiscard]] bool carriesStandingLeg(const rig::Limb& limb, const Vec2& range) const {
+    return std::ranges::any_of(ground_.limbs, [&](const rig::Limb& leg) {
+      const std::vector<Vec2>& stands = ground_.standsOf(leg.id);
+      return leg.id != limb.id && !stands.empty() && rig::carries(*ground_.document.scene, limb, leg) &&
+             std::ranges::any_of(stands, [&](const Vec2& s) { return s.x < range.y && range.x < s.y; });
+    });
+  }
+
+  // Share of the style's exaggeration: of the moment's own strength, and less beside a stronger limb.
+  [[nodiscard]] double shareOf(const rig::Moment& moment) const {
+    const double own = std::clamp(moment.strength / fullStrength, leastShare, 1.0);
+    const bool follows = moment.kind == rig::MomentKind::stroke &&
+                         std::ranges::any_of(moments_, [&](const rig::Moment& other) {
+                           return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
+                                  overlap(moment, other) && moment.strength < asStrong * other.strength;
+                         });
+    return own * (follows ? settings_.style.spread.limbs : 1.0);
+  }
+
+  void addTrail(std::size_t place, const rig::Limb& limb, const Vec2& range) {
+    const rig::Moment& moment = moments_[place];
+    PlannedTrail planned;
+    planned.moment = place;
+    planned.trail.limb = limb.id;
+    planned.trail.clip = ground_.clip;
+    planned.trail.exaggerated = true;
+    planned.trail.connected = true;
+    rig::TrailSettings& settings = planned.trail.settings;
+    settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range),
+                                   settings_.style, limb.kind, settings_.strength * shareOf(moment));
+    planned.styleScale = settings.scale;
+    stopAtGround(limb, settings);
+    plan_.trails.push_back(std::move(planned));
+  }
+
+  // The spine goes along with each strike of a limb that hangs on it, where it does nothing of its own.
+  void addTrunk() {
+    const rig::Limb* const spine = rig::limbAt(ground_.document.body.limbs, rig::biped::spine);
+    const rig::Spread& spread = settings_.style.spread;
+    if (spine == nullptr || spine->ledByFirst || spread.trunk <= 0.0) {
+      return;
+    }
+    const double late = std::round(spread.lateFrames / 24.0 * ground_.framesPerSecond);
+    for (std::size_t i = 0, leading = plan_.trails.size(); i < leading; ++i) {
+      const rig::Trail& lead = plan_.trails[i].trail;
+      const rig::Limb& limb = *findLimb(ground_.document, lead.limb);
+      const Vec2 range(lead.settings.startFrame + late, lead.settings.endFrame + late);
+      if (reachesOut(limb) && isStrike(moments_[plan_.trails[i].moment]) &&
+          rig::carries(*ground_.document.scene, *spine, limb) && isFree(*spine, range)) {
+        plan_.trails.push_back(followerOf(plan_.trails[i], limb, *spine, range));
+      }
+    }
+  }
+
+  [[nodiscard]] static bool isStrike(const rig::Moment& moment) {
+    return moment.kind == rig::MomentKind::stroke && moment.strength >= 0.5 * fullStrength;
+  }
+
+  [[nodiscard]] bool isFree(const rig::Limb& limb, const Vec2& range) const {
+    return range.y < ground_.lastFrame && !carriesStandingLeg(limb, range) &&
+           overlappingTrail(ground_.document, limb.id, ground_.clip, range.x, range.y) == nullptr &&
+           std::ranges::none_of(plan_.trails, [&](const PlannedTrail& other) {
+             const rig::TrailSettings& settings = other.trail.settings;
+             return other.trail.limb == limb.id && settings.startFrame < range.y &&
+                    range.x < settings.endFrame + (range.y - range.x);
+           });
+  }
+
+  // Pulled the way that the limb goes, evenly along the range.
+  [[nodiscard]] PlannedTrail followerOf(const PlannedTrail& lead, const rig::Limb& limb,
+                                        const rig::Limb& spine, const Vec2& range) const {
+    constexpr int spheres = 4;
+    const auto reachAt = [&](double frame) {
+      const std::vector<Vec3>& points = ground_.placesAt(frame)[static_cast<std::size_t>(placeOf(limb))];
+      return points.back() - points.front();
+    };
+    const Vec3 way = reachAt(lead.trail.settings.endFrame) - reachAt(lead.trail.settings.startFrame);
+    const double strength = settings_.strength * settings_.style.spread.trunk;
+    const double pull = (rig::styledScale(settings_.style, spine.kind, strength) - 1.0) * spine.restLength;
+    PlannedTrail follower = lead;
+    follower.follows = true;
+    follower.trail.limb = spine.id;
+    rig::TrailSettings& settings = follower.trail.settings;
+    settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, spine, range),
+                                   settings_.style, spine.kind, 0.0);
+    settings.scale = 1.0;
+    const double length = glm::length(way);
+    for (int i = 0; i <= spheres && length > 0.0; ++i) {
+      const double part = static_cast<double>(i) / spheres;
+      settings.spheres.push_back(
+          {range.x + part * (range.y - range.x), rig::smoothstep(part) * pull / length * way, {}});
+      follower.trail.controlFrames.push_back(settings.spheres.back().frame);
+    }
+    return follower;
+  }
+
+  [[nodiscard]] std::ptrdiff_t placeOf(const rig::Limb& limb) const {
+    return std::ranges::find(ground_.limbs, limb.id, &rig::Limb::id) - ground_.limbs.begin();
+  }
+
+  void stopAtGround(const rig::Limb& limb, rig::TrailSettings& settings) const {
+    if (isLeg(limb) && !settings.stopAt) {
+      settings.stopAt = floorForLeg(ground_.document, ground_.clip, limb, settings.endFrame);
+    }
+    if (!settings.stopAt) {
+      const double ground = std::max(ground_.lowest, ground_.floor.value_or(ground_.lowest));
+      settings.stopAt = rig::StopPlane{{0.0, ground, 0.0}, {0.0, -1.0, 0.0}};
+    }
+  }
+
+  // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
+  // where the clip is no loop, before its end.
+  void giveRoom() {
+    for (std::size_t i = 0; i < plan_.trails.size(); ++i) {
+      const double room = roomAfter(plan_.trails[i].trail);
+      std::optional<double>& release = plan_.trails[i].trail.settings.releaseFrames;
+      if (release) {
+        release = std::max(std::min(*release, room), std::min(room, shortestRelease));
+      } else if (room < ground_.lastFrame) {
+        const rig::TrailSettings& settings = plan_.trails[i].trail.settings;
+        release = std::min(room, std::max(shortestRelease, 0.5 * (settings.endFrame - settings.startFrame)));
+      }
+    }
+    plan_.loops = ground_.wraps && std::ranges::any_of(plan_.trails, [&](const PlannedTrail& planned) {
+                    return windowOf(planned.trail.settings).y > ground_.lastFrame ||
+                           planned.trail.settings.endFrame >= ground_.lastFrame;
+                  });
+  }
+
+  // Frames after the tip; lastFrame and more: nothing is in the way.
+  [[nodiscard]] double roomAfter(const rig::Trail& trail) const {
+    const double tip = trail.settings.endFrame;
+    const double turn = ground_.wraps ? ground_.lastFrame : 0.0;
+    double room = turn > 0.0 ? 2.0 * ground_.lastFrame : ground_.lastFrame - tip;
+    const auto endBefore = [&](double frame) {
+      const double after = frame >= tip ? frame - tip : frame + turn - tip;
+      room = after >= 0.0 ? std::min(room, after) : room;
+    };
+    for (const PlannedTrail& other : plan_.trails) {
+      const rig::TrailSettings& next = other.trail.settings;
+      if (other.trail.limb == trail.limb && (other.trail.settings != trail.settings || turn > 0.0)) {
+        endBefore(next.startFrame + sharedWay * (next.endFrame - next.startFrame));
+      }
+    }
+    for (const Vec2& stand : ground_.standsOf(trail.limb)) {
+      endBefore(stand.x);
+    }
+    return room;
+  }
+
+  const ClipGround& ground_;
+  const std::vector<rig::Moment>& moments_;
+  const AutoSettings& settings_;
+  double strongest_ = 0.0;
+  AutoPlan plan_;
+};
+
+} // namespace
+
+AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+                    const AutoSettings& settings) {
+  return Planner(ground, moments, settings).plan();
+}
+
+Vec2 windowOf(const rig::TrailSettings& settings) {
+  const double range = settings.endFrame - settings.startFrame;
+  return {settings.startFrame, settings.endFrame + settings.releaseFrames.value_or(range)};
+}
+
+rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {
+  wanted.scale = 1.0 + share * (wanted.scale - 1.0);
+  for (rig::SphereOffset& sphere : wanted.spheres) {
+    sphere.offset *= share;
+  }
+  return wanted;
+}
+
+void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why) {
+  const PlannedTrail planned = plan.trails[place];
+  plan.trails.erase(plan.trails.begin() + static_cast<std::ptrdiff_t>(place));
+  if (planned.follows) {
+    return;
+  }
+  plan.leftOut[planned.moment] = why;
+  std::erase_if(plan.trails, [&](const PlannedTrail& other) { return other.moment == planned.moment; });
+  std::erase_if(plan.grips, [&](const rig::Grip& grip) {
+    return grip.leader == planned.trail.limb && grip.time.rangeFrames.x == planned.trail.settings.startFrame;
+  });
+}
+
+} // namespace stretch::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/auto/clip_ground.h"
+#include "app/auto/exaggerate_clip.h"
+
+namespace stretch::app {
+
+/// A trail that is thought of for a moment.
+struct PlannedTrail {
+  std::size_t moment = 0;  ///< Place in the list of moments.
+  double styleScale = 1.0; ///< Scale that the style asks for.
+  rig::Trail trail;
+  std::string why = {};           ///< Why it has less than that.
+  rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
+  bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
+                        ///< own.
+};
+
+/// Trails for a clip, and why the other moments have none.
+struct AutoPlan {
+  std::vector<PlannedTrail> trails;
+  std::vector<std::string> leftOut; ///< One for each moment; empty: not left out.
+  std::vector<rig::Grip> grips;
+  bool loops = false; ///< The clip is to be played as a loop.
+};
+
+/// Chooses range, way back and settings of a trail for each moment that can have one.
+[[nodiscard]] AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+                                  const AutoSettings& settings);
+
+/// Lowers or leaves out what does not look right: first each trail by itself, then all together; a limb that
+/// goes round and round does so only with its counterpart on the other side. `moments`: those of the plan.
+void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
+            AutoPlan& plan);
+
+/// Frames over which a trail does anything, its way back included as far as it is known.
+[[nodiscard]] Vec2 windowOf(const rig::TrailSettings& settings);
+
+/// Settings with a share of the exaggeration of `wanted`: of its scale and of what its spheres are pulled.
+[[nodiscard]] rig::TrailSettings withShare(rig::TrailSettings wanted, double share);
+
+/// Takes the trail at `place` out of the plan, and what goes along with it.
+void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why);
+
+} // namespace stretch::app

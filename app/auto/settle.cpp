@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/trail_look.h"
+#include "app/evaluate/way_back.h"
+#include "rig/motion/solve.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr std::array<double, 5> shares{1.0, 0.75, 0.5, 0.35, 0.2}; // of the exaggeration that is wanted
+constexpr double leastExcess = 0.03;                               // of a scale: less is not seen
+
+// What an animator would stumble over, in a few words; empty where there is nothing.
+std::string problemOf(const Findings& findings) {
+  return findings.lengths.any()                            ? "it would leave the style's lengths"
+         : findings.turns.any()                            ? "it would point away from where it goes"
+         : findings.vertices.any() || findings.edges.any() ? "the mesh would tear"
+         : findings.swings.any() || findings.jumps.any()   ? "it would be carried away where it stops"
+         : findings.elbows.any()                           ? "the elbow would rise above the head"
+         : findings.ends.any() || findings.lows.any()      ? "it would go through the floor"
+                                                           : "";
+}
+
+// One trail by itself on the clip: solved with other settings until nothing is found.
+class Trial {
+public:
+  Trial(const ClipGround& ground, bool loops)
+      : ground_(ground), loops_(loops),
+        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*ground.document.scene))) {}
+
+  // Lowers the trail until it looks right; answers why it cannot be done at all.
+  [[nodiscard]] std::string calm(PlannedTrail& planned) {
+    const rig::TrailSettings wanted = planned.trail.settings;
+    std::string first;
+    for (const double share : shares) {
+      for (const Variant& variant : variantsFor(planned, wanted)) {
+        rig::TrailSettings settings = withShare(wanted, share);
+        settings.space = variant.space;
+        settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
+        planned.trail.settings = settings;
+        const std::string problem = problemWith(planned);
+        first = first.empty() ? problem : first;
+        if (problem.empty()) {
+          planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
+          planned.looked = planned.trail.settings;
+          return {};
+        }
+      }
+    }
+    return first;
+  }
+
+private:
+  // What an animator would try before making it smaller.
+  struct Variant {
+    rig::TrailSpace space = rig::TrailSpace::world;
+    bool stops = false;
+  };
+
+  // A leg stops at the ground where it can; another limb is stopped only where it would go through it.
+  [[nodiscard]] std::vector<Variant> variantsFor(const PlannedTrail& planned,
+                                                 const rig::TrailSettings& wanted) const {
+    const bool stopsFirst = isLeg(*findLimb(ground_.document, planned.trail.limb));
+    std::vector<Variant> variants;
+    for (const bool stops : {stopsFirst, !stopsFirst}) {
+      variants.push_back({wanted.space, stops});
+      if (wanted.space != rig::TrailSpace::base) {
+        variants.push_back({rig::TrailSpace::base, stops});
+      }
+    }
+    return variants;
+  }
+
+  // A path that comes back on itself ends where it is farthest.
+  [[nodiscard]] std::string problemWith(PlannedTrail& planned) {
+    rig::MotionState alone = solved(planned.trail);
+    if (alone.trails.empty()) {
+      return "its range holds no frame";
+    }
+    if (!planned.follows && alone.trails.front().tip.moved &&
+        endsFarther(alone.trails.front(), planned.trail.settings)) {
+      alone = solved(planned.trail);
+    }
+    const rig::SolvedTrail& trail = alone.trails.front();
+    if (!planned.follows && trail.tip.outcome == rig::TipOutcome::nothingToScale) {
+      return "the limb's end does not move along the active axes";
+    }
+    if (!planned.follows && !trail.warnings.empty()) {
+      return "its path comes back on itself";
+    }
+    if (wayBackProblem(ground_.document, alone, trail)) {
+      return "there is no room for the way back";
+    }
+    if (look_ == nullptr || limb_ != trail.limb.id) {
+      look_ = std::make_unique<TrailLook>(ground_.document, ground_.clip, trail, LookAt::limbAndMesh);
+      limb_ = trail.limb.id;
+    }
+    return problemOf(look_->findings(alone));
+  }
+
+  [[nodiscard]] bool endsFarther(const rig::SolvedTrail& trail, rig::TrailSettings& settings) const {
+    const auto farthest = static_cast<std::size_t>(std::max(0, trail.tip.farthestSample));
+    const double frame = std::round(trail.path.samples[farthest].timeSeconds * ground_.framesPerSecond);
+    if (frame - settings.startFrame < 2.0 || frame >= settings.endFrame) {
+      return false;
+    }
+    if (settings.releaseFrames) {
+      settings.releaseFrames = *settings.releaseFrames + settings.endFrame - frame;
+    }
+    settings.endFrame = frame;
+    return true;
+  }
+
+  [[nodiscard]] rig::MotionState solved(const rig::Trail& trail) {
+    Document only = ground_.document;
+    only.trails = {trail};
+    only.trails.front().id = 1;
+    only.weights.clear();
+    only.holds = {};
+    EvaluationInput input = evaluationInput(only, ground_.clip);
+    input.ground.loops = input.ground.loops || loops_;
+    rig::MotionInput wanted = motionInput(input);
+    wanted.places = places_;
+    wanted.sourceFrames = frames_;
+    rig::MotionState motion = rig::solveMotion(wanted);
+    frames_ = motion.sourceFrames ? motion.sourceFrames : frames_;
+    return motion;
+  }
+
+  const ClipGround& ground_;
+  bool loops_ = false;
+  std::shared_ptr<const rig::BindPlaces> places_;
+  std::shared_ptr<const rig::FrameTable> frames_;
+  std::unique_ptr<TrailLook> look_;
+  std::string limb_; // that it looks at
+};
+
+// How much longer or shorter the limb is to become, in lengths of itself.
+double excessOf(const ClipGround& ground, const PlannedTrail& planned) {
+  const rig::TrailSettings& settings = planned.trail.settings;
+  const double pulled = settings.spheres.empty() ? 0.0 : glm::length(settings.spheres.back().offset);
+  return std::abs(settings.scale - 1.0) + pulled / findLimb(ground.document, planned.trail.limb)->restLength;
+}
+
+// Less of the trail; left out where nothing is to be seen of it any more.
+void lower(const ClipGround& ground, AutoPlan& plan, std::size_t place, const std::string& why) {
+  constexpr double step = 0.7;
+  PlannedTrail& planned = plan.trails[place];
+  planned.trail.settings = withShare(planned.trail.settings, step);
+  planned.why = planned.why.empty() ? why : planned.why;
+  if (excessOf(ground, planned) < leastExcess) {
+    leaveOut(plan, place, why);
+  }
+}
+
+// A step on one side alone limps: each has one on the other side that is about as strong, and no larger one.
+void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+  constexpr double asStrong = 1.35;
+  const auto isPartner = [&](const PlannedTrail& one, const PlannedTrail& other) {
+    const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
+    const rig::Limb* const across = rig::limbAt(ground.document.body.limbs, rig::mirrored(limb));
+    const double ratio = moments[one.moment].strength / moments[other.moment].strength;
+    return across != nullptr && other.trail.limb == across->id && !other.follows && ratio < asStrong &&
+           asStrong * ratio > 1.0;
+  };
+  for (std::size_t i = plan.trails.size(); i-- > 0;) {
+    const PlannedTrail& one = plan.trails[i];
+    const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
+    if (one.follows || moments[one.moment].kind != rig::MomentKind::cycle ||
+        limb.side == rig::LimbSide::middle ||
+        rig::limbAt(ground.document.body.limbs, rig::mirrored(limb)) == nullptr) {
+      continue;
+    }
+    double most = 0.0;
+    for (const PlannedTrail& other : plan.trails) {
+      most = isPartner(one, other) ? std::max(most, excessOf(ground, other)) : most;
+    }
+    if (most <= 0.0) {
+      leaveOut(plan, i, "the limb on the other side cannot do the same");
+    } else if (excessOf(ground, one) > most) {
+      rig::TrailSettings& settings = plan.trails[i].trail.settings;
+      settings = withShare(settings, most / excessOf(ground, one));
+    }
+  }
+}
+
+// Each trail that is not as it was looked at last, by itself; answers whether any is another one then.
+bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
+  bool isChanged = false;
+  for (std::size_t i = plan.trails.size(); i-- > 0;) {
+    if (i >= plan.trails.size() || plan.trails[i].looked == plan.trails[i].trail.settings) {
+      continue; // it went along with one that was left out, or nothing is new
+    }
+    const rig::TrailSettings before = plan.trails[i].trail.settings;
+    const std::string problem = excessOf(ground, plan.trails[i]) >= leastExcess
+                                    ? trial.calm(plan.trails[i])
+                                    : std::string("the style hardly stretches it");
+    isChanged = isChanged || !problem.empty() || !(plan.trails[i].trail.settings == before);
+    if (!problem.empty()) {
+      leaveOut(plan, i, problem);
+    }
+  }
+  return isChanged;
+}
+
+} // namespace
+
+void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
+            AutoPlan& plan) {
+  constexpr int mostRounds = 12;
+  Trial trial(ground, plan.loops);
+  for (int round = 0; round < mostRounds && !plan.trails.empty(); ++round) {
+    pairCycles(ground, moments, plan);
+    const bool isChanged = calmEach(ground, trial, plan);
+    const std::vector<Fault> faults = faultsOf(ground, settings, plan);
+    if (faults.empty() && !isChanged) {
+      return;
+    }
+    std::set<std::size_t, std::greater<>> places;
+    for (const Fault& fault : faults) {
+      places.insert(fault.trail);
+    }
+    for (const std::size_t place : places) {
+      if (place >= plan.trails.size()) {
+        continue; // likewise
+      }
+      const auto fault = std::ranges::find(faults, place, &Fault::trail);
+      if (round + 1 == mostRounds) {
+        leaveOut(plan, place, fault->why);
+      } else {
+        lower(ground, plan, place, fault->why);
+      }
+    }
+  }
+}
+
+} // namespace stretch::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/auto/planned_trail.h"
+
+namespace stretch::app {
+
+/// Something wrong with all trails of a plan together, and one that has a part in it.
+struct Fault {
+  std::size_t trail = 0; ///< Place in AutoPlan::trails.
+  std::string why;
+};
+
+/// Looks at every frame on which a trail acts: limbs through the floor where the source has them above it,
+/// limbs longer or shorter than the style lets them be, feet that stand and are moved, trails that pull one
+/// chain opposite ways, and a seam that is wider than the source's. At most one for each trail.
+[[nodiscard]] std::vector<Fault> faultsOf(const ClipGround& ground, const AutoSettings& settings,
+                                          const AutoPlan& plan);
+
+} // namespace stretch::app

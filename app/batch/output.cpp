@@ -1,0 +1,95 @@
+#include "app/batch/output.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "app/forecast/clip_changes.h"
+#include "app/schema/form_schema.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+Result<SaveOptions> saveOptionsOf(const OutputArguments& arguments) {
+  SaveOptions options = arguments.save;
+  if (Status set = setFromTexts(formSchema(), arguments.form, options.form); !set) {
+    return set.error();
+  }
+  if (arguments.keepsSkeleton) {
+    options.form.form = StretchForm::translation;
+  }
+  const Setting<SavedForm>& influences = *findSetting(formSchema(), "influences");
+  if (textOf(arguments.form, influences) != nullptr && options.form.form != StretchForm::volume) {
+    return Error{"counts with --form volume alone", influences.option, "add --form volume, or leave it out"};
+  }
+  return options;
+}
+
+Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
+  Json json = {{"form", findSetting(formSchema(), "form")->read(options.form)}};
+  if (options.form.form == StretchForm::volume) {
+    json["influences"] = options.form.influences;
+    json["joints"] = fit.joints;
+    json["corners"] = fit.corners;
+    json["vertices"] = fit.vertices;
+    json["fitted_vertices"] = fit.fitted;
+    json["miss_percent_of_height"] = {{"median", 100.0 * fit.median},
+                                      {"percentile_99", 100.0 * fit.percentile99},
+                                      {"worst", 100.0 * fit.worst}};
+  }
+  return json;
+}
+
+} // namespace
+
+void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
+  addOutputFile(line, arguments.file, "The .glb or .gltf to write");
+  line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
+  addSettingOptions(line, formSchema(), arguments.form, "Form of the stretch");
+  line.flag("--keep-skeleton", arguments.keepsSkeleton, "Another word for --form translation")
+      .group("Form of the stretch");
+  line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
+}
+
+Status saveReported(const Document& document, const OutputArguments& arguments, Json& report) {
+  const Setting<SavedForm>& form = *findSetting(formSchema(), "form");
+  if (arguments.keepsSkeleton && textOf(arguments.form, form) != nullptr) {
+    return Error{"stands beside --form", "--keep-skeleton", "give one of the two"};
+  }
+  const Result<SaveOptions> options = saveOptionsOf(arguments);
+  if (!options) {
+    return options.error();
+  }
+  const SavedEdits saved = editsOf(document, *options);
+  if (options->form.form != StretchForm::scale) {
+    report["form"] = formJson(*options, saved.fit);
+  }
+  std::vector<std::pair<int, std::vector<Track>>> edited;
+  for (const gltf::ClipTracks& clip : saved.edits.clips) {
+    edited.emplace_back(clip.clip, clip.tracks);
+  }
+  if (const std::vector<ClipChange> worse = worseThanSource(document, edited); !worse.empty()) {
+    report["worse"] = changesToJson(worse);
+  }
+  return saveEdits(document, saved.edits, arguments.file.path);
+}
+
+void printSaved(const Json& report) {
+  printChanges(report.contains("worse") ? report["worse"] : Json::array());
+  if (!report.contains("form") || !report["form"].contains("vertices")) {
+    return;
+  }
+  const Json& form = report["form"];
+  const Json& miss = form["miss_percent_of_height"];
+  fmt::print("form   volume: {} corners of {} joints move {} vertices; ", form["corners"].get<int>(),
+             form["joints"].get<int>(), form["vertices"].get<int>());
+  fmt::print("{} fitted to {} influences: off by {:.3f} % of the height in the middle, {:.3f} % at the 99th "
+             "percentile, {:.3f} % at worst\n",
+             form["fitted_vertices"].get<int>(), form["influences"].get<int>(), miss["median"].get<double>(),
+             miss["percentile_99"].get<double>(), miss["worst"].get<double>());
+}
+
+} // namespace stretch::app

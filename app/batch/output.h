@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/batch/options.h"
+#include "app/files/save.h"
+
+namespace stretch::app {
+
+/// Arguments of a verb that writes a character file.
+struct OutputArguments {
+  OutputFile file;
+  SaveOptions save; ///< All but the form.
+  SettingTexts form;
+  bool keepsSkeleton = false;
+};
+
+/// Declares -o, --in-place, --key-every-frame, --form, --influences, --keep-skeleton and --clean.
+void addOutputArguments(CommandLine& line, OutputArguments& arguments);
+
+/// Writes the document, and adds to the report of the verb what the form cost, where that is not the scale of
+/// leaves, and what is worse than in the source ("worse", left out where nothing is).
+[[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
+                                  gltf::Json& report);
+
+/// Prints what saveReported added, as lines of text.
+void printSaved(const gltf::Json& report);
+
+} // namespace stretch::app

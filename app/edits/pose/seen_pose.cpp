@@ -1,0 +1,120 @@
+#include "app/edits/pose/seen_pose.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/edits/pose/pose_edits.h"
+#include "app/edits/trail/mirror_edits.h"
+#include "app/named.h"
+#include "core/math/rotation.h"
+#include "rig/reach/bind_places.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hangsOnItsLimb(rig::ControllerKind kind) {
+  using rig::ControllerKind;
+  return kind == ControllerKind::hand || kind == ControllerKind::head || kind == ControllerKind::tip ||
+         kind == ControllerKind::pole;
+}
+
+/// The base of the controller's limb, where it is placed from there.
+std::optional<Vec3> baseOf(const SeenMoment& moment, const rig::Controller* controller) {
+  if (controller == nullptr || !hangsOnItsLimb(controller->kind)) {
+    return std::nullopt;
+  }
+  const std::vector<rig::Limb>& limbs = moment.document.body.limbs;
+  const auto limb = std::ranges::find(limbs, controller->limb, &rig::Limb::id);
+  return limb == limbs.end() ? std::nullopt
+                             : std::optional(positionOf(moment.shown.worlds[at(limb->joints.front())]));
+}
+
+/// A turn from a bind pose that is symmetric by one plane, seen in a mirror that stands on another one.
+Quat reflectedTurn(const Quat& turn, const Vec3& bindNormal, const Vec3& mirrorNormal) {
+  const Vec3 axis = -reflected(Vec3(turn.x, turn.y, turn.z), bindNormal);
+  const Vec3 across = glm::cross(mirrorNormal, bindNormal);
+  const Quat between(-glm::dot(mirrorNormal, bindNormal), across.x, across.y, across.z);
+  return between * Quat(turn.w, axis.x, axis.y, axis.z);
+}
+
+Vec3 leftOf(const Document& document) {
+  const auto plane = sagittalPlaneOf(document, rig::bindPlaces(*document.scene).worlds);
+  return plane ? plane->normal : Vec3(1.0, 0.0, 0.0);
+}
+
+double legLengthOf(const rig::ControllerList& list) {
+  const rig::Controller* const hips = list.controller("hips");
+  return hips == nullptr ? 1.0 : hips->length;
+}
+
+} // namespace
+
+SeenPose seenPose(const SeenMoment& moment, std::span<const std::string> ids) {
+  const rig::ControllerList list = controllersOf(moment.document);
+  SeenPose pose;
+  pose.of = moment.document.scene;
+  pose.leftWorld = leftOf(moment.document);
+  pose.leftInClip = sagittalNormal(moment.document, moment.clip, moment.frame);
+  pose.legLength = legLengthOf(list);
+  for (const rig::PlacedController& placed : moment.placed) {
+    if (placed.kind == rig::ControllerKind::hips) {
+      pose.standingWorld = {placed.placeWorld.x, 0.0, placed.placeWorld.z};
+    }
+    const bool wanted = ids.empty() ? placed.kind != rig::ControllerKind::body
+                                    : std::ranges::find(ids, placed.id) != ids.end();
+    if (!wanted) {
+      continue;
+    }
+    SeenController seen{placed.id, placed.placeWorld, placed.orientationWorld, std::nullopt};
+    const rig::Controller* const controller = list.controller(placed.id);
+    if (const std::optional<Vec3> base = baseOf(moment, controller)) {
+      seen.fromBase = (placed.placeWorld - *base) / controller->length;
+    }
+    pose.controllers.push_back(std::move(seen));
+  }
+  return pose;
+}
+
+SeenPose mirroredPose(const Document& document, const SeenPose& pose) {
+  SeenPose mirrored = pose;
+  std::erase_if(mirrored.controllers, [&](SeenController& seen) {
+    seen.id = otherSideOf(document, seen.id);
+    seen.placeWorld = pose.standingWorld + reflected(seen.placeWorld - pose.standingWorld, pose.leftInClip);
+    seen.turnWorld = reflectedTurn(seen.turnWorld, pose.leftWorld, pose.leftInClip);
+    if (seen.fromBase) {
+      seen.fromBase = reflected(*seen.fromBase, pose.leftInClip);
+    }
+    return seen.id.empty();
+  });
+  return mirrored;
+}
+
+std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& pose,
+                                    const Vec3& standingWorld) {
+  const rig::ControllerList list = controllersOf(moment.document);
+  const bool sameCharacter = pose.of == moment.document.scene;
+  const Quat facing = shortestArc(pose.leftWorld, leftOf(moment.document));
+  const double scale = legLengthOf(list) / pose.legLength;
+  std::vector<SeenController> goals;
+  for (SeenController goal : pose.controllers) {
+    const auto placed = std::ranges::find(moment.placed, goal.id, &rig::PlacedController::id);
+    if (placed == moment.placed.end()) {
+      continue;
+    }
+    if (!sameCharacter) {
+      const rig::Controller* const controller = list.controller(goal.id);
+      const std::optional<Vec3> base = baseOf(moment, controller);
+      goal.turnWorld = facing * goal.turnWorld * glm::inverse(facing);
+      goal.placeWorld = base && goal.fromBase
+                            ? *base + facing * *goal.fromBase * controller->length
+                            : standingWorld + facing * (goal.placeWorld - pose.standingWorld) * scale;
+    }
+    goals.push_back(std::move(goal));
+  }
+  return goals;
+}
+
+} // namespace stretch::app

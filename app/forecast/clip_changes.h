@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/anim/frame_state.h"
+#include "core/gltf/json/json_document.h"
+
+namespace stretch::app {
+
+/// A clip that is looked at: its frames, its tracks.
+struct WatchedClip {
+  const Scene* scene = nullptr;
+  Clip clip;
+  std::function<FrameState(double timeSeconds)> at;
+};
+
+/// One thing that an edit made worse than the source.
+struct ClipChange {
+  std::string id; ///< "foot-slide"; see docs/engines.md, Before and after.
+  std::string clip;
+  std::string limb = {}; ///< Empty: none in particular.
+  double source = 0.0;
+  double result = 0.0;
+  std::string unit; ///< "% of the height", "degrees", "% of the height per second", "keys"
+};
+
+/// Changes for the worse by an edit: where the source loops the seam (place, turn, speed); feet that
+/// slide while the source's stand; the deepest vertex below the floor; neighbouring keys of rotations in
+/// opposite hemispheres. `body`: the document whose limbs, height and floor count; nodes stand under the same
+/// indices in both.
+[[nodiscard]] std::vector<ClipChange> worseThanSource(const Document& body, int clip,
+                                                      const WatchedClip& source, const WatchedClip& result);
+
+/// The clips of a document that these edited tracks change, against what the source has.
+[[nodiscard]] std::vector<ClipChange>
+worseThanSource(const Document& document, const std::vector<std::pair<int, std::vector<Track>>>& edited);
+
+/// The clips of a file against those of the same name in the file that it was made from. Error: the one is
+/// not made from the other.
+[[nodiscard]] Result<std::vector<ClipChange>> worseThanFile(const Document& result, const Document& source);
+
+[[nodiscard]] gltf::Json changesToJson(const std::vector<ClipChange>& changes);
+/// Prints them as lines of text.
+void printChanges(const gltf::Json& changes);
+
+} // namespace stretch::app

@@ -1,0 +1,171 @@
+#include "rig/corners/vertex_split.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <glm/geometric.hpp>
+
+#include "core/scene/bind_chains.h"
+#include "rig/corners/enclosing_corners.h"
+#include "rig/corners/few_weights.h"
+
+namespace stretch::rig {
+
+namespace {
+
+constexpr double unseen = 1e-7; // a weight that no place tells
+
+} // namespace
+
+VertexSplit::VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
+                         const CornerOptions& options)
+    : mesh_(mesh), options_(options), slots_(mesh.joints.size()) {
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const auto found = sets.find(mesh.joints[slot]);
+    slots_[slot].corners = found == sets.end() ? nullptr : &found->second;
+  }
+}
+
+const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
+  Slot& slot = slots_[index];
+  if (!slot.matrices.empty() || options_.moments.empty()) {
+    return slot;
+  }
+  const NodeIndex joint = mesh_.joints[index];
+  for (const FrameState& moment : options_.moments) {
+    const Mat4& world = moment.worlds[at(joint)];
+    slot.matrices.push_back(world * mesh_.inverseBind[index]);
+    std::vector<Vec3>& offsets = slot.offsets.emplace_back();
+    const Mat3 stretch = moment.stretch.empty() ? Mat3(1.0) : moment.stretch[at(joint)];
+    for (const Vec3& corner : slot.corners == nullptr ? std::vector<Vec3>{} : slot.corners->places) {
+      offsets.push_back(transformVector(world, stretch * corner - corner));
+    }
+  }
+  return slot;
+}
+
+VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const Vec3& place) {
+  const VertexInfluences vertex = withoutRepeats(asRead);
+  Answer answer;
+  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+    const auto weight = static_cast<double>(vertex.weights[i]);
+    const std::uint16_t slot = vertex.joints[i];
+    if (!(weight > 0.0) || slot >= slots_.size()) {
+      continue;
+    }
+    const CornerSet* const set = slots_[slot].corners;
+    answer.isMoved = answer.isMoved || set != nullptr;
+    double ofJoint = 1.0;
+    if (set != nullptr) {
+      const std::vector<double> shares =
+          affineCoordinates(set->enclosingPlaces(), transformPoint(mesh_.inverseBind[slot], place));
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        ofJoint -= shares[k];
+        answer.parts.push_back({slot, static_cast<int>(k), weight * shares[k]});
+      }
+    }
+    answer.parts.push_back({slot, -1, weight * ofJoint});
+  }
+  std::erase_if(answer.parts, [](const CornerInfluence& part) { return part.weight < unseen; });
+  if (answer.isMoved && answer.parts.size() > options_.mostInfluences) {
+    fit(answer, vertex, place);
+  }
+  std::ranges::stable_sort(answer.parts, std::ranges::greater(), &CornerInfluence::weight);
+  return answer;
+}
+
+// Every corner of the joints that a vertex follows, and they themselves.
+std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& vertex) const {
+  std::vector<CornerInfluence> candidates;
+  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+    const std::uint16_t slot = vertex.joints[i];
+    if (!(vertex.weights[i] > 0.0F) || slot >= slots_.size()) {
+      continue;
+    }
+    const CornerSet* const set = slots_[slot].corners;
+    const int corners = set == nullptr ? 0 : static_cast<int>(set->places.size());
+    for (int corner = -1; corner < corners; ++corner) {
+      candidates.push_back({slot, corner, 0.0});
+    }
+  }
+  return candidates;
+}
+
+// Normals turn with the joints: a joint should keep its share of the vertex, where there is room for that.
+void VertexSplit::addShading(const std::vector<CornerInfluence>& exact,
+                             const std::vector<CornerInfluence>& candidates, MissProducts& products) const {
+  constexpr double shareAsHeights = 0.05; // a vertex wholly on another joint misses by so much
+  if (options_.mostInfluences < VertexInfluences::capacity) {
+    return;
+  }
+  std::map<std::uint16_t, double> shares;
+  for (const CornerInfluence& part : exact) {
+    shares[part.slot] += part.weight;
+  }
+  const double length = shareAsHeights * options_.height;
+  const double scale = length * length * static_cast<double>(options_.moments.size());
+  for (const auto& [slot, share] : shares) {
+    for (std::size_t a = 0; a < candidates.size(); ++a) {
+      for (std::size_t b = 0; b < candidates.size(); ++b) {
+        products.products[a * candidates.size() + b] += scale *
+                                                        ((candidates[a].slot == slot ? 1.0 : 0.0) - share) *
+                                                        ((candidates[b].slot == slot ? 1.0 : 0.0) - share);
+      }
+    }
+  }
+}
+
+void VertexSplit::fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place) {
+  std::vector<CornerInfluence> candidates = candidatesOf(vertex);
+  const auto placeOf = [&](const CornerInfluence& part, std::size_t moment) {
+    const Slot& slot = prepared(part.slot);
+    const Vec3 ofJoint = transformPoint(slot.matrices[moment], place);
+    return part.corner < 0 ? ofJoint : ofJoint + slot.offsets[moment][at(part.corner)];
+  };
+  std::vector<Vec3> differences(options_.moments.size() * candidates.size());
+  MissProducts products{candidates.size(), std::vector<double>(candidates.size() * candidates.size(), 0.0)};
+  for (std::size_t moment = 0; moment < options_.moments.size(); ++moment) {
+    Vec3 wanted(0.0);
+    for (const CornerInfluence& part : answer.parts) {
+      wanted += part.weight * placeOf(part, moment);
+    }
+    Vec3* const misses = differences.data() + moment * candidates.size();
+    for (std::size_t a = 0; a < candidates.size(); ++a) {
+      misses[a] = placeOf(candidates[a], moment) - wanted;
+      for (std::size_t b = 0; b <= a; ++b) {
+        products.products[a * candidates.size() + b] += glm::dot(misses[a], misses[b]);
+      }
+    }
+  }
+  for (std::size_t a = 0; a < candidates.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      products.products[b * candidates.size() + a] = products.at(a, b);
+    }
+  }
+  addShading(answer.parts, candidates, products);
+  std::vector<std::size_t> exact;
+  for (std::size_t a = 0; a < candidates.size(); ++a) {
+    if (std::ranges::any_of(answer.parts, [&](const CornerInfluence& part) {
+          return part.slot == candidates[a].slot && part.corner == candidates[a].corner;
+        })) {
+      exact.push_back(a);
+    }
+  }
+  const std::vector<double> weights = fewWeights(products, exact, options_.mostInfluences);
+  for (std::size_t moment = 0; moment < options_.moments.size(); ++moment) {
+    Vec3 miss(0.0);
+    for (std::size_t a = 0; a < candidates.size(); ++a) {
+      miss += weights[a] * differences[moment * candidates.size() + a];
+    }
+    answer.miss = std::max(answer.miss, glm::length(miss));
+  }
+  for (std::size_t a = 0; a < candidates.size(); ++a) {
+    candidates[a].weight = weights[a];
+  }
+  std::erase_if(candidates, [](const CornerInfluence& part) { return part.weight < unseen; });
+  answer.parts = std::move(candidates);
+  answer.isFitted = true;
+}
+
+} // namespace stretch::rig

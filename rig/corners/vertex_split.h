@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "rig/corners/bind_corners.h"
+#include "rig/corners/corner_set.h"
+#include "rig/corners/few_weights.h"
+
+namespace stretch::rig {
+
+/// A part of what a vertex follows: a joint, or one of its corners.
+struct CornerInfluence {
+  std::uint16_t slot = 0; ///< Index of the joint.
+  int corner = -1;        ///< Index into CornerSet::places; -1: the joint itself.
+  double weight = 0.0;
+};
+
+/// Splits what the vertices of a mesh follow among the corners of its joints.
+class VertexSplit {
+public:
+  /// Weights that are given stay as it is while the splitting lasts.
+  VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
+              const CornerOptions& options);
+
+  struct Answer {
+    std::vector<CornerInfluence> parts; ///< Heaviest first, at most as many as allowed.
+    bool isMoved = false;               ///< By a joint that has corners.
+    bool isFitted = false;
+    double miss = 0.0; ///< Farthest from the exact place at the moments, world units.
+  };
+  [[nodiscard]] Answer of(const VertexInfluences& vertex, const Vec3& place);
+
+private:
+  struct Slot {
+    const CornerSet* corners = nullptr;
+    std::vector<Mat4> matrices;             // of the joint, without its stretch; for each moment
+    std::vector<std::vector<Vec3>> offsets; // of the corners, by moment
+  };
+
+  void fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place);
+  [[nodiscard]] std::vector<CornerInfluence> candidatesOf(const VertexInfluences& vertex) const;
+  void addShading(const std::vector<CornerInfluence>& exact, const std::vector<CornerInfluence>& candidates,
+                  MissProducts& products) const;
+  const Slot& prepared(std::uint16_t slot);
+
+  const MovedMesh& mesh_;
+  const CornerOptions& options_;
+  std::vector<Slot> slots_;
+};
+
+} // namespace stretch::rig

@@ -1,0 +1,81 @@
+#include <catch2/catch.hpp>
+
+#include "core/gltf/json/json.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using gltf::Json;
+
+namespace {
+
+const std::string punchPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+
+Json report(const std::vector<std::string>& words) {
+  const test::VerbAnswer answer = test::runVerb(words);
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == 0);
+  return Json::parse(answer.output);
+}
+
+} // namespace
+
+TEST_CASE("Every moment of a clip is exaggerated in the named style, and told of") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const Json subtle = report({"exaggerate", punchPath, "-o", out, "--auto", "--style", "subtle", "--json"});
+  CHECK(subtle["style"] == "Subtle");
+  CHECK(subtle["origin"] == "ours");
+  REQUIRE(subtle["clips"].size() == 1);
+  const Json& clip = subtle["clips"][0];
+  CHECK(clip["trails"].size() >= 2);
+  double most = 0.0;
+  for (const Json& moment : clip["moments"]) {
+    const bool done = moment["exaggerated"].get<bool>();
+    CHECK((done || moment.contains("why")));
+    most = done ? std::max(most, moment["length_scale"].get<double>()) : most;
+  }
+  CHECK(most == Approx(1.2));
+  const Json stronger = report(
+      {"exaggerate", punchPath, "-o", out, "--auto", "--style", "Subtle", "--strength", "2", "--json"});
+  CHECK(stronger["clips"][0]["moments"][0]["length_scale"] == 1.4);
+}
+
+TEST_CASE("One setting of a style is changed for one run, and all clips are done at once") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const Json done = report({"exaggerate", punchPath, "-o", out, "--auto", "--all-clips", "--style", "Subtle",
+                            "--style-arm", "1.3", "--json"});
+  CHECK(done["style"] == "Subtle, changed");
+  CHECK(done["origin"] == "own");
+  CHECK(done["clips"][0]["moments"][0]["length_scale"] == 1.3);
+  CHECK(test::runVerb({"exaggerate", punchPath, "-o", out, "--auto", "--strength", "2.5"}).exitCode == 2);
+}
+
+TEST_CASE(
+    "A style that is taken from a saved clip gives another one the same ratios within two in a hundred") {
+  const test::TemporaryFolder folder;
+  const std::string first = (folder / "first.glb").string();
+  const std::string second = (folder / "second.glb").string();
+  const std::string style = (folder / "style.json").string();
+  const std::string other = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
+  REQUIRE(test::runVerb({"exaggerate", punchPath, "-o", first, "--limb", "left-arm", "--range", "21:27",
+                         "--scale", "1.6"})
+              .exitCode == 0);
+  REQUIRE(test::runVerb({"styles", "--take", first, "--name", "Mine", "-o", style}).exitCode == 0);
+  const Json done = report({"exaggerate", other, "-o", second, "--auto", "--style", style, "--json"});
+  CHECK(done["style"] == "Mine");
+  const Json& trails = done["clips"][0]["trails"];
+  REQUIRE_FALSE(trails.empty());
+  const double ratio =
+      trails[0]["limb_length_after"].get<double>() / trails[0]["limb_length_before"].get<double>();
+  CHECK(ratio == Approx(1.6).epsilon(0.02));
+}
+
+TEST_CASE("The styles are listed with where they come from") {
+  const Json list = report({"styles", "--json"});
+  REQUIRE(list.size() >= 11);
+  CHECK(list[0]["name"] == "Duck Amuck (1953)");
+  CHECK(list[0]["origin"] == "measured");
+  CHECK(report({"styles", "--style", "Heavy", "--json"})["weight"] == 0.5);
+}

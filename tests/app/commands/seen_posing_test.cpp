@@ -1,0 +1,178 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "app/commands/pose/posing.h"
+#include "app/commands/pose/seen_posing.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/mirror_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/files/save.h"
+#include "app/open_document.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/run_command.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using test::run;
+
+namespace {
+
+Document bundled() {
+  Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  return std::move(opened).value();
+}
+
+Document twiceAsLarge() {
+  Document document = test::boxer();
+  Scene scene = *document.scene;
+  for (Node& node : scene.nodes) {
+    node.rest.translation *= 2.0;
+  }
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  document.body.height *= 2.0;
+  for (rig::Limb& limb : document.body.limbs) {
+    limb.restLength *= 2.0;
+  }
+  return document;
+}
+
+rig::PlacedController placedAt(Session& session, double frame, const std::string& id) {
+  const std::vector<rig::PlacedController>& placed = session.controllersAt(frame);
+  const auto found = std::ranges::find(placed, id, &rig::PlacedController::id);
+  REQUIRE(found != placed.end());
+  return *found;
+}
+
+double apart(const rig::PlacedController& a, const rig::PlacedController& b) {
+  return glm::length(a.placeWorld - b.placeWorld);
+}
+
+/// Radians between the ways in which two are turned.
+double turnedApart(const rig::PlacedController& a, const rig::PlacedController& b) {
+  const Quat between = a.orientationWorld * glm::inverse(b.orientationWorld);
+  return 2.0 * glm::length(Vec3(between.x, between.y, between.z));
+}
+
+std::vector<rig::PlacedController> allBut(Session& session, double frame, const std::string& left) {
+  std::vector<rig::PlacedController> placed = session.controllersAt(frame);
+  std::erase_if(placed, [&](const rig::PlacedController& one) { return one.id == left; });
+  return placed;
+}
+
+constexpr double punchFrame = 27.0;
+constexpr double nearby = 1e-4; // units: the boxer is 1.8 high
+
+} // namespace
+
+TEST_CASE("A copied pose is what is seen: pasted at another frame every controller stands and is turned so") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  const std::vector<rig::PlacedController> seen = allBut(session, punchFrame, "body");
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.view().frame = 5.0;
+  REQUIRE(apart(placedAt(session, 5.0, "left-hand"), placedAt(session, punchFrame, "left-hand")) > 0.1);
+  CHECK(run(session, command::posePaste).empty());
+  for (const rig::PlacedController& wanted : seen) {
+    INFO(wanted.id);
+    const rig::PlacedController now = placedAt(session, 5.0, wanted.id);
+    CHECK((!wanted.moves || apart(now, wanted) < nearby));
+    CHECK((!wanted.turns || turnedApart(now, wanted) < 1e-3));
+  }
+  session.undo();
+  CHECK(session.document().adjustments.empty());
+}
+
+TEST_CASE("What a trail makes of a limb is seen, and so is copied") {
+  Session session(bundled());
+  NewTrail wanted;
+  wanted.limb = "left-arm";
+  wanted.settings.endFrame = punchFrame;
+  wanted.settings.scale = 2.0;
+  wanted.exaggerated = true;
+  wanted.connected = true;
+  const Result<CreatedTrail> created = createTrail(session.document(), wanted);
+  REQUIRE(created);
+  session.edit(created->document, "Make a trail");
+  session.view().frame = punchFrame;
+  const Vec3 far = placedAt(session, punchFrame, "left-hand").placeWorld;
+  selectController(session, "left-hand", false);
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.view().frame = punchFrame + 12.0;
+  CHECK(run(session, command::posePaste).empty());
+  CHECK(glm::length(placedAt(session, session.view().frame, "left-hand").placeWorld - far) < nearby);
+}
+
+TEST_CASE("Of selected controllers alone the pose is copied, the rest stays as the clip has it") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  selectController(session, "left-hand", false);
+  const rig::PlacedController hand = placedAt(session, punchFrame, "left-hand");
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.view().frame = 5.0;
+  const rig::PlacedController other = placedAt(session, 5.0, "right-hand");
+  CHECK(run(session, command::posePaste).empty());
+  CHECK(apart(placedAt(session, 5.0, "left-hand"), hand) < nearby);
+  CHECK(apart(placedAt(session, 5.0, "right-hand"), other) < 1e-9);
+  CHECK(session.history().undoLabel() == "Paste the pose on the left hand");
+}
+
+TEST_CASE("Pasted mirrored, the left hand is where the right one was, on the other side of the body") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  const rig::PlacedController left = placedAt(session, punchFrame, "left-hand");
+  const rig::PlacedController hips = placedAt(session, punchFrame, "hips");
+  const Vec3 normal = sagittalNormal(session.document(), 0, punchFrame);
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.view().frame = 5.0;
+  CHECK(run(session, command::posePasteMirrored).empty());
+  const Vec3 from = left.placeWorld - hips.placeWorld;
+  const Vec3 mirrored = hips.placeWorld + from - 2.0 * glm::dot(from, normal) * normal;
+  CHECK(glm::length(placedAt(session, 5.0, "right-hand").placeWorld - mirrored) < nearby);
+  SECTION("and mirrored once more it is the pose itself") {
+    REQUIRE(run(session, command::poseCopy).empty());
+    session.view().frame = 10.0;
+    CHECK(run(session, command::posePasteMirrored).empty());
+    const rig::PlacedController again = placedAt(session, 10.0, "left-hand");
+    CHECK(apart(again, left) < 1e-2);
+    CHECK(turnedApart(again, left) < 2e-2);
+  }
+}
+
+TEST_CASE("A pose is pasted on a character of another size in lengths of its limbs") {
+  Session session(test::boxer());
+  session.view().frame = 10.0;
+  const rig::PlacedController seen = placedAt(session, 10.0, "left-hand");
+  const rig::PlacedController hips = placedAt(session, 10.0, "hips");
+  REQUIRE(run(session, command::poseCopy).empty());
+  OpenDocument open(Opened(session.document()));
+  open.character()->view().copiedPose = session.view().copiedPose;
+  open.open(Opened(twiceAsLarge()));
+  Session& other = *open.character();
+  other.view().frame = 5.0;
+  const Vec3 standing = placedAt(other, 5.0, "hips").placeWorld;
+  CHECK(run(other, command::posePaste).empty());
+  const rig::PlacedController twice = placedAt(other, 5.0, "hips");
+  CHECK(twice.placeWorld.y == Approx(2.0 * hips.placeWorld.y).epsilon(1e-4));
+  CHECK(twice.placeWorld.x == Approx(standing.x).margin(1e-3));
+  const Vec3 reach = placedAt(other, 5.0, "left-hand").placeWorld - twice.placeWorld;
+  CHECK(glm::length(reach - 2.0 * (seen.placeWorld - hips.placeWorld)) < 1e-3);
+}
+
+TEST_CASE("Pasting what stands there already says so, and so does a character without these controllers") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  selectController(session, "left-hand", false);
+  REQUIRE(run(session, command::poseCopy).empty());
+  CHECK(run(session, command::posePaste).find("the character stands so already") != std::string::npos);
+  CHECK(session.document().adjustments.empty());
+  std::get<SeenPose>(*session.view().copiedPose).controllers.front().id = "tail-tip";
+  CHECK(run(session, command::posePaste).find("has none of the controllers that were copied") !=
+        std::string::npos);
+  REQUIRE(run(session, command::poseCopyOffsets).empty());
+  CHECK(run(session, command::posePasteMirrored) == "copy a pose first");
+}

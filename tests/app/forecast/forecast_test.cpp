@@ -1,0 +1,190 @@
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "app/files/save.h"
+#include "app/forecast/clip_changes.h"
+#include "app/forecast/forecast.h"
+#include "core/gltf/json/json.h"
+#include "tests/support/app/new_trail.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+constexpr const char* punchGlb = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+
+std::string punchIn(const test::TemporaryFolder& folder, const SavedForm& form,
+                    const std::string& limb = "left-arm") {
+  const Result<Document> source = openDocument(punchGlb);
+  REQUIRE(source);
+  const Document document =
+      test::withNewTrail(*source, {.limb = limb, .startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
+  const std::string file = (folder / "punch.glb").string();
+  REQUIRE(saveDocument(document, file, {.clean = true, .form = form}));
+  return file;
+}
+
+Json checked(const std::vector<std::string>& words) {
+  std::vector<std::string> all{"check"};
+  all.insert(all.end(), words.begin(), words.end());
+  all.emplace_back("--json");
+  const test::VerbAnswer answer = test::runVerb(all);
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == 0);
+  return Json::parse(answer.output);
+}
+
+// The findings of an engine with an id.
+std::vector<Json> found(const Json& report, const std::string& engine, const std::string& id) {
+  std::vector<Json> findings;
+  for (const Json& one : report["engines"]) {
+    for (const Json& finding : one["findings"]) {
+      if (one["engine"] == engine && finding["id"] == id) {
+        findings.push_back(finding);
+      }
+    }
+  }
+  return findings;
+}
+
+bool isNotJudged(const Json& report, const std::string& engine, const std::string& subject) {
+  return std::ranges::any_of(report["engines"], [&](const Json& one) {
+    return one["engine"] == engine &&
+           std::ranges::find(one["not_judged"], Json(subject)) != one["not_judged"].end();
+  });
+}
+
+} // namespace
+
+TEST_CASE("Shading by the plain matrix is forecast for the engines that have it, with limb, frame, share and "
+          "remedy") {
+  const test::TemporaryFolder folder;
+  const Json report = checked({punchIn(folder, {}), "--engine", "all"});
+  CHECK(report["engines"].size() == engines().size());
+  for (const char* engine : {"three", "godot", "babylon"}) {
+    const std::vector<Json> findings = found(report, engine, "shading-plain-matrix");
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0]["limb"] == "left-arm");
+    CHECK(findings[0]["share"] > 0.2);
+    CHECK(findings[0]["share"] < 0.4);
+    CHECK(findings[0]["frame"] >= 25.0);
+    CHECK(findings[0]["frame"] <= 29.0);
+    CHECK(findings[0]["remedy"].get<std::string>().find("--form volume") != std::string::npos);
+  }
+  CHECK(found(report, "unreal", "shading-plain-matrix").empty());
+  CHECK(isNotJudged(report, "unreal", "shading"));
+  CHECK_FALSE(isNotJudged(report, "three", "shading"));
+}
+
+TEST_CASE("Corners and translations are shaded right everywhere, the source is, too") {
+  const test::TemporaryFolder folder;
+  for (const StretchForm form : {StretchForm::translation, StretchForm::volume}) {
+    const Json report = checked({punchIn(folder, {form, 8}), "--engine", "three"});
+    CHECK(found(report, "three", "shading-plain-matrix").empty());
+  }
+  CHECK(found(checked({punchGlb, "--engine", "all"}), "three", "shading-plain-matrix").empty());
+}
+
+TEST_CASE("Scale of joints is forecast to be left out where an engine does, and corners to play there") {
+  const test::TemporaryFolder folder;
+  const Json scale = checked({punchIn(folder, {}), "--engine", "unreal,roblox"});
+  REQUIRE(scale["engines"].size() == 2);
+  REQUIRE(found(scale, "roblox", "scale-not-supported").size() == 1);
+  CHECK(found(scale, "roblox", "scale-not-supported")[0]["severity"] == "error");
+  CHECK(found(scale, "roblox", "scale-not-supported")[0]["limb"] == "left-arm");
+  CHECK(found(scale, "unreal", "scale-may-be-dropped").size() == 1);
+  const Json corners = checked({punchIn(folder, {StretchForm::volume, 8}), "--engine", "unreal,roblox"});
+  CHECK(found(corners, "roblox", "scale-not-supported").empty());
+  CHECK(found(corners, "unreal", "scale-may-be-dropped").empty());
+}
+
+TEST_CASE("A humanoid rig leaves out the translation of hand and forearm, and not that of the upper legs") {
+  const test::TemporaryFolder folder;
+  const Json report = checked({punchIn(folder, {}), "--engine", "unity-humanoid,unity-generic"});
+  const std::vector<Json> findings = found(report, "unity-humanoid", "translation-of-mapped-bones");
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0]["limb"] == "left-arm");
+  CHECK(found(report, "unity-generic", "translation-of-mapped-bones").empty());
+  CHECK(found(report, "unity-humanoid", "scale-of-mapped-bones").empty()); // leaves are not mapped
+  CHECK(found(checked({punchGlb, "--engine", "unity-humanoid"}), "unity-humanoid",
+              "translation-of-mapped-bones")
+            .empty());
+}
+
+TEST_CASE("Culling by the box at rest is forecast where a limb leaves it") {
+  const test::TemporaryFolder folder;
+  const Json report = checked({punchIn(folder, {}), "--engine", "three,godot"});
+  const std::vector<Json> culled = found(report, "three", "culled-by-the-box-at-rest");
+  REQUIRE_FALSE(culled.empty());
+  CHECK(culled[0]["clip"] == "One-two punch");
+  CHECK(culled[0]["what"].get<std::string>().find("1.0") != std::string::npos);
+  CHECK(isNotJudged(report, "godot", "culling"));
+}
+
+TEST_CASE("Influences beyond four are forecast to be left out by three.js, and four are not") {
+  const test::TemporaryFolder folder;
+  const Json eight = checked({punchIn(folder, {StretchForm::volume, 8}), "--engine", "three"});
+  CHECK(found(eight, "three", "influences-left-out").size() == 1);
+  const Json four = checked({punchIn(folder, {StretchForm::volume, 4}), "--engine", "three"});
+  CHECK(found(four, "three", "influences-left-out").empty());
+}
+
+TEST_CASE("An engine that nobody knows is refused with those that are known") {
+  const test::VerbAnswer answer = test::runVerb({"check", punchGlb, "--engine", "three,cryengine"});
+  CHECK(answer.exitCode == 2);
+  CHECK(answer.told.find("'cryengine'") != std::string::npos);
+  CHECK(answer.told.find("roblox") != std::string::npos);
+}
+
+TEST_CASE("A check without engines and without a source tells of neither") {
+  const Json report = checked({punchGlb});
+  CHECK_FALSE(report.contains("engines"));
+  CHECK_FALSE(report.contains("worse"));
+}
+
+namespace {
+
+bool tells(const Json& worse, const std::string& id) {
+  return std::ranges::any_of(worse, [&](const Json& change) { return change["id"] == id; });
+}
+
+} // namespace
+
+TEST_CASE(
+    "Before and after: nothing is worse in the source itself, and a leg that is stretched slides and sinks") {
+  const test::TemporaryFolder folder;
+  CHECK(checked({punchGlb, "--before", punchGlb})["worse"].empty());
+  const Json worse = checked({punchIn(folder, {}, "left-leg"), "--before", punchGlb})["worse"];
+  CHECK((tells(worse, "foot-slide") || tells(worse, "below-floor")));
+  for (const Json& change : worse) {
+    CHECK(change["result"] > change["source"]);
+  }
+}
+
+TEST_CASE(
+    "Before and after: what worsens is in the report of the verb that writes, as check tells it afterwards") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "leg.glb").string();
+  const test::VerbAnswer answer = test::runVerb({"exaggerate", punchGlb, "-o", out, "--limb", "left-leg",
+                                                 "--range", "21:27", "--scale", "3", "--json"});
+  REQUIRE(answer.exitCode == 0);
+  const Json told = Json::parse(answer.output).value("worse", Json::array());
+  const Json later = checked({out, "--before", punchGlb})["worse"];
+  REQUIRE(told.size() == later.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    CHECK(told[i]["id"] == later[i]["id"]);
+    CHECK(told[i]["result"].get<double>() ==
+          Approx(later[i]["result"].get<double>()).epsilon(0.05).margin(0.02));
+  }
+}
+
+TEST_CASE("Before and after: a file of another character is refused") {
+  const test::VerbAnswer answer =
+      test::runVerb({"check", punchGlb, "--before", STRETCH_SOURCE_DIR "/assets/dummy.glb.missing"});
+  CHECK(answer.exitCode == 1);
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Saves an exaggerated limb of every character of a data folder in each form of a stretch, and has an evaluator that is not ours compare them.
+
+    check_forms.py PROGRAM DATA_FOLDER [FILE...]
+
+For each file the arm, leg or the like that moves most, in the clip in which it does, three times as long, saved without the work. At up to 9 moments of range and release, all vertices, of
+three.js's nodes and skinning in JavaScript (readers/forms.mjs), which takes every set of influences:
+- `volume` with eight influences against `scale`: 1e-5 of the height, or where a vertex needs more than eight what the program tells;
+- normals of `volume` against `translation`: 1 degree;
+- `volume` with four influences against `scale`: no farther than the program tells, with a tenth more between the moments that it looks at;
+- no error or warning of the Khronos validator that the source did not have.
+Prints one row a file: nodes that are new, vertices that are fitted, distances in percent of the height, degrees.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from check_exaggeration import Reader, clip_motion, reaches_out, run
+
+READERS = pathlib.Path(__file__).resolve().parent / "readers"
+PLACES = 1e-5
+DEGREES = 1.0
+MOMENTS = 9
+FOLDERS = ("biped/*.glb", "biped/*/*.glb", "quadruped/*.glb", "bodies/*-animations.glb", "vrm/*.vrm")
+FORMS = {"scale": [], "translation": ["--form", "translation"], "volume": ["--form", "volume"], "four": ["--form", "volume", "--influences", "4"]}
+
+
+def compared(file, other, clip, height, times):
+    done = subprocess.run(["node", READERS / "forms.mjs", file, other, str(clip), str(height), *times], capture_output=True, text=True, timeout=600, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"forms.mjs: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'failed'}")
+    return json.loads(done.stdout)
+
+
+class Check:
+    def __init__(self, program):
+        self.program, self.reader, self.failed, self.four = program, Reader(), 0, []
+
+    def saved(self, file, info, folder):
+        """Reports of the file in each form, and the clip, frames and limb."""
+        moving = [(clip_motion(self.program, file, clip, limb["limb"]), clip, limb["limb"])
+                  for limb in info["limbs"] if reaches_out(limb) for clip in range(min(len(info["clips"]), 4))]
+        _, clip, limb = max(moving)
+        command = [self.program, "exaggerate", file, "--clip", f"#{clip}", "--limb", limb, "--scale", "3", "--clean", "--json"]
+        return {name: json.loads(run(*command, "-o", folder / f"{name}.glb", *options)) for name, options in FORMS.items()}, clip, limb
+
+    def file(self, file, folder):
+        info = json.loads(run(self.program, "info", file, "--json"))
+        if not info["clips"] or not any(reaches_out(limb) for limb in info["limbs"]):
+            return
+        reports, clip, limb = self.saved(file, info, folder)
+        trail, fps = reports["scale"]["trails"][0], info["clips"][clip]["fps"]
+        start, stop = trail["range"][0] / fps, min((trail["range"][1] + trail["release"]) / fps, info["clips"][clip]["seconds"])
+        times = [str(start + (stop - start) * i / (MOMENTS - 1)) for i in range(MOMENTS)]
+        ask = lambda a, b: compared(folder / f"{a}.glb", folder / f"{b}.glb", clip, info["height"], times)
+        places, normals, four = ask("volume", "scale")["places"], ask("volume", "translation")["normals"], ask("four", "scale")["places"]
+        told = {name: reports[name]["form"]["miss_percent_of_height"] for name in ("volume", "four")}
+        worse = [line for name in FORMS for line in self.reader.worse(folder / f"{name}.glb", file)]
+        fitted = reports["volume"]["form"]["fitted_vertices"]
+        good = {"places": places <= max(PLACES, 1.1 * told["volume"]["worst"] / 100), "normals": fitted > 0 or normals["exact"] <= DEGREES,
+                "four": four <= max(PLACES, 1.1 * told["four"]["worst"] / 100), "validator": not worse}
+        self.failed += not all(good.values())
+        self.four.append(told["four"]["percentile_99"])
+        wrong = " ".join(name for name, holds in good.items() if not holds)
+        form = reports["volume"]["form"]
+        print(f"{'FAIL ' + wrong + ' ' if wrong else ''}{file.name}: {limb}, {form['corners']} corners, {form['vertices']} vertices, {fitted} beyond 8: {100 * places:.4f} %, "
+              f"{normals['exact']:.2f} degrees; four: 99th {told['four']['percentile_99']:.3f} %, worst {told['four']['worst']:.3f} %, seen {100 * four:.3f} %" + "".join(f"\n  {line}" for line in worse), flush=True)
+
+
+def main():
+    program, data, *files = map(pathlib.Path, sys.argv[1:])
+    check = Check(program.resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        for file in files or sorted({file for pattern in FOLDERS for file in data.glob(pattern)}):
+            try:
+                check.file(file, pathlib.Path(folder))
+            except (RuntimeError, subprocess.TimeoutExpired) as problem:
+                check.failed += 1
+                print(f"FAIL {file.name}: {problem}", flush=True)
+    print(f"four influences: {sum(value <= 0.5 for value in check.four)} of {len(check.four)} files within 0.5 % at the 99th percentile")
+    return 1 if check.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "rig/corners/bind_corners.h"
+#include "rig/corners/corner_set.h"
+#include "rig/corners/enclosing_corners.h"
+#include "rig/corners/few_weights.h"
+#include "rig/rekey/stretch_frames.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+
+namespace {
+
+// A forearm: points in a tube along a slanted axis, some behind the joint.
+std::vector<Vec3> tube(const Quat& axes) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> along(-0.05, 0.3);
+  std::uniform_real_distribution<double> across(-0.04, 0.04);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 200; ++i) {
+    points.push_back(axes * Vec3(along(random), across(random), across(random)));
+  }
+  return points;
+}
+
+const Quat slanted = axisAngle(glm::normalize(Vec3(1.0, 2.0, -0.5)), 0.8);
+
+Vec3 mixed(const std::vector<Vec3>& corners, const std::vector<double>& shares) {
+  Vec3 sum(0.0);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    sum += shares[k] * corners[k];
+  }
+  return sum;
+}
+
+StretchKeys turningStretch() {
+  StretchKeys keys;
+  keys.node = NodeIndex(0);
+  keys.times = {0.0F, 0.5F, 1.0F};
+  keys.axes = {Quat(1, 0, 0, 0), axisAngle(Vec3(0, 0, 1), 0.9), axisAngle(Vec3(0, 1, 0), 0.4)};
+  keys.scales = {Vec3(1.0), Vec3(3.0, 0.6, 0.6), Vec3(1.5, 0.8, 0.8)};
+  return keys;
+}
+
+// A skinned joint 0 whose vertices stand along x.
+Scene forearm(std::vector<glm::vec3> positions) {
+  Scene scene;
+  scene.nodes.resize(2);
+  scene.nodes[1].mesh = 0;
+  scene.nodes[1].skin = 0;
+  scene.roots = {NodeIndex(0), NodeIndex(1)};
+  scene.skins.push_back({"skin", {NodeIndex(0)}, {Mat4(1.0)}});
+  Primitive primitive;
+  VertexInfluences whole;
+  whole.weights[0] = 1.0F;
+  primitive.influences.assign(positions.size(), whole);
+  primitive.positions = std::move(positions);
+  scene.meshes.push_back({"mesh", {primitive}, {}});
+  return scene;
+}
+
+StretchKeys longer(const Vec3& factors) {
+  StretchKeys keys;
+  keys.node = NodeIndex(0);
+  keys.times = {0.0F, 1.0F};
+  keys.axes = {Quat(1, 0, 0, 0)};
+  keys.scales = {Vec3(1.0), factors};
+  return keys;
+}
+
+} // namespace
+
+TEST_CASE("A tetrahedron of corners holds every point: affine coordinates are none below 0 and give the "
+          "point back") {
+  const std::vector<Vec3> points = tube(slanted);
+  const std::vector<Vec3> corners = enclosingTetrahedron(points, slanted);
+  REQUIRE(corners.size() == 4);
+  for (const Vec3& point : points) {
+    const std::vector<double> shares = affineCoordinates(corners, point);
+    CHECK(*std::ranges::min_element(shares) >= 0.0);
+    CHECK(std::accumulate(shares.begin(), shares.end(), 0.0) == Approx(1.0));
+    CHECK(glm::length(mixed(corners, shares) - point) < 1e-9);
+  }
+}
+
+TEST_CASE("The tetrahedron is no larger than one around the tube has to be") {
+  const std::vector<Vec3> corners = enclosingTetrahedron(tube(slanted), slanted);
+  double farthest = 0.0;
+  for (const Vec3& corner : corners) {
+    farthest = std::max(farthest, glm::length(corner));
+  }
+  CHECK(farthest < 3.0 * 0.3);
+}
+
+TEST_CASE("Corners of points in a plane, on a line and of a single point still hold them") {
+  for (const std::vector<Vec3>& points : {std::vector<Vec3>{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                          {Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)},
+                                          {Vec3(0.2)}}) {
+    const std::vector<Vec3> corners = enclosingTetrahedron(points, Quat(1, 0, 0, 0));
+    for (const Vec3& point : points) {
+      CHECK(glm::length(mixed(corners, affineCoordinates(corners, point)) - point) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("A bone that only lengthens has an end on each side of the joint that holds vertices") {
+  const Vec3 along(1.0, 0.0, 0.0);
+  const std::vector<Vec3> both = enclosingEnds({Vec3(-0.1, 0.2, 0.0), Vec3(0.5, 0.0, 0.1)}, along);
+  REQUIRE(both.size() == 2);
+  CHECK(glm::length(both[0] - Vec3(-0.1, 0, 0)) < 1e-12);
+  CHECK(glm::length(both[1] - Vec3(0.5, 0, 0)) < 1e-12);
+  CHECK(enclosingEnds({Vec3(0.1, 0.2, 0.0), Vec3(0.5, 0.0, 0.1)}, along).size() == 1);
+  const std::vector<double> shares = affineCoordinates(both, Vec3(0.25, 7.0, 0.0));
+  CHECK(shares[0] == Approx(0.0));
+  CHECK(shares[1] == Approx(0.5));
+}
+
+TEST_CASE("A few weights of many candidates miss least, none of them below 0 and together 1") {
+  // Candidates are places, and 0 is wanted: a segment through it, and places far away.
+  const std::vector<Vec3> places{Vec3(-1, 0, 0), Vec3(3, 0, 0), Vec3(0, 5, 0), Vec3(4, 4, 4), Vec3(0, 0, 9)};
+  MissProducts products{places.size(), {}};
+  for (const Vec3& a : places) {
+    for (const Vec3& b : places) {
+      products.products.push_back(glm::dot(a, b));
+    }
+  }
+  const std::vector<double> weights = fewWeights(products, {0, 1, 2, 3, 4}, 2);
+  CHECK(weights[0] == Approx(0.75).margin(1e-6));
+  CHECK(weights[1] == Approx(0.25).margin(1e-6));
+  CHECK(std::ranges::count_if(weights, [](double w) { return w > 0.0; }) == 2);
+  const std::vector<double> one = fewWeights(products, {0, 2, 3}, 1);
+  CHECK(one[0] == Approx(1.0));
+}
+
+TEST_CASE("A corner goes where the stretch takes it, between keys too, however the axes turn") {
+  const StretchKeys keys = turningStretch();
+  const Vec3 place(0.3, -0.1, 0.2);
+  const Track track = cornerTrack(NodeIndex(5), place, keys);
+  CHECK(track.node == NodeIndex(5));
+  CHECK(track.channel == Channel::translation);
+  CHECK(track.times.front() == 0.0F);
+  CHECK(track.times.back() == 1.0F);
+  CHECK(track.times.size() > 3);
+  for (double time = 0.0; time <= 1.0; time += 0.01) {
+    const std::size_t key = time < 0.5 ? 0 : 1;
+    const double t = (time - keys.times[key]) / 0.5;
+    const Vec3 exact =
+        between({keys.axes[key], keys.scales[key]}, {keys.axes[key + 1], keys.scales[key + 1]}, t) * place;
+    std::array<double, 3> sampled{};
+    sampleTrack(track, time, sampled.data());
+    CHECK(glm::length(Vec3(sampled[0], sampled[1], sampled[2]) - exact) < 2e-5 * glm::length(place));
+  }
+}
+
+TEST_CASE("Axes that stand still need no keys beside those of the stretch") {
+  CHECK(cornerTrack(NodeIndex(5), Vec3(0.3, 0.1, 0.0), longer(Vec3(2.0, 0.7, 0.7))).times.size() == 2);
+}
+
+TEST_CASE("Corners without weight are left out, and those of a bone that only lengthens are ends") {
+  const Scene scene = forearm({{0.1F, 0.0F, 0.0F}, {0.3F, 0.02F, 0.0F}, {0.2F, 0.0F, 0.03F}});
+  gltf::Edits edits;
+  const CornerFit fit = addBindCorners(scene, {{0, {longer(Vec3(2.0, 1.0, 1.0))}}}, {}, edits);
+  CHECK(fit.corners == 1); // nothing stands behind the joint
+  REQUIRE(edits.addedNodes.size() == 1);
+  CHECK(edits.addedNodes[0].isBindCorner);
+  CHECK(edits.addedNodes[0].parent == NodeIndex(0));
+  REQUIRE(edits.boundMeshes.size() == 1);
+  const VertexInfluences& third = edits.boundMeshes[0].influences[0][0];
+  CHECK(third.weights[0] == Approx(2.0 / 3.0).margin(1e-6)); // it stands a third of the way out
+  CHECK(third.joints[0] == 0);
+  CHECK(third.joints[1] == 1);
+  REQUIRE(edits.addedSlots.size() == 1);
+  CHECK(edits.addedSlots[0].node == NodeIndex(2));
+}
+
+TEST_CASE(
+    "A bone that keeps its volume has four corners, and a limit of influences is kept and its miss told") {
+  std::vector<glm::vec3> positions;
+  for (const Vec3& point : tube(Quat(1, 0, 0, 0))) {
+    positions.emplace_back(point);
+  }
+  const Scene scene = forearm(positions);
+  const StretchKeys stretch = longer(Vec3(3.0, 0.6, 0.6));
+  CornerOptions options;
+  for (const double s : {1.0, 2.0, 3.0}) {
+    FrameState frame = frameOf(scene, restPose(scene), 0.0);
+    frame.stretch.assign(2, Mat3(1.0));
+    frame.stretch[0] =
+        StretchFrame{Quat(1, 0, 0, 0), Vec3(s, 1.0 - 0.2 * (s - 1.0), 1.0 - 0.2 * (s - 1.0))}.matrix();
+    options.moments.push_back(frame);
+  }
+  gltf::Edits exact;
+  const CornerFit eight = addBindCorners(scene, {{0, {stretch}}}, options, exact);
+  CHECK(eight.corners == 4);
+  CHECK(eight.fitted == 0);
+  CHECK(eight.vertices == positions.size());
+  options.mostInfluences = 2;
+  gltf::Edits fewer;
+  const CornerFit two = addBindCorners(scene, {{0, {stretch}}}, options, fewer);
+  CHECK(two.fitted > 100);
+  CHECK(two.worst > two.percentile99 * 0.999);
+  CHECK(two.percentile99 > two.median);
+  for (const VertexInfluences& vertex : fewer.boundMeshes[0].influences[0]) {
+    CHECK(vertex.weights[2] == 0.0F);
+    CHECK(vertex.weights[0] + vertex.weights[1] == Approx(1.0));
+  }
+}
+
+TEST_CASE("A mesh that hangs on a stretched joint rigidly becomes a skinned one at the top of the scene") {
+  Scene scene = forearm({{0.1F, 0.0F, 0.0F}, {0.3F, 0.02F, 0.0F}});
+  scene.nodes[1].mesh = -1;
+  scene.nodes[0].mesh = 0;
+  scene.skins.clear();
+  gltf::Edits edits;
+  addBindCorners(scene, {{0, {longer(Vec3(2.0, 1.0, 1.0))}}}, {}, edits);
+  REQUIRE(edits.addedSkins.size() == 1);
+  CHECK(edits.addedSkins[0].joints.front() == NodeIndex(0));
+  REQUIRE(edits.boundMeshes.size() == 1);
+  const auto holder = static_cast<std::size_t>(edits.boundMeshes[0].node.value) - scene.nodes.size();
+  CHECK(edits.addedNodes[holder].meshFrom == NodeIndex(0));
+  CHECK_FALSE(edits.addedNodes[holder].parent.exists());
+}

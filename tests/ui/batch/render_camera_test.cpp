@@ -1,0 +1,172 @@
+// `render` through the file's cameras, and as a video, from the command line.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "core/base/file.h"
+#include "tests/support/app/camera_file.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/batch/film.h"
+#include "ui/batch/render_verb.h"
+#include "ui/batch/video_writer.h"
+#include "ui/render/picture/image_edits.h"
+
+using namespace stretch;
+namespace fs = std::filesystem;
+
+namespace {
+
+test::VerbAnswer render(const std::vector<std::string>& words) {
+  std::vector<std::string> all{"render"};
+  all.insert(all.end(), words.begin(), words.end());
+  return test::runVerb(all, {ui::renderVerb()});
+}
+
+Bytes drawn(const std::string& file, const test::TemporaryFolder& folder,
+            const std::vector<std::string>& more) {
+  const std::string picture = (folder / "out.png").string();
+  std::vector<std::string> words{file, "-o", picture, "--size", "160x90"};
+  words.insert(words.end(), more.begin(), more.end());
+  const test::VerbAnswer answer = render(words);
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == 0);
+  return readFile(picture).value();
+}
+
+bool hasFfmpeg() {
+  return std::system("ffmpeg -version > /dev/null 2>&1") == 0;
+}
+
+} // namespace
+
+TEST_CASE("a picture through the file's camera is another one, and follows the clip that moves it") {
+  const test::TemporaryFolder folder;
+  const std::string file = test::boxerWithCameras(folder);
+  const Bytes side = drawn(file, folder, {"--camera", "Side"});
+  CHECK(side == drawn(file, folder, {"--camera", "Front"})); // there at frame 0
+  CHECK(side != drawn(file, folder, {"--camera", "Flat"}));
+  CHECK(side != drawn(file, folder, {}));
+  CHECK(side != drawn(file, folder, {"--camera", "Side", "--safe-frame"}));
+  CHECK(drawn(file, folder, {"--camera", "Side", "--frame", "27"}) !=
+        drawn(file, folder, {"--camera", "Front", "--frame", "27"}));
+}
+
+TEST_CASE("a camera or a best view that is not there is refused, and so are a camera and a view at once") {
+  const test::TemporaryFolder folder;
+  const std::string file = test::boxerWithCameras(folder);
+  const std::string out = (folder / "out.png").string();
+  const test::VerbAnswer lost = render({file, "-o", out, "--camera", "Shot"});
+  CHECK(lost.exitCode == 1);
+  CHECK_THAT(lost.told, Catch::Contains("there is no camera 'Shot'") && Catch::Contains("Side, Front, Flat"));
+  const test::VerbAnswer bare =
+      render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "-o", out, "--camera", "Shot"});
+  CHECK_THAT(bare.told, Catch::Contains("the file has none"));
+  CHECK_THAT(render({file, "-o", out, "--view", "best"}).told, Catch::Contains("there is none"));
+  CHECK(render({file, "-o", out, "--camera", "Side", "--view", "top"}).exitCode == 2);
+  CHECK(render({file}).exitCode == 2);
+  CHECK(render({file, "-o", out, "--video", (folder / "a.mp4").string()}).exitCode == 2);
+  CHECK_THAT(render({file, "--video", (folder / "a.avi").string()}).told,
+             Catch::Contains(".mp4, .webm or .gif"));
+  CHECK_FALSE(fs::exists(out));
+}
+
+TEST_CASE("the best view of a punch is drawn from where the report says it is") {
+  const test::TemporaryFolder folder;
+  const std::string recipe =
+      folder
+          .write("punch.json",
+                 R"({"version": 1, "trails": [{"limb": "left-arm", "range": [21, 27], "scale": 3}]})")
+          .string();
+  const std::string file = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const std::vector<std::string> punch{"--trails", recipe, "--frame", "27"};
+  const auto from = [&](const std::string& view) {
+    std::vector<std::string> words = punch;
+    words.insert(words.end(), {"--view", view});
+    return drawn(file, folder, words);
+  };
+  CHECK(from("best") != from("side"));
+  CHECK(from("best") != from("three-quarter"));
+}
+
+TEST_CASE("two files stand side by side: the source on the left is the source alone") {
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const std::string punched = (folder / "punched.glb").string();
+  REQUIRE(test::runVerb({"exaggerate", dummy, "-o", punched, "--limb", "left-arm", "--range", "21:27",
+                         "--scale", "3", "--clean"})
+              .exitCode == 0);
+  const auto picture = [&](const std::string& file, const std::string& beside) {
+    REQUIRE_FALSE(drawn(file, folder, {"--frame", "27", "--beside", beside}).empty());
+    return ui::readPng(folder / "out.png").value();
+  };
+  const auto halfOf = [](const Image& image, bool left) {
+    std::vector<std::uint8_t> bytes;
+    for (int y = 30; y < image.height; ++y) { // below the label
+      const auto* row = image.rgba.data() + static_cast<std::ptrdiff_t>(4 * image.width) * y;
+      const int first = left ? 0 : image.width / 2 + 1;
+      bytes.insert(bytes.end(), row + static_cast<std::ptrdiff_t>(4) * first,
+                   row + static_cast<std::ptrdiff_t>(4) * (first + image.width / 2 - 1));
+    }
+    return bytes;
+  };
+  const Image both = picture(punched, dummy);
+  CHECK(both.width == 160);
+  CHECK(halfOf(both, true) != halfOf(both, false));
+  const Image same = picture(dummy, dummy);
+  CHECK(halfOf(same, true) == halfOf(same, false));
+}
+
+TEST_CASE("a video has every frame of the clip at its speed, and leaves nothing when it cannot be made") {
+  if (!hasFfmpeg()) {
+    WARN("skipped: ffmpeg is not installed");
+    return;
+  }
+  const test::TemporaryFolder folder;
+  const std::string file = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  for (const std::string ending : {".mp4", ".webm", ".gif"}) {
+    CAPTURE(ending);
+    const std::string video = (folder / ("punch" + ending)).string();
+    const test::VerbAnswer answer = render({file, "--video", video, "--size", "97x55", "--frames", "20:25"});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    const std::string told = (folder / "told.txt").string();
+    REQUIRE(
+        std::system(("ffprobe -v error -count_frames -show_entries stream=nb_read_frames,r_frame_rate,width "
+                     "-of default=noprint_wrappers=1 " +
+                     video + " > " + told)
+                        .c_str()) == 0);
+    const std::string probed = readText(told).value();
+    CHECK_THAT(probed, Catch::Contains("nb_read_frames=6"));
+    CHECK_THAT(probed, Catch::Contains(ending == ".gif" ? "width=97" : "width=98")); // even
+    if (ending != ".gif") { // which counts in hundredths of a second
+      CHECK_THAT(probed, Catch::Contains("r_frame_rate=24/1"));
+    }
+  }
+  const std::size_t before = folder.fileCount();
+  const test::VerbAnswer nowhere =
+      render({file, "--video", (folder / "gone" / "a.mp4").string(), "--frames", "0:1"});
+  CHECK(nowhere.exitCode == 1);
+  CHECK_THAT(nowhere.told, Catch::Contains("ffmpeg could not write it"));
+  CHECK(folder.fileCount() == before);
+}
+
+TEST_CASE("a video that is not finished leaves nothing, and without ffmpeg the remedy is told in one line") {
+  const test::TemporaryFolder folder;
+  const Image picture = ui::filled(16, 16, glm::vec3(0.5F));
+  if (hasFfmpeg()) {
+    Result<ui::VideoWriter> video = ui::VideoWriter::open({folder / "a.mp4", 16, 16, 24.0});
+    REQUIRE(video);
+    REQUIRE(video->add(picture));
+  }
+  CHECK(folder.fileCount() == 0);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  const Result<ui::VideoWriter> none = ui::VideoWriter::open({folder / "a.mp4", 16, 16, 24.0});
+  setenv("PATH", path.c_str(), 1);
+  REQUIRE_FALSE(none);
+  CHECK_THAT(none.error().line(),
+             Catch::Contains("ffmpeg, which is not installed") && Catch::Contains("-o picture.png"));
+}

@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "core/math/transform.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/view/camera_view.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+constexpr Viewport wide{1600.0, 900.0, 1.0};
+
+ThroughCamera looking(CameraKind kind, double aspect) {
+  ThroughCamera through;
+  through.lens.kind = kind;
+  through.lens.fieldOfViewRadians = 0.6;
+  through.lens.halfHeight = 2.0;
+  through.lens.aspect = aspect;
+  const Mat4 world = toMatrix({Vec3(3.0, 1.0, 2.0), axisAngle(Vec3(0.0, 1.0, 0.0), 0.7), Vec3(1.0)});
+  through.place = cameraPlace(kind, world).value();
+  through.reach = 4.0;
+  return through;
+}
+
+// Where a point lies in the camera's own picture: -1 to 1 across and up.
+Vec2 inOwnPicture(const ThroughCamera& through, const Vec3& point) {
+  const Vec2 place = inPicture(through.place, point).value();
+  const double half = through.lens.kind == CameraKind::perspective ? std::tan(0.3) : through.lens.halfHeight;
+  return {place.x / (half * through.lens.aspect.value()), place.y / half};
+}
+
+} // namespace
+
+TEST_CASE("through the file's camera a point lies in the picture where the camera has it, whatever the "
+          "window's shape") {
+  for (const CameraKind kind : {CameraKind::perspective, CameraKind::orthographic}) {
+    for (const double aspect : {0.5, 16.0 / 9.0, 3.0}) {
+      CAPTURE(static_cast<int>(kind), aspect);
+      const ThroughCamera through = looking(kind, aspect);
+      const View view = viewThrough(through, wide);
+      const PixelBox frame = frameIn(wide, aspect);
+      const Vec3 point = through.place.position + 4.0 * through.place.forward + 0.3 * through.place.right +
+                         0.2 * through.place.up;
+      const Vec2 own = inOwnPicture(through, point);
+      const Vec2 pixels = projectToPixels(view, point).value().pixels;
+      const Vec2 size = frame.high - frame.low;
+      CHECK(pixels.x == Approx(frame.low.x + 0.5 * (1.0 + own.x) * size.x));
+      CHECK(pixels.y == Approx(frame.low.y + 0.5 * (1.0 - own.y) * size.y));
+      CHECK(size.x / size.y == Approx(aspect));
+      CHECK((frame.low.x >= 0.0 && frame.low.y >= 0.0 && frame.high.x <= 1600.0 && frame.high.y <= 900.0));
+      CHECK(placeOf(view).kind == kind);
+      CHECK(glm::length(placeOf(view).position - through.place.position) < 1e-9);
+      CHECK(glm::length(placeOf(view).forward - through.place.forward) < 1e-9);
+      CHECK(glm::length(placeOf(view).right - through.place.right) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("the safe frame is the middle of the picture, and all of the window's where there is no camera") {
+  const PixelBox safe = frameIn(wide, std::nullopt, 0.9);
+  CHECK(glm::length(safe.low - Vec2(80.0, 45.0)) < 1e-9);
+  CHECK(glm::length(safe.high - Vec2(1520.0, 855.0)) < 1e-9);
+}
+
+TEST_CASE("taking the hand to a file's camera begins where it stands, as far as one without roll can") {
+  const ThroughCamera through = looking(CameraKind::perspective, 1.0);
+  const View free = makeView(orbitingFrom(through), wide);
+  CHECK(glm::length(free.eye - through.place.position) < 1e-9);
+  CHECK(glm::length(free.forward - through.place.forward) < 1e-9);
+  CHECK(orbitingFrom(through).fieldOfViewRadians == 0.6);
+  const ThroughCamera flat = looking(CameraKind::orthographic, 1.0);
+  const Vec3 above = flat.place.position + flat.place.up;
+  CHECK(projectToPixels(makeView(orbitingFrom(flat), wide), above)->pixels.y ==
+        Approx(projectToPixels(viewThrough(flat, wide), above)->pixels.y));
+}
+
+TEST_CASE("a rectangle is outlined inside the picture, one pixel thick, and cut off outside") {
+  Image image = filled(40, 30, glm::vec3(0.0F));
+  outline(image, {{10.0, 5.0}, {60.0, 25.0}}, glm::vec3(1.0F));
+  const auto red = [&](int x, int y) { return image.rgba[4 * static_cast<std::size_t>(y * 40 + x)]; };
+  CHECK(red(10, 5) == 255);
+  CHECK(red(39, 5) == 255);
+  CHECK(red(10, 24) == 255);
+  CHECK(red(11, 6) == 0);
+  CHECK(red(9, 5) == 0);
+  CHECK(red(39, 15) == 0);
+}

@@ -1,0 +1,101 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/commands/table/command_ids.h"
+#include "app/files/save.h"
+#include "tests/support/app/camera_file.h"
+#include "tests/support/app/new_trail.h"
+#include "ui/shell/shell_commands.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+namespace command = app::command;
+
+namespace {
+
+/// The editor with a boxer that has the cameras Side, Front and Flat, and a punch on its left arm.
+struct Filmed {
+  Filmed() {
+    const Result<app::Document> document = app::openDocument(test::boxerWithCameras(folder));
+    REQUIRE(document);
+    shell.open.open(
+        app::Opened{test::withNewTrail(*document, {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0})});
+    shell.commands = editorCommands();
+    shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  }
+
+  /// What one frame of the viewport does first.
+  void show() {
+    app::Session& session = *shell.open.character();
+    const SceneCamera* const camera = cameraNamed(*session.document().scene, shell.viewport.look.name);
+    shell.viewport.look.through =
+        camera != nullptr ? throughCamera(session.document(), *camera, session.shownAt(session.view().frame))
+                          : std::nullopt;
+  }
+
+  test::TemporaryFolder folder;
+  Shell shell;
+};
+
+} // namespace
+
+TEST_CASE("The file's cameras are looked through one after the other, and then the view moves freely again") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  for (const char* const name : {"Side", "Front", "Flat", ""}) {
+    runCommand(shell, command::viewCamera);
+    filmed.show();
+    CHECK(shell.viewport.look.name == name);
+    CHECK(shell.viewport.look.through.has_value() == (*name != '\0'));
+  }
+  CHECK(lensText(shell.viewport.look, shell.viewport.camera) == "orthographic"); // where Flat stood
+  shell.viewport.look.name = "Side";
+  filmed.show();
+  CHECK(lensText(shell.viewport.look, shell.viewport.camera) == "Side, perspective, 39 mm");
+  runCommand(shell, command::viewTop);
+  CHECK(shell.viewport.look.name.empty());
+}
+
+TEST_CASE("A view is kept with the camera that is looked through, and its key goes back to it") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  shell.viewport.camera.yawRadians = 0.3;
+  runCommand(shell, command::keepView[3]);
+  CHECK(shell.ui.toasts.back().text.find("Numpad 4") != std::string::npos);
+  runCommand(shell, command::viewCamera);
+  runCommand(shell, command::keepView[0]);
+  shell.viewport.camera.yawRadians = 2.0;
+  runCommand(shell, command::keptView[3]);
+  CHECK(shell.viewport.camera.yawRadians == 0.3);
+  CHECK(shell.viewport.look.name.empty());
+  runCommand(shell, command::keptView[0]); // no longer the front view
+  CHECK(shell.viewport.look.name == "Side");
+}
+
+TEST_CASE("A key of the numpad shows its standard view before a view is kept under it, others say how to "
+          "keep one") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  for (const auto& [number, id] : {std::pair(1, command::viewFront), std::pair(3, command::viewSide),
+                                   std::pair(5, command::viewPerspective), std::pair(7, command::viewTop)}) {
+    runCommand(shell, command::keptView[static_cast<std::size_t>(number - 1)]);
+    const Camera byKey = shell.viewport.camera;
+    shell.viewport.camera = Camera{.target = byKey.target, .distance = byKey.distance};
+    runCommand(shell, id);
+    CHECK(shell.viewport.camera == byKey);
+  }
+  runCommand(shell, command::keptView[1]);
+  CHECK(shell.ui.toasts.back().text == "No view is kept as 2: Ctrl+2 keeps this one");
+}
+
+TEST_CASE("The best view looks at the punch from a side, and is told in words") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  runCommand(shell, command::viewBest); // no trail is selected
+  CHECK_FALSE(shell.viewport.frameSelectionPending);
+  shell.open.character()->view().selection.editTrails().trail = 1;
+  runCommand(shell, command::viewBest);
+  CHECK(shell.viewport.frameSelectionPending);
+  CHECK(std::abs(std::sin(shell.viewport.camera.yawRadians)) > 0.7);
+  CHECK(shell.ui.toasts.back().text.starts_with("Seen best from "));
+}

@@ -1,0 +1,109 @@
+#include "ui/batch/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <fmt/core.h>
+
+#include "ui/batch/video_writer.h"
+#include "ui/render/picture/image_edits.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int gap = 2; // pixels between two sides
+
+std::filesystem::path numbered(const std::filesystem::path& path, double frame) {
+  std::filesystem::path name = path;
+  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame))
+                                                        : fmt::format("{:08.3f}", frame);
+  name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
+  return name;
+}
+
+// Draws some pictures of a side into their place on the whole ones.
+Status drawPart(const FilmSide& side, const PictureOptions& options, const Box& shown, std::size_t begin,
+                int left, std::span<Image> whole) {
+  Result<PictureMaker> maker = PictureMaker::create(*side.scene, options, shown);
+  if (!maker) {
+    return maker.error();
+  }
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const Result<Image> picture = maker->draw(side.pictures[begin + i]);
+    if (!picture) {
+      return picture.error();
+    }
+    paste(whole[i], *picture, left, 0);
+  }
+  return Success{};
+}
+
+// Only one side can be drawn at a time: a few pictures of the one, then as many of the other.
+Status drawBeside(const Film& film, const PictureOptions& options,
+                  const std::function<Status(std::size_t, const Image&)>& keep) {
+  constexpr std::size_t atOnce = 32;
+  PictureOptions half = options;
+  half.widthPixels = (options.widthPixels - gap) / 2;
+  Box shown;
+  for (const FilmSide& side : film.sides) {
+    shown.add(boxOfPictures(*side.scene, side.pictures));
+  }
+  const auto& ground = film.sides.front().pictures.front().content.style.palette.backgroundBottom;
+  for (std::size_t begin = 0; begin < film.frames.size(); begin += atOnce) {
+    const std::size_t count = std::min(atOnce, film.frames.size() - begin);
+    std::vector<Image> whole(count, filled(options.widthPixels, options.heightPixels, ground));
+    for (std::size_t side = 0; side < film.sides.size(); ++side) {
+      const int left = side == 0 ? 0 : options.widthPixels - half.widthPixels;
+      if (Status drawn = drawPart(film.sides[side], half, shown, begin, left, whole); !drawn) {
+        return drawn;
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (Status kept = keep(begin + i, whole[i]); !kept) {
+        return kept;
+      }
+    }
+  }
+  return Success{};
+}
+
+} // namespace
+
+Status drawFilm(const Film& film, const PictureOptions& options,
+                const std::function<Status(std::size_t, const Image&)>& keep) {
+  return film.sides.size() == 1
+             ? renderSeries(*film.sides.front().scene, film.sides.front().pictures, options, keep)
+             : drawBeside(film, options, keep);
+}
+
+Status writeFilm(const Film& film, const PictureOptions& options, const std::filesystem::path& path,
+                 const FilmProgress& progress) {
+  std::optional<VideoWriter> video;
+  if (isVideoName(path)) {
+    Result<VideoWriter> opened =
+        VideoWriter::open({path, options.widthPixels, options.heightPixels, film.framesPerSecond});
+    if (!opened) {
+      return opened.error();
+    }
+    video.emplace(std::move(opened).value());
+  }
+  const auto count = static_cast<double>(film.frames.size());
+  Status drawn = drawFilm(film, options, [&](std::size_t index, const Image& picture) {
+    if (progress && !progress(static_cast<double>(index) / count)) {
+      return Status(Error{"was stopped", path.string(), "start it again"});
+    }
+    return video ? video->add(picture) : writePng(numbered(path, film.frames[index]), picture);
+  });
+  if (drawn && video) {
+    drawn = video->finish();
+  }
+  if (progress) {
+    progress(1.0);
+  }
+  return drawn;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "app/commands/table/selection.h"
+#include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/trails/trail_sections.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+void styleRows(PanelContext& context, ClipStyleState& state) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Help help{"Style", "How far arms, legs and body are stretched, and how they come back.", {}};
+  labelledRow(widgets, "Style", help);
+  if (const int chosen =
+          dropdown(widgets, "clip-style/style", styleChoices(context.ui.trails.styles), state.style, help);
+      chosen >= 0) {
+    state.style = chosen;
+    state.changed = true;
+  }
+  labelledRow(widgets, "Strength", {"Strength", "How much of the style's exaggeration.", {}});
+  SliderSpec spec{.id = "clip-style/strength",
+                  .minimum = 0.0,
+                  .maximum = 2.0,
+                  .step = 0.05,
+                  .decimals = 0,
+                  .suffix = " %",
+                  .displayFactor = 100.0,
+                  .defaultValue = 1.0};
+  spec.help = {"Strength", "How much of the style's exaggeration. Drag, or click and type.", {}};
+  state.changed = slider(widgets, spec, state.strength).changed || state.changed;
+}
+
+/// What became of a moment; null while nothing did.
+const app::AutoMoment* outcomeOf(const ClipStyleState& state, const rig::Moment& moment) {
+  const auto found = std::ranges::find(state.made, moment, &app::AutoMoment::moment);
+  return found == state.made.end() ? nullptr : &*found;
+}
+
+std::string outcomeText(const ClipStyleState& state, std::size_t place) {
+  const app::AutoMoment* const made = outcomeOf(state, state.moments[place]);
+  return !state.on[place] || made == nullptr ? std::string()
+         : made->trailId > 0                 ? "\xC3\x97" + shortNumber(made->scale)
+                                             : "left out";
+}
+
+void momentRow(PanelContext& context, ClipStyleState& state, std::size_t place) {
+  const WidgetContext widgets = widgetsOf(context);
+  const rig::Moment& moment = state.moments[place];
+  const app::Document& document = context.character().document();
+  const std::string limb =
+      moment.limb == rig::wholeBody ? "Body" : capitalised(app::limbTitle(document, moment.limb));
+  const std::string text = fmt::format("{}, {} {:g}\xE2\x80\x93{:g}", limb, rig::momentKindName(moment.kind),
+                                       moment.startFrame, moment.tipFrame);
+  const app::AutoMoment* const made = outcomeOf(state, moment);
+  const std::string why = made != nullptr && !made->why.empty()
+                              ? (made->trailId > 0 ? "With more " : "Left out: ") + made->why + "."
+                              : "Exaggerates this moment, or not.";
+  if (toggle(widgets, "clip-style/moment-" + std::to_string(place), text, state.on[place], {text, why, {}})) {
+    state.on[place] = !state.on[place];
+    state.changed = true;
+  }
+  ImGui::SameLine();
+  const std::string outcome = outcomeText(state, place);
+  const float width = textSize(context.theme.fonts.label, outcome).x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float right = corner.x + ImGui::GetContentRegionAvail().x - context.theme.unit();
+  drawText(widgets, context.theme.fonts.label,
+           {{right - width, corner.y}, {right + 1.0F, corner.y + context.theme.rowHeight()}},
+           context.theme.colours.quietText, outcome);
+  ImGui::NewLine();
+}
+
+void momentRows(PanelContext& context, ClipStyleState& state) {
+  constexpr float mostRows = 9.0F;
+  const float row = context.theme.rowHeight() + ImGui::GetStyle().ItemSpacing.y;
+  const float rows = std::clamp(static_cast<float>(state.moments.size()), 1.0F, mostRows);
+  ImGui::BeginChild("clip-style/moments", {0.0F, row * rows + context.theme.unit()});
+  for (std::size_t i = 0; i < state.moments.size(); ++i) {
+    momentRow(context, state, i);
+  }
+  ImGui::EndChild();
+}
+
+void styleButtons(PanelContext& context) {
+  const float width = columnWidth(3);
+  commandButton(context, {.command = command::styleTake, .text = "Take", .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::styleImport, .text = "Import", .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::styleExport, .text = "Export", .width = width});
+}
+
+} // namespace
+
+void drawClipStyleDialog(PanelContext& context) {
+  ClipStyleState& state = context.ui.trails.clipStyle;
+  bool shown = state.open && !context.ui.dialogs.file.open && context.open.character() != nullptr;
+  if (!shown) {
+    return;
+  }
+  if (!beginDialog(context,
+                   {.id = "clip-style",
+                    .icon = icon::magic,
+                    .title = "Exaggerate the clip",
+                    .width = 360.0F,
+                    .across = 1.0F},
+                   shown)) {
+    state.open = shown;
+    return;
+  }
+  state.open = shown;
+  styleRows(context, state);
+  styleButtons(context);
+  verticalSpace(widgetsOf(context), 4.0F);
+  momentRows(context, state);
+  const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
+  note(widgetsOf(context), state.working || state.changed
+                               ? std::string("Working it out\xE2\x80\xA6")
+                               : fmt::format("{} of {} moments are exaggerated. Space plays the clip.", done,
+                                             state.moments.size()));
+  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
+  if (keyPressed(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput) {
+    request(context, command::timePlay);
+  }
+  const int clicked =
+      dialogButtons(context, "clip-style", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Exaggerate"}});
+  state.accepted = state.accepted || entered || clicked == 1;
+  state.open = state.open && clicked != 0;
+  if (!state.open) {
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,113 @@
+#include "ui/shell/film_work.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/commands/table/ranges.h"
+#include "app/commands/table/selection.h"
+#include "app/evaluate/evaluate.h"
+#include "core/anim/frames.h"
+#include "ui/batch/film.h"
+#include "ui/batch/sequence_pictures.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// All that the drawing needs, so that the window may go on.
+struct FilmRequest {
+  app::Document document;
+  std::shared_ptr<const rig::MotionState> motion;
+  std::vector<double> frames;
+  CharacterLook look;
+  bool besideOriginal = false;
+  PictureOptions options;
+};
+
+FilmRequest requestOf(Shell& shell) {
+  app::Session& session = *shell.open.character();
+  const app::ViewState& view = session.view();
+  const ViewportOverlays& overlays = shell.ui.overlays;
+  FilmRequest request{session.document(), session.sharedMotion(), {}, {}, overlays.sideBySide, {}};
+  const bool hasRange = app::isRangeSet(view);
+  const double last = lastFrame(app::clipOf(request.document, view.clip));
+  const double end = hasRange ? std::min(view.rangeEnd, last) : last;
+  for (double frame = hasRange ? view.rangeStart : 0.0; frame <= end; frame += 1.0) {
+    request.frames.push_back(frame);
+  }
+  request.look.skeleton = overlays.skeleton;
+  request.look.ghosts = overlays.ghosts ? overlays.ghostsBefore : 0;
+  request.look.trails = false;
+  request.look.labelled = true;
+  request.look.camera = cameraNamed(*request.document.scene, shell.viewport.look.name);
+  request.options.safeFrame = overlays.safeFrame;
+  request.options.camera = shell.viewport.camera;
+  return request;
+}
+
+/// The clip without anything that was done to it.
+app::Document originalOf(app::Document document) {
+  document.trails.clear();
+  document.adjustments.clear();
+  document.holds = {};
+  document.weights.clear();
+  return document;
+}
+
+FilmSide sideOf(const app::Document& document, const std::shared_ptr<const rig::MotionState>& motion,
+                const FilmRequest& request) {
+  return {document.scene.get(), picturesOfCharacter(document, motion, request.frames, request.look)};
+}
+
+Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const FilmRequest& request,
+                                     const skinning::Proceed& proceed) {
+  Film film{{}, request.frames, request.motion->framesPerSecond};
+  if (request.besideOriginal) {
+    const app::Document original = originalOf(request.document);
+    film.sides.push_back(
+        sideOf(original,
+               std::make_shared<const rig::MotionState>(app::prepareMotion(original, request.motion->clip)),
+               request));
+    for (PictureFrame& picture : film.sides.back().pictures) {
+      picture.label = "original, " + picture.label;
+    }
+  }
+  film.sides.push_back(sideOf(request.document, request.motion, request));
+  const Status written = writeFilm(film, request.options, path, proceed);
+  return written ? Result<std::filesystem::path>(path) : Result<std::filesystem::path>(written.error());
+}
+
+} // namespace
+
+void startFilm(Shell& shell, const std::filesystem::path& path) {
+  if (shell.beside.film.job != nullptr) {
+    tell(shell, ToastKind::warning, shell.beside.film.path.filename().string() + " is still being drawn");
+    return;
+  }
+  shell.beside.film.path = path;
+  shell.beside.film.job = std::make_unique<app::Job<std::filesystem::path>>(
+      [path, request = requestOf(shell)](const skinning::Proceed& proceed) {
+        return drawTo(path, request, proceed);
+      });
+}
+
+void updateFilm(Shell& shell) {
+  FilmWork& work = shell.beside.film;
+  if (work.job == nullptr || !work.job->isFinished()) {
+    return;
+  }
+  const bool isStopped = work.job->isCancelled();
+  const Result<std::filesystem::path> made = work.job->take();
+  work.job.reset();
+  if (isStopped) {
+    return;
+  }
+  if (!made) {
+    tellProblem(shell, made.error());
+    return;
+  }
+  tell(shell, ToastKind::success, "Drawn: " + made->string());
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "app/sequence/job.h"
+
+namespace stretch::ui {
+
+struct Shell;
+
+/// A video, or numbered pictures, of what the view shows, drawn beside the window.
+struct FilmWork {
+  std::unique_ptr<app::Job<std::filesystem::path>> job; ///< Null: none is being made.
+  std::filesystem::path path;
+};
+
+/// Draws the working range, or the clip where none is set, as the view shows it now: its camera, skeleton,
+/// ghosts and safe frame, and the original on the left where that stands there.
+void startFilm(Shell& shell, const std::filesystem::path& path);
+
+/// Once per frame: tells what became of it.
+void updateFilm(Shell& shell);
+
+} // namespace stretch::ui
