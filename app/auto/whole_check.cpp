@@ -201,7 +201,7 @@ private:
     const Seam source = seamOf([&](double seconds) {
       return placesOf(ground_.limbs, evaluateOriginal(ground_.document, ground_.clip, seconds));
     });
-    const double metre = ground_.document.body.height / characterHeightMetres;
+    const double metre = ground_.document.body.size / characterSizeMetres;
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
       for (std::size_t k = 0; k < now.first[i].size(); ++k) {
         const auto gap = [&](const Seam& seam) { return glm::length(seam.last[i][k] - seam.first[i][k]); };

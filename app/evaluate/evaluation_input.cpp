@@ -59,8 +59,8 @@ bool isDrawnAcrossSeam(const EvaluationGround& ground) {
 } // namespace
 
 EvaluationInput evaluationInput(const Document& document, int clip) {
-  return {{document.scene, document.clips, clip, document.body.hips, document.body.height, allLimbs(document),
-           isLooping(document, clip), ofClip(document.adjustments, clip)},
+  return {{document.scene, document.clips, clip, document.body.hips, document.body.height, document.body.size,
+           allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
           holdsOfClip(document.holds, clip),
           ofClip(document.weights, clip)};
@@ -91,7 +91,7 @@ rig::MotionInput motionInput(const EvaluationInput& input) {
 
 WeightInput weightInput(const EvaluationInput& input) {
   const EvaluationGround& ground = input.ground;
-  return {ground.scene, &clipOf(ground), ground.limbs, ground.height, ground.loops, input.weights};
+  return {ground.scene, &clipOf(ground), ground.limbs, ground.size, ground.loops, input.weights};
 }
 
 std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::MotionState& motion,

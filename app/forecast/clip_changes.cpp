@@ -22,7 +22,8 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double mostVerticesAtTimes = 4e6; // looked at in one clip
+constexpr double mostVerticesAtTimes = 1e6; // looked at in one clip
+constexpr double mostFrames = 20000.0;      // in which feet that stand are looked for
 
 // What is compared of one clip.
 struct Measures {
@@ -50,8 +51,9 @@ public:
         legs_.push_back(limb);
       }
     }
+    const std::vector<std::vector<Vec3>> feet = feetOfFrames();
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-      findStanding(leg);
+      findStanding(leg, feet[leg]);
     }
   }
 
@@ -79,28 +81,39 @@ private:
     return rig::endPosition(legs_[leg], watched.at(frame / rate()));
   }
 
+  // Where each leg's foot is in every frame; nothing of a clip of a length that no animator looks through.
+  [[nodiscard]] std::vector<std::vector<Vec3>> feetOfFrames() const {
+    std::vector<std::vector<Vec3>> feet(legs_.size());
+    if (lastFrame(source_.clip) > mostFrames) {
+      return feet;
+    }
+    for (double frame = 0.0; frame <= lastFrame(source_.clip); frame += 1.0) {
+      const FrameState shown = source_.at(frame / rate());
+      for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+        feet[leg].push_back(rig::endPosition(legs_[leg], shown));
+      }
+    }
+    return feet;
+  }
+
   // Stretches in which the foot is low and slow, of three frames at least.
-  void findStanding(std::size_t leg) {
+  void findStanding(std::size_t leg, const std::vector<Vec3>& feet) {
     constexpr double nearLowest = 0.01; // of the height
     constexpr double slow = 0.05;       // of the height per second
-    constexpr double fewest = 3.0;
+    constexpr std::size_t fewest = 3;
     const double height = body_.body.height;
-    const auto last = static_cast<std::size_t>(lastFrame(source_.clip));
-    std::vector<Vec3> feet;
     double lowest = std::numeric_limits<double>::max();
-    for (std::size_t frame = 0; frame <= last; ++frame) {
-      feet.push_back(footAt(source_, leg, static_cast<double>(frame)));
-      lowest = std::min(lowest, feet.back().y);
+    for (const Vec3& foot : feet) {
+      lowest = std::min(lowest, foot.y);
     }
+    const auto isLow = [&](std::size_t frame) { return feet[frame].y < lowest + nearLowest * height; };
     std::size_t first = 0;
-    for (std::size_t frame = 1; frame <= last + 1; ++frame) {
-      const bool goesOn = frame <= last && feet[frame].y < lowest + nearLowest * height &&
-                          feet[frame - 1].y < lowest + nearLowest * height &&
-                          glm::length(feet[frame] - feet[frame - 1]) * rate() < slow * height;
-      if (goesOn) {
+    for (std::size_t frame = 1; frame <= feet.size(); ++frame) {
+      if (frame < feet.size() && isLow(frame) && isLow(frame - 1) &&
+          glm::length(feet[frame] - feet[frame - 1]) * rate() < slow * height) {
         continue;
       }
-      if (static_cast<double>(frame - first) >= fewest) {
+      if (frame - first >= fewest) {
         standing_.push_back({leg, static_cast<double>(first), static_cast<double>(frame - 1)});
       }
       first = frame;

@@ -13,7 +13,7 @@ namespace stretch::app {
 struct WeightReport {
   std::string limb;
   double youngModulus = 0.0;  ///< Pa, as used: given or chosen.
-  std::vector<double> widths; ///< One for each bone, metres of a character of characterHeightMetres.
+  std::vector<double> widths; ///< One for each bone, metres of a character of characterSizeMetres.
   std::vector<double> masses; ///< One for each bone, kg.
   /// Lengths along the bones of the pose that is shown and saved, feet back in their places, over those
   /// without weight: the least and the greatest over the frames of the range.

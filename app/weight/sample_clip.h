@@ -16,18 +16,18 @@ struct WeightInput {
   std::shared_ptr<const Scene> scene;
   const Clip* clip = nullptr;
   std::vector<rig::Limb> limbs;      ///< All limbs that weight may name, chains included.
-  double height = 1.0;               ///< Height of the character, world units, > 0.
+  double size = 1.0;                 ///< rig::Body::size, world units, > 0.
   bool loops = false;                ///< The clip goes on with its own beginning.
   std::vector<WeightedLimb> weights; ///< Weights of this clip; what is off or names no limb is passed over.
 
-  [[nodiscard]] double metresPerUnit() const { return characterHeightMetres / height; }
+  [[nodiscard]] double metresPerUnit() const { return characterSizeMetres / size; }
 };
 
 /// Places in WeightInput::weights of the limbs that give way: on, and there.
 [[nodiscard]] std::vector<std::size_t> activeWeights(const WeightInput& input);
 
 /// The limbs of a clip with its trails, sampled for the elastic model: where each joint is, metres of a
-/// character of characterHeightMetres, and how its space lies.
+/// character of characterSizeMetres, and how its space lies.
 struct SampledClip {
   double samplesPerSecond = 120.0;
   std::vector<double> seconds; ///< Times of the samples, even, about 120 per second, from the clip's first

@@ -29,7 +29,7 @@ struct WeightSettings {
 };
 
 inline constexpr double stillSag = 0.025;
-inline constexpr double characterHeightMetres = 1.75;
+inline constexpr double characterSizeMetres = 1.75; ///< Of rig::Body::size.
 
 /// A limb with weight in one clip.
 struct WeightedLimb {

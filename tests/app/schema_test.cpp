@@ -144,7 +144,7 @@ TEST_CASE("A view that judges a trail has a kind, a place and two directions, or
   const auto read = [&](const char* view) {
     return trailFromJson(Json{{"seen_view", Json::parse(view)}}, 1.0, {}, settings);
   };
-  REQUIRE(read(R"({"kind": "orthographic", "position": [0, 1, 5], "right": [2, 0, 0], "up": [0.5, 3, 0]})"));
+  REQUIRE(read(R"({"kind": "orthographic", "position": [0, 1, 5], "right": [2, 0, 0], "up": [0, 3, 0]})"));
   CHECK(settings.sight.view->right == Vec3(1.0, 0.0, 0.0));
   CHECK(settings.sight.view->up == Vec3(0.0, 1.0, 0.0));
   CHECK(settings.sight.view->forward == Vec3(0.0, 0.0, -1.0));

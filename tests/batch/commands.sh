@@ -66,6 +66,11 @@ grep -q "done:" again.out && fail "a third call does something again"
 grep -q "line 13: broken.glb" again.err || fail "what failed is not tried again"
 
 "$program" batch /dev/null 2>empty.err && fail "an empty list is accepted"
+grep -q "holds no command" empty.err || fail "it is not told that the list is empty"
+"$program" batch list --resume nowhere/log >unwritable.out 2>unwritable.err && fail "a log that cannot be written is accepted"
+grep -q "nowhere/log.* cannot be written" unwritable.err || fail "it is not told that the log cannot be written"
+"$program" batch list --resume /dev/full >full.out 2>full.err && fail "a log that was not written is accepted"
+grep -q "/dev/full.* could not be written to the end" full.err || fail "it is not told that the log is torn"
 grep -q "batch" <("$program" --help) || fail "the help does not name the verb"
 echo "batch list" >nested
 "$program" batch nested 2>nested.err && fail "a list runs itself"

@@ -8,7 +8,7 @@ For idle, walk, run, jump and kick, the clips in which the hips or hands move mo
 - a foot that stands, by three.js, where it stood in the source (1e-3 of the height);
 - limbs between half and twice their length, and as long as the report says, least and most, by three.js (1e-3);
 - in idle, walk, run, jump and kick no vertex lower than the lowest of the source at that time, and where the source touches the ground the result does too
-  (CONTACT_TOLERANCE of the height);
+  (CONTACT_TOLERANCE of the body, along whichever axis it is largest: a dragon's tail of two and a half times its height sags too);
 - no vertex that is thrown harder from frame to frame than the hardest of the source (by half of it, and 2e-3 of the height):
   nothing jitters;
 - no error or warning of the validator that the source did not have.
@@ -54,6 +54,11 @@ def named_clips(info):
         fitting = [i for i, clip in enumerate(info["clips"]) if word in clip["name"].lower() and clip["seconds"] > 0.1]
         clips += fitting[:1]
     return clips
+
+
+def largest_extent(shapes):
+    """Of the vertices of all meshes, along the axis on which it is largest."""
+    return max(max(max(shape[axis::3]) for shape in shapes) - min(min(shape[axis::3]) for shape in shapes) for axis in range(3))
 
 
 class Check:
@@ -114,16 +119,18 @@ class Check:
         times = [frame / fps for frame in frames]
         lowest = []
         for name, keep in ((file, True), (output, False)):
-            vertices = self.reader.measure(name, clip, times, [], 1, keep=keep)["vertices"].values()
+            vertices = list(self.reader.measure(name, clip, times, [], 1, keep=keep)["vertices"].values())
             lowest.append([min(min(shape[k][1::3]) for shape in vertices) for k in range(len(times))])
+            if keep:
+                size = largest_extent([shape[0] for shape in vertices])
         floor = min(lowest[0])
         for frame, before, after in zip(frames, *lowest):
-            drop = (before - after) / info["height"]
-            touches = before - floor < CONTACT_TOLERANCE * info["height"]
+            drop = (before - after) / size
+            touches = before - floor < CONTACT_TOLERANCE * size
             self.worst_drop = max(self.worst_drop, drop)
             self.worst_contact = max(self.worst_contact, -drop if touches else 0.0)
             if drop > CONTACT_TOLERANCE or (touches and -drop > CONTACT_TOLERANCE):
-                problems.append(f"frame {frame}: the lowest point is {abs(drop):.2e} of the height {'lower' if drop > 0 else 'higher'} than the source's")
+                problems.append(f"frame {frame}: the lowest point is {abs(drop):.2e} of the body {'lower' if drop > 0 else 'higher'} than the source's")
                 break
 
     def jitter(self, file, output, info, clip, step, problems):

@@ -330,7 +330,7 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::fileExportClean, "Export clean",
             "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
-      entry(command::fileFilm, "Playblast: video or pictures",
+      entry(command::fileFilm, "Playblast",
             "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.",
             {}, {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
       entry(command::recipeSave, "Save a recipe",

@@ -57,7 +57,7 @@ SeenPose seenPose(const SeenMoment& moment, std::span<const std::string> ids) {
   SeenPose pose;
   pose.of = moment.document.scene;
   pose.leftWorld = leftOf(moment.document);
-  pose.leftInClip = sagittalNormal(moment.document, moment.clip, moment.frame);
+  pose.leftOnItsWay = headingNormal(moment.document, moment.clip, moment.frame);
   pose.legLength = legLengthOf(list);
   for (const rig::PlacedController& placed : moment.placed) {
     if (placed.kind == rig::ControllerKind::hips) {
@@ -82,10 +82,10 @@ SeenPose mirroredPose(const Document& document, const SeenPose& pose) {
   SeenPose mirrored = pose;
   std::erase_if(mirrored.controllers, [&](SeenController& seen) {
     seen.id = otherSideOf(document, seen.id);
-    seen.placeWorld = pose.standingWorld + reflected(seen.placeWorld - pose.standingWorld, pose.leftInClip);
-    seen.turnWorld = reflectedTurn(seen.turnWorld, pose.leftWorld, pose.leftInClip);
+    seen.placeWorld = pose.standingWorld + reflected(seen.placeWorld - pose.standingWorld, pose.leftOnItsWay);
+    seen.turnWorld = reflectedTurn(seen.turnWorld, pose.leftWorld, pose.leftOnItsWay);
     if (seen.fromBase) {
-      seen.fromBase = reflected(*seen.fromBase, pose.leftInClip);
+      seen.fromBase = reflected(*seen.fromBase, pose.leftOnItsWay);
     }
     return seen.id.empty();
   });

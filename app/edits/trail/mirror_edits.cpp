@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/anim/frames.h"
 #include "core/anim/sampling.h"
 
 namespace stretch::app {
@@ -85,6 +86,18 @@ Vec3 sagittalNormal(const Document& document, int clip, double frame) {
   const Quat turn =
       rotationOf(worldsAt(document, clip, frame)[index]) * glm::conjugate(rotationOf(rest[index]));
   return levelUnit(turn * restNormal);
+}
+
+Vec3 headingNormal(const Document& document, int clip, double frame) {
+  constexpr int samples = 64;
+  constexpr double leastAgreement = 0.8; // length of the mean of unit normals
+  const double last = lastFrame(clipOf(document, clip));
+  Vec3 sum(0.0);
+  for (int i = 0; i < samples; ++i) {
+    sum += sagittalNormal(document, clip, last * i / (samples - 1));
+  }
+  const bool keepsItsWay = glm::length(sum) > leastAgreement * samples;
+  return keepsItsWay ? levelUnit(sum) : sagittalNormal(document, clip, frame);
 }
 
 rig::TrailSettings mirroredSettings(const rig::TrailSettings& settings, const Vec3& normal,

@@ -78,13 +78,14 @@ Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex hips
 
 } // namespace
 
-double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex hips, const Vec3& bodyUp) {
+CharacterExtent characterExtent(const Scene& scene, const BindPose& bindPose, NodeIndex hips,
+                                const Vec3& bodyUp) {
   Bounds bounds = vertexBounds(scene, bindPose, hips);
   if (bounds.empty()) {
     bounds = jointBounds(scene, bindPose);
   }
   if (bounds.empty()) {
-    return 1.0;
+    return {};
   }
   const Vec3 extent = bounds.high - bounds.low;
   const double largest = std::max({extent.x, extent.y, extent.z});
@@ -92,7 +93,7 @@ double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex h
   const double leastCosine = std::cos(35.0 * pi / 180.0);
   const bool stands = length <= 0.0 || std::abs(bodyUp.y) >= leastCosine * length;
   const double height = stands && extent.y > 1e-6 * largest ? extent.y : largest;
-  return height > 0.0 && std::isfinite(height) ? height : 1.0;
+  return height > 0.0 && std::isfinite(largest) ? CharacterExtent{height, largest} : CharacterExtent{};
 }
 
 } // namespace stretch::rig::body

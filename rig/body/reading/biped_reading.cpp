@@ -219,6 +219,12 @@ Vec3 meanEnd(const LimbPair& pair) {
   return sum / std::max(1.0, static_cast<double>(limbs.size()));
 }
 
+// Whether arms alone make a body: one that no name calls so is any row of joints.
+bool isBody(const LimbPair& arms) {
+  const std::vector<const LimbGuess*> limbs = limbsOf(arms);
+  return limbs.size() > 1 || (limbs.size() == 1 && limbs.front()->nameFit >= leastNameFitAlone);
+}
+
 BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
   const std::vector<LimbPair> arms = likelyPairs(view, plane, Region::arm);
   const std::vector<LimbPair> legs = likelyPairs(view, plane, Region::leg);
@@ -228,9 +234,11 @@ BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
     keepBetter(best, nullptr, &leg, leg.score + missingPair, 0.0);
   }
   for (const LimbPair& arm : arms) {
-    // What stands on the ground alone is no arm.
-    const double standing = endsLowest(view, arm, Vec3(0, 1, 0));
-    keepBetter(best, &arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0);
+    if (isBody(arm)) {
+      // What stands on the ground alone is no arm.
+      const double standing = endsLowest(view, arm, Vec3(0, 1, 0));
+      keepBetter(best, &arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0);
+    }
     for (const LimbPair& leg : legs) {
       if (!overlap(view, arm, leg)) {
         const double related = relation(view, plane, arm, leg);

@@ -333,6 +333,13 @@ NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& fou
   return away < farthest * legLength ? centre : found.hips;
 }
 
+void measure(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Body& result = finding.result;
+  const CharacterExtent extent = characterExtent(scene, bindPose, result.hips, finding.bodyUp);
+  result.height = extent.height;
+  result.size = result.isBiped ? extent.height : extent.largest;
+}
+
 } // namespace
 
 } // namespace body
@@ -351,7 +358,7 @@ Body detectBody(const Scene& scene) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  finding.result.height = body::characterHeight(scene, bindPose, finding.result.hips, finding.bodyUp);
+  body::measure(scene, bindPose, finding);
   return std::move(finding.result);
 }
 
@@ -381,7 +388,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   }
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};
-  result.height = body::characterHeight(scene, bindPose, result.hips, finding.bodyUp);
+  body::measure(scene, bindPose, finding);
   return std::move(result);
 }
 

@@ -21,6 +21,8 @@ struct Body {
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
   double height = 1.0;  ///< Height in the bind pose, world units, > 0: every tolerance is
                         ///< relative to it.
+  double size = 1.0;    ///< Its height where it is a biped, else its largest extent: that of a creature says
+                        ///< little of how large it is. World units, > 0.
   std::vector<std::string> warnings;
 
   friend bool operator==(const Body&, const Body&) = default;

@@ -197,12 +197,16 @@ private:
 
   // The joints of a serpent follow each other closely; from a root on the floor to the hips it is far.
   [[nodiscard]] static bool isEven(const Extremity& row) {
-    constexpr double longest = 0.45; // of the row
-    double bone = 0.0;
+    constexpr double shortest = 0.01; // of the row: joints that stand on one another have no bone between
+                                      // them
+    double longest = 0.0;
+    double bones = 0.0;
     for (std::size_t i = 1; i < row.points.size(); ++i) {
-      bone = std::max(bone, glm::distance(row.points[i - 1], row.points[i]));
+      const double bone = glm::distance(row.points[i - 1], row.points[i]);
+      longest = std::max(longest, bone);
+      bones += bone > shortest * row.length ? 1.0 : 0.0;
     }
-    return bone < longest * row.length;
+    return longest < std::max(0.45, 1.5 / bones) * row.length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {

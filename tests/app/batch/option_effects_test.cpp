@@ -18,7 +18,9 @@
 #include "core/gltf/patch/edits.h"
 #include "tests/support/app/file_text.h"
 #include "tests/support/app/mesh_file.h"
+#include "tests/support/app/option_rows.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/app/report_text.h"
 #include "tests/support/core/two_sheets.h"
 #include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
@@ -30,18 +32,13 @@ namespace fs = std::filesystem;
 using namespace stretch;
 using namespace stretch::app;
 using gltf::Json;
+using test::joinedRows;
+using test::OptionRow;
+using test::rowsBehind;
 using test::runVerb;
 using test::TemporaryFolder;
 
 namespace {
-
-/// The words of two command lines that differ in one option. IN and OUT stand for the folders of inputs and
-/// outputs.
-struct OptionRow {
-  std::string option;
-  std::string without;
-  std::string with;
-};
 
 struct VerbTable {
   std::string verb;
@@ -139,26 +136,12 @@ std::string lineOf(const VerbTable& table, const OptionRow& row, const std::stri
   return line + ' ' + own;
 }
 
-/// The report a value a line, so that its numbers can be compared as numbers.
-std::string reportText(const std::string& output) {
-  const Json report = Json::parse(output, nullptr, false);
-  if (report.is_discarded() || !report.is_structured()) {
-    return output;
-  }
-  std::string text;
-  const Json flat = report.flatten();
-  for (const auto& [path, value] : flat.items()) {
-    text += "  " + path + " " + value.dump() + "\n";
-  }
-  return text;
-}
-
 /// All that the command lines of a table lead to.
 std::string recordOf(const std::map<std::string, Effect>& known, const TemporaryFolder& inputs) {
   std::string text;
   for (const auto& [line, effect] : known) {
     text += fmt::format("{}\n exit {}\n", line, effect.exitCode);
-    text += line.find("--json-line") == std::string::npos ? reportText(effect.output) : "";
+    text += line.find("--json-line") == std::string::npos ? test::reportText(effect.output) : "";
     text += effect.told;
     for (const auto& [name, bytes] : effect.files) {
       text += test::fileText(name, bytes);
@@ -246,22 +229,6 @@ std::vector<OptionRow> fileRows(const std::string& file, const std::string& copy
           {"--in-place", onCopy, onCopy + " --in-place"}};
 }
 
-/// Rows of options that stand behind the same words, each left out and given: {"--scale", "3"}; or with what
-/// stands in its place.
-std::vector<OptionRow> rowsBehind(const std::string& words, const std::vector<OptionRow>& rows) {
-  std::vector<OptionRow> behind;
-  behind.reserve(rows.size());
-  for (const OptionRow& row : rows) {
-    behind.push_back({row.option, words + ' ' + row.without, words + ' ' + row.with});
-  }
-  return behind;
-}
-
-std::vector<OptionRow> joinedRows(std::vector<OptionRow> rows, const std::vector<OptionRow>& more) {
-  rows.insert(rows.end(), more.begin(), more.end());
-  return rows;
-}
-
 const std::vector<OptionRow> reportRows{{"--json", "", "--json"}, {"--json-line", "", "--json-line"}};
 
 /// What verbs have that key a clip of a character, but the option that only a stretch shows.
@@ -320,10 +287,11 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                R"({"version": 1, "trails": [{"limb": "right-arm", "range": [21, 27], "scale": 2}]})");
   const std::string file = "IN/dummy.glb -o OUT/out.glb";
   const std::string arm = "--limb left-arm --range 21:27";
+  fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy_leap.glb", inputs / "leap.glb");
   checkTable(
       {"exaggerate", "--json --clean",
        joinedRows(
-           fileRows("dummy.glb", "copy.glb", arm + " --scale 2"),
+           joinedRows(fileRows("dummy.glb", "copy.glb", arm + " --scale 2"), test::styleRows()),
            rowsBehind(
                file,
                joinedRows(
@@ -582,10 +550,34 @@ TEST_CASE("Every option of compare and flatten changes what they tell") {
              inputs);
 }
 
+TEST_CASE("Every option of styles changes what it tells or writes") {
+  const TemporaryFolder inputs;
+  addCharacters(inputs);
+  REQUIRE(runVerb({"exaggerate", (inputs / "dummy.glb").string(), "-o", (inputs / "worked.glb").string(),
+                   "--limb", "left-arm", "--range", "21:27", "--scale", "2"})
+              .exitCode == 0);
+  REQUIRE(
+      runVerb({"exaggerate", (inputs / "odd.glb").string(), "--tolerant", "-o",
+               (inputs / "odd-work.glb").string(), "--limb", "left-arm", "--range", "21:27", "--scale", "2"})
+          .exitCode == 0);
+  const std::string take = "--take IN/worked.glb";
+  checkTable({"styles", "--json",
+              joinedRows({{"--style", "", "--style Subtle"},
+                          {"--take", "--style Subtle", take},
+                          {"--tolerant", "--take IN/odd-work.glb", "--take IN/odd-work.glb --tolerant"},
+                          {"--output", take + " -o OUT/mine.json", take + " -o OUT/other.json"},
+                          {"--plan", take, take + " --plan other"},
+                          {"--name", take, take + " --name Mine"},
+                          {"--clip", take, take + " --clip Guard"},
+                          {"--fps", take, take + " --fps 0"}},
+                         rowsBehind(take, reportRows))},
+             inputs);
+}
+
 TEST_CASE("Every verb has a table of its options") {
-  const std::set<std::string> tables{"info",    "check",    "trail",       "moments", "exaggerate",
-                                     "elastic", "pose",     "import-clip", "resave",  "rig",
-                                     "bind",    "compress", "compare",     "flatten"};
+  const std::set<std::string> tables{"info",       "check",   "trail",    "moments", "styles",
+                                     "exaggerate", "elastic", "pose",     "rig",     "import-clip",
+                                     "resave",     "bind",    "compress", "compare", "flatten"};
   std::set<std::string> verbs;
   for (const Verb& verb : batchVerbs()) {
     verbs.insert(verb.name);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"

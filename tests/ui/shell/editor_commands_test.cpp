@@ -124,8 +124,10 @@ TEST_CASE("Every id of the list has a command, every command an id of the list, 
   std::set<std::string> known;
   for (const app::Command<Shell>& command : editorCommands()) {
     known.insert(command.id);
-    // Those of directions, of body plans and of limbs that are added to the selection are put together.
+    // Those of directions, of kept views, of body plans and of limbs that are added to the selection are put
+    // together.
     const bool puttogether =
+        command.id.rfind("view.keep-", 0) == 0 || command.id.rfind("view.kept-", 0) == 0 ||
         command.id.rfind("sphere.nudge-", 0) == 0 || command.id.rfind("controller.nudge-", 0) == 0 ||
         command.id.rfind(command::planPrefix, 0) == 0 || command.id.rfind("-add") != std::string::npos;
     INFO(command.id);

@@ -37,7 +37,6 @@ struct SeenState {
   int trailId = 0;
   CameraPlace camera = {};
   std::string text = {};
-  double share = 1.0;
 };
 
 /// The style that was taken last, and for which trails of which character.

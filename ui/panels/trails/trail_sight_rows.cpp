@@ -90,9 +90,9 @@ const SeenState& seenNow(PanelContext& context, const rig::SolvedTrail& solved, 
   if (seen.motion != motion || seen.trailId != solved.trail.id || !(seen.camera == camera)) {
     const auto found = app::seenBy(session.document(), *motion, solved, camera);
     seen = {motion, solved.trail.id, camera,
-            found ? fmt::format("\xC3\x97{:.2f} of \xC3\x97{:.2f}", found->ratio, found->of)
-                  : "not in front of the camera",
-            found ? found->share : 0.0};
+            found ? fmt::format("\xC3\x97{:.2f} of \xC3\x97{:.2f}  ({:.0f} %)", found->ratio, found->of,
+                                100.0 * found->share)
+                  : "behind the camera"};
   }
   return seen;
 }
@@ -106,8 +106,7 @@ void seenRow(PanelContext& context, const rig::Trail& trail) {
   const SeenState& seen =
       seenNow(context, *solved, isJudged ? *solved->camera : context.character().view().camera);
   valueRow(
-      widgetsOf(context), isJudged ? "Seen" : "Seen in this view",
-      fmt::format("{}  ({:.0f} %)", seen.text, 100.0 * seen.share),
+      widgetsOf(context), isJudged ? "Seen" : "Seen here", seen.text,
       {.title = "How much of the exaggeration is seen",
        .text = "The limb's length at the tip in the picture, over that in the source, of what was asked for; "
                "and the share of the exaggeration that does not point along the view."});
