@@ -18,7 +18,7 @@ struct EvaluationGround {
   int clip = -1; ///< None, or one that is not there: the character at rest.
   NodeIndex hips;
   double height = 1.0;
-  double size = 1.0; ///< Body::size.
+  double size = 1.0;            ///< Body::size.
   std::vector<rig::Limb> limbs; ///< allLimbs.
   bool loops = false;
   std::vector<rig::Adjustment> adjustments = {}; ///< Adjustments of the clip.

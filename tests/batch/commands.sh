@@ -65,7 +65,8 @@ for scale in 2 2.5 3 3.5 4; do cmp "single/$scale.glb" "killed/$scale.glb" || fa
 grep -q "done:" again.out && fail "a third call does something again"
 grep -q "line 13: broken.glb" again.err || fail "what failed is not tried again"
 
-"$program" batch /dev/null 2>empty.err && fail "an empty list is accepted"
+: >empty
+"$program" batch empty 2>empty.err && fail "an empty list is accepted"
 grep -q "holds no command" empty.err || fail "it is not told that the list is empty"
 "$program" batch list --resume nowhere/log >unwritable.out 2>unwritable.err && fail "a log that cannot be written is accepted"
 grep -q "nowhere/log.* cannot be written" unwritable.err || fail "it is not told that the log cannot be written"

@@ -16,8 +16,8 @@ namespace stretch::app {
 /// (+Y is up). (1, 0, 0) when the character has no pair.
 [[nodiscard]] Vec3 sagittalNormal(const Document& document, int clip, double frame);
 
-/// Unit normal of the plane that a whole pose is mirrored by: the mean of sagittalNormal over the clip, so that
-/// hips that turn to and fro in a walk or a punch swap sides with the rest; that of the frame where the
+/// Unit normal of the plane that a whole pose is mirrored by: the mean of sagittalNormal over the clip, so
+/// that hips that turn to and fro in a walk or a punch swap sides with the rest; that of the frame where the
 /// character turns on the way.
 [[nodiscard]] Vec3 headingNormal(const Document& document, int clip, double frame);
 

@@ -33,7 +33,7 @@ Punch punch(const std::string& character, const TemporaryFolder& folder,
   Punch made;
   made.file = (folder / "punch.glb").string();
   std::vector<std::string> words{"exaggerate", character, "-o",      made.file, "--limb", "left-arm",
-                                 "--range",    "21:27",   "--scale", "3",       "--json"};
+                                 "--range",    "21:27",   "--scale", "3",       "--json", "--clean"};
   words.insert(words.end(), more.begin(), more.end());
   made.answer = runVerb(words);
   INFO(made.answer.told);
@@ -42,7 +42,7 @@ Punch punch(const std::string& character, const TemporaryFolder& folder,
   return made;
 }
 
-// Of the saved file's own keys against the source's: the left arm's length in the picture of a camera of the
+// Of the clean file's own keys against the source's: the left arm's length in the picture of a camera of the
 // file at frame 27.
 double seenInFile(const std::string& saved, const std::string& source, const std::string& camera) {
   const auto length = [&](const std::string& path) {

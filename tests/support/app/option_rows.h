@@ -20,8 +20,8 @@ struct OptionRow {
 [[nodiscard]] std::vector<OptionRow> joinedRows(std::vector<OptionRow> rows,
                                                 const std::vector<OptionRow>& more);
 
-/// Options of `exaggerate --auto`, each where the clip shows it: the leap moves legs, the punch is followed by
-/// the trunk, and read as no plan it has chains alone. IN has dummy.glb (the punch) and leap.glb.
+/// Options of `exaggerate --auto`, each where the clip shows it: the leap moves legs, the punch is followed
+/// by the trunk, and read as no plan it has chains alone. IN has dummy.glb (the punch) and leap.glb.
 [[nodiscard]] std::vector<OptionRow> styleRows();
 
 } // namespace stretch::test
