@@ -55,10 +55,11 @@ void addSeen(const Document& document, const rig::MotionState& motion, const rig
   for (const std::string& warning : seenWarnings(document, motion, solved)) {
     report["warnings"].push_back(solved.limb.id + ": " + warning);
   }
-  constexpr double tolerance = 1e-4;
   if (solved.tip.seen) {
-    report["reached"] =
-        solved.tip.reached() && seen && std::abs(seen->ratio - seen->of) <= tolerance * seen->of;
+    constexpr double tolerance = 1e-4;
+    const Seen none{.ratio = 0.0, .of = 1.0};
+    const Seen shown = seen.value_or(none);
+    report["reached"] = solved.tip.reached() && std::abs(shown.ratio - shown.of) <= tolerance * shown.of;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/commands/pose/held_controllers.h"
 #include "app/commands/pose/posing.h"
+#include "app/edits/pose/pose_edits.h"
 #include "app/evaluate/cache.h"
 #include "core/anim/frames.h"
 #include "core/math/rotation.h"
@@ -74,6 +75,9 @@ public:
   }
 
   Result<PosedAsSeen> run() {
+    if (const Status valued = takeValues(); !valued) {
+      return valued.error();
+    }
     constexpr int mostPasses = 8; // A finger's joints stand on one another.
     for (int rank = 0; rank <= lastRank; ++rank) {
       for (int pass = 0; pass < mostPasses; ++pass) {
@@ -90,6 +94,7 @@ public:
     for (const auto& [id, offset] : offsets_) {
       result.offsets.offsets.push_back(offset);
     }
+    result.offsets.values = values_;
     result.missed = missed();
     return result;
   }
@@ -102,6 +107,17 @@ private:
   std::vector<SeenController> goals(const std::vector<rig::PlacedController>& placed) {
     const FrameState& shown = cache_.frame(posed_, view_.clip, seconds());
     return goalsOn({posed_, view_.clip, view_.frame, placed, shown}, pose_, standing_);
+  }
+
+  /// Attributes come first: how long a limb gets decides where its end is.
+  Status takeValues() {
+    const rig::ControllerList list = controllersOf(posed_);
+    for (const AttributeValue& value : pose_.values) {
+      if (list.attribute(value.id) != nullptr && shownValue(session_, value.id) != value.value) {
+        values_.push_back(value);
+      }
+    }
+    return values_.empty() ? Status(Success{}) : pose();
   }
 
   /// Nothing where all of this rank are there.
@@ -136,7 +152,7 @@ private:
       all.push_back(offset);
     }
     Result<Document> posed =
-        setOffsets(session_.document(), view_.clip, view_.frame, all, {}, keyRange(session_));
+        setOffsets(session_.document(), view_.clip, view_.frame, all, values_, keyRange(session_));
     if (!posed) {
       return posed.error();
     }
@@ -167,6 +183,7 @@ private:
   Vec3 standing_{0.0};
   EvaluationCache cache_;
   std::map<std::string, ControllerOffset> offsets_;
+  std::vector<AttributeValue> values_;
 };
 
 } // namespace
@@ -174,9 +191,18 @@ private:
 SeenPose seenAtPlayhead(Session& session) {
   const ViewState& view = session.view();
   const std::vector<std::string> ids = view.selection.controllers();
-  return seenPose({session.document(), view.clip, view.frame, session.controllersAt(view.frame),
-                   session.frameAt(view.frame)},
-                  ids);
+  SeenPose pose = seenPose({session.document(), view.clip, view.frame, session.controllersAt(view.frame),
+                            session.frameAt(view.frame)},
+                           ids);
+  const rig::ControllerList list = controllersOf(session.document());
+  for (const SeenController& seen : pose.controllers) {
+    const rig::Controller* const controller = list.controller(seen.id);
+    for (const rig::Attribute& attribute :
+         controller != nullptr ? attributesHeldBy(list, *controller) : std::vector<rig::Attribute>{}) {
+      pose.values.push_back({attribute.id, shownValue(session, attribute.id)});
+    }
+  }
+  return pose;
 }
 
 Result<PosedAsSeen> posedAsSeen(Session& session, const SeenPose& pose) {

@@ -89,6 +89,11 @@ SeenPose mirroredPose(const Document& document, const SeenPose& pose) {
     }
     return seen.id.empty();
   });
+  std::erase_if(mirrored.values, [&](AttributeValue& value) {
+    const std::string other = otherSideOf(document, value.id);
+    value.id = other;
+    return other.empty();
+  });
   return mirrored;
 }
 

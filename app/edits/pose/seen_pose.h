@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "app/edits/pose/offset_edits.h"
 #include "core/anim/frame_state.h"
 #include "rig/motion/controller_places.h"
 
@@ -36,6 +37,7 @@ struct SeenController {
 /// Places and turns of some controllers at one time, with what they are measured by on another character.
 struct SeenPose {
   std::vector<SeenController> controllers;
+  std::vector<AttributeValue> values; ///< What places do not tell: a fist, how a limb gives way.
   std::shared_ptr<const Scene> of;  ///< Character that it was seen on.
   Vec3 standingWorld{0.0};          ///< Point of the ground (y = 0) below the hips.
   Vec3 leftWorld{1.0, 0.0, 0.0};    ///< To the character's left in the bind pose; unit length, level.

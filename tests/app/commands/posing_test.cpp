@@ -83,28 +83,28 @@ TEST_CASE("A controller whose limb is gone is selected no longer") {
 TEST_CASE("Keys go through the controllers of a limb, and through all of them") {
   Session session(test::boxer());
   const auto selected = [&] { return session.view().selection.controllers(); };
-  run(session, command::controllersOfLeftArm);
+  CHECK(run(session, command::controllersOfLeftArm).empty());
   CHECK(selected() == std::vector<std::string>{"left-hand"});
-  run(session, command::controllersOfLeftArm);
+  CHECK(run(session, command::controllersOfLeftArm).empty());
   CHECK(selected() == std::vector<std::string>{"left-elbow"});
-  run(session, command::controllersOfLeftArm);
+  CHECK(run(session, command::controllersOfLeftArm).empty());
   CHECK(selected() == std::vector<std::string>{"left-hand"});
-  run(session, std::string(command::controllersOfHips) + "-add");
+  CHECK(run(session, std::string(command::controllersOfHips) + "-add").empty());
   CHECK(selected() == std::vector<std::string>{"left-hand", "hips"});
   CHECK(run(session, command::controllersOfLeftLeg) == "this character has no left leg");
   const std::size_t count = controllersOf(session.document()).controllers.size();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < count; ++i) {
-    run(session, command::controllerNext);
+    CHECK(run(session, command::controllerNext).empty());
     REQUIRE(selected().size() == 1);
     seen.insert(selected().front());
   }
   CHECK(seen.size() == count);
   const std::string last = selected().front();
-  run(session, command::controllerNext);
-  run(session, command::controllerPrevious);
+  CHECK(run(session, command::controllerNext).empty());
+  CHECK(run(session, command::controllerPrevious).empty());
   CHECK(selected().front() == last);
-  run(session, command::controllersAll);
+  CHECK(run(session, command::controllersAll).empty());
   CHECK(selected().size() == count);
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("With auto-key off a pose is shown until the playhead moves, and a key
   Session session(test::boxer());
   session.view().frame = 8.0;
   selectController(session, "hips", false);
-  run(session, command::poseAutoKey);
+  CHECK(run(session, command::poseAutoKey).empty());
   const Vec3 before = positionOf(session.frameAt(8.0).worlds[at(session.document().body.hips)]);
   REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
   CHECK(session.document().adjustments.empty());
@@ -192,9 +192,9 @@ TEST_CASE("A key is set, gone to and deleted") {
   CHECK(run(session, command::poseKey).empty());
   CHECK(session.document().adjustments.front().keys.size() == 2);
   session.view().frame = 0.0;
-  run(session, command::timeNextKey);
+  CHECK(run(session, command::timeNextKey).empty());
   CHECK(session.view().frame == 8.0);
-  run(session, command::timeNextKey);
+  CHECK(run(session, command::timeNextKey).empty());
   CHECK(session.view().frame == 14.0);
   CHECK(run(session, command::poseKeyStepped).empty());
   CHECK(interpolationHere(session) == rig::KeyInterpolation::stepped);
@@ -299,11 +299,11 @@ TEST_CASE("The history says what was posed and at which frame") {
   Session session(test::boxer());
   session.view().frame = 8.0;
   selectController(session, "left-hand", false);
-  run(session, command::poseKey);
+  CHECK(run(session, command::poseKey).empty());
   const auto last = [&] { return stepTexts(session.history()).back(); };
   CHECK(last() == "Key the left hand \xE2\x80\x93 at frame 8");
   selectControllers(session, {"left-hand", "right-hand", "hips", "body"});
-  run(session, command::poseKey);
+  CHECK(run(session, command::poseKey).empty());
   CHECK(last() == "Key 4 controllers \xE2\x80\x93 at frame 8");
   session.view().frame = 9.0;
   REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Change the left arm stretch"));

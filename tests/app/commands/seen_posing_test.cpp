@@ -113,6 +113,21 @@ TEST_CASE("What a trail makes of a limb is seen, and so is copied") {
   CHECK(glm::length(placedAt(session, session.view().frame, "left-hand").placeWorld - far) < nearby);
 }
 
+TEST_CASE("A fist is seen, and so is copied, pasted and mirrored") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  selectController(session, "left-hand", false);
+  REQUIRE(poseAll(session, {{}, {{"left-hand.curl", 1.0}}}, "Make a fist"));
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.undo();
+  session.view().frame = 5.0;
+  REQUIRE(shownValue(session, "left-hand.curl") < 0.5);
+  CHECK(run(session, command::posePaste).empty());
+  CHECK(shownValue(session, "left-hand.curl") == Approx(1.0));
+  CHECK(run(session, command::posePasteMirrored).empty());
+  CHECK(shownValue(session, "right-hand.curl") == Approx(1.0));
+}
+
 TEST_CASE("Of selected controllers alone the pose is copied, the rest stays as the clip has it") {
   Session session(bundled());
   session.view().frame = punchFrame;
