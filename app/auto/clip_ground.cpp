@@ -76,7 +76,7 @@ LimbPlaces placesOf(const std::vector<rig::Limb>& limbs, const FrameState& frame
 }
 
 const LimbPlaces& ClipGround::placesAt(double frame) const {
-  const double last = static_cast<double>(places.size() - 1);
+  const auto last = static_cast<double>(places.size() - 1);
   return places[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))];
 }
 

@@ -24,13 +24,14 @@ struct ClipGround {
   bool endsMeet = false;  ///< Its last pose is its first again.
   bool wraps = false;     ///< A way back may go on at its start: it has keys from there on, and nothing hangs
                           ///< on its end.
-  std::vector<rig::Limb> limbs;
-  std::vector<LimbPlaces> places;                  ///< One for each whole frame from 0.
-  std::map<std::string, std::vector<Vec2>> stands; ///< By leg: first and last frame of standing, ascending.
-  std::shared_ptr<const skinning::SurfacePart> surface; ///< All of the mesh.
-  double lowestVertex = 0.0;                            ///< Height that no vertex goes below in the clip.
-  double lowest = 0.0;         ///< Height that no point of a limb goes below in the clip.
-  std::optional<double> floor; ///< Floor on which feet stand.
+  std::vector<rig::Limb> limbs = {};
+  std::vector<LimbPlaces> places = {};                       ///< One for each whole frame from 0.
+  std::map<std::string, std::vector<Vec2>> stands = {};      ///< By leg: first and last frame of standing,
+                                                             ///< ascending.
+  std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh.
+  double lowestVertex = 0.0;        ///< Height that no vertex goes below in the clip.
+  double lowest = 0.0;              ///< Height that no point of a limb goes below in the clip.
+  std::optional<double> floor = {}; ///< Floor on which feet stand.
 
   [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg) const;

@@ -209,13 +209,13 @@ private:
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
   // where the clip is no loop, before its end.
   void giveRoom() {
-    for (std::size_t i = 0; i < plan_.trails.size(); ++i) {
-      const double room = roomAfter(plan_.trails[i].trail);
-      std::optional<double>& release = plan_.trails[i].trail.settings.releaseFrames;
+    for (PlannedTrail& planned : plan_.trails) {
+      const double room = roomAfter(planned.trail);
+      std::optional<double>& release = planned.trail.settings.releaseFrames;
       if (release) {
         release = std::max(std::min(*release, room), std::min(room, shortestRelease));
       } else if (room < ground_.lastFrame) {
-        const rig::TrailSettings& settings = plan_.trails[i].trail.settings;
+        const rig::TrailSettings& settings = planned.trail.settings;
         release = std::min(room, std::max(shortestRelease, 0.5 * (settings.endFrame - settings.startFrame)));
       }
     }

@@ -129,7 +129,7 @@ bool hasErrors(const gltf::Diagnosis& diagnosis) {
 Status runCheck(const CheckArguments& arguments) {
   const gltf::Diagnosis diagnosis = gltf::diagnose(arguments.file);
   Json report = diagnosisJson(diagnosis);
-  const Status compared = hasErrors(diagnosis) ? Status(Success{}) : addComparisons(arguments, report);
+  Status compared = hasErrors(diagnosis) ? Status(Success{}) : addComparisons(arguments, report);
   if (!compared) {
     return compared;
   }

@@ -30,7 +30,7 @@ public:
     bool isFitted = false;
     double miss = 0.0; ///< Farthest from the exact place at the moments, world units.
   };
-  [[nodiscard]] Answer of(const VertexInfluences& vertex, const Vec3& place);
+  [[nodiscard]] Answer of(const VertexInfluences& asRead, const Vec3& place);
 
 private:
   struct Slot {
@@ -43,7 +43,7 @@ private:
   [[nodiscard]] std::vector<CornerInfluence> candidatesOf(const VertexInfluences& vertex) const;
   void addShading(const std::vector<CornerInfluence>& exact, const std::vector<CornerInfluence>& candidates,
                   MissProducts& products) const;
-  const Slot& prepared(std::uint16_t slot);
+  const Slot& prepared(std::uint16_t index);
 
   const MovedMesh& mesh_;
   const CornerOptions& options_;

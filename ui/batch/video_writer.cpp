@@ -139,6 +139,7 @@ struct VideoWriter::Process {
     }
     input = ends[0];
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) {
       arguments.push_back(const_cast<char*>(word.c_str())); // what posix_spawnp asks for
     }

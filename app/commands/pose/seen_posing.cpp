@@ -11,6 +11,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/edits/pose/pose_edits.h"
 #include "app/evaluate/cache.h"
+#include "app/named.h"
 #include "core/anim/frames.h"
 #include "core/math/rotation.h"
 

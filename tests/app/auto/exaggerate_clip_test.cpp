@@ -95,7 +95,7 @@ TEST_CASE("A limb that the character lacks and a landing of the whole body are l
 
 TEST_CASE("A style with weight gives it to arms that have a trail") {
   const AutoClip made = exaggerated(test::boxer(), in("Heavy"));
-  REQUIRE(made.trailIds.size() >= 1);
+  REQUIRE_FALSE(made.trailIds.empty());
   const WeightedLimb* const weight = findWeight(made.document, "left-arm", 0);
   REQUIRE(weight != nullptr);
   CHECK(weight->settings.amount == 0.5);

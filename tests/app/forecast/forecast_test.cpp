@@ -24,7 +24,7 @@ std::string punchIn(const test::TemporaryFolder& folder, const SavedForm& form,
   REQUIRE(source);
   const Document document =
       test::withNewTrail(*source, {.limb = limb, .startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
-  const std::string file = (folder / "punch.glb").string();
+  std::string file = (folder / "punch.glb").string();
   REQUIRE(saveDocument(document, file, {.clean = true, .form = form}));
   return file;
 }

@@ -66,7 +66,7 @@ public:
         gltf::readFloats(*file_.source, skin["inverseBindMatrices"].get<int>());
     for (std::size_t i = 0; i < skin["joints"].size(); ++i) {
       joints_.emplace_back(skin["joints"][i].get<int>());
-      inverseBind_.push_back(Mat4(glm::make_mat4(numbers.data() + 16 * i)));
+      inverseBind_.emplace_back(glm::make_mat4(numbers.data() + 16 * i));
     }
   }
 

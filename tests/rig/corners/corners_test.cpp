@@ -24,8 +24,10 @@ std::vector<Vec3> tube(const Quat& axes) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> along(-0.05, 0.3);
   std::uniform_real_distribution<double> across(-0.04, 0.04);
+  constexpr int count = 200;
   std::vector<Vec3> points;
-  for (int i = 0; i < 200; ++i) {
+  points.reserve(count);
+  for (int i = 0; i < count; ++i) {
     points.push_back(axes * Vec3(along(random), across(random), across(random)));
   }
   return points;

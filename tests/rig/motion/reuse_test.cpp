@@ -77,6 +77,7 @@ std::vector<Part> partsOfSettings() {
       {"spheres", [](TrailSettings& s) { s.spheres.clear(); }},
   };
   std::vector<Part> parts;
+  parts.reserve(changes.size());
   for (const auto& [name, change] : changes) {
     parts.emplace_back(name, [change = change](Trail& trail) { change(trail.settings); });
   }

@@ -43,10 +43,10 @@ MovingBiped withCamera(MovingBiped moving) {
   moving.scene.roots.push_back(shot);
   moving.scene.cameras.push_back({"Shot", shot, CameraKind::perspective, 0.6, 1.0, {}});
   const Quat aside = axisAngle(Vec3(0.0, 1.0, 0.0), 0.5 * pi);
-  moving.clip.tracks.push_back(
+  moving.clip.tracks.emplace_back(
       rotationTrack(shot, Interpolation::linear, {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {0.5, aside}}));
-  moving.clip.tracks.push_back(vectorTrack(shot, Channel::translation, Interpolation::linear,
-                                           {{0.0, Vec3(0.0, 1.0, 6.0)}, {0.5, Vec3(6.0, 1.0, 0.0)}}));
+  moving.clip.tracks.emplace_back(vectorTrack(shot, Channel::translation, Interpolation::linear,
+                                              {{0.0, Vec3(0.0, 1.0, 6.0)}, {0.5, Vec3(6.0, 1.0, 0.0)}}));
   return moving;
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("standard views stand where the character faces in the clip") {
     CHECK(glm::length(glm::cross(view.right, view.up) + view.forward) < 1e-12);
   }
   CHECK_FALSE(isStandardView("Shot"));
-  moving.clip.tracks.push_back(
+  moving.clip.tracks.emplace_back(
       rotationTrack(moving.body.hips, Interpolation::linear,
                     {{0.0, axisAngle(Vec3(0.0, 1.0, 0.0), -0.4 * pi)}, {1.0, Quat(1.0, 0.0, 0.0, 0.0)}}));
   CHECK(facing() == Vec3(-1.0, 0.0, 0.0));

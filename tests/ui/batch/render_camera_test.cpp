@@ -61,8 +61,8 @@ TEST_CASE("a camera or a best view that is not there is refused, and so are a ca
   const test::VerbAnswer lost = render({file, "-o", out, "--camera", "Shot"});
   CHECK(lost.exitCode == 1);
   CHECK_THAT(lost.told, Catch::Contains("there is no camera 'Shot'") && Catch::Contains("Side, Front, Flat"));
-  const test::VerbAnswer bare =
-      render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "-o", out, "--camera", "Shot"});
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const test::VerbAnswer bare = render({dummy, "-o", out, "--camera", "Shot"});
   CHECK_THAT(bare.told, Catch::Contains("the file has none"));
   CHECK_THAT(render({file, "-o", out, "--view", "best"}).told, Catch::Contains("there is none"));
   CHECK(render({file, "-o", out, "--camera", "Side", "--view", "top"}).exitCode == 2);
