@@ -260,7 +260,7 @@ VertexInfluences withoutRepeats(const VertexInfluences& vertex) {
   VertexInfluences once;
   std::size_t count = 0;
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-    const auto* const end = once.joints.begin() + static_cast<std::ptrdiff_t>(count);
+    auto* const end = once.joints.begin() + static_cast<std::ptrdiff_t>(count);
     const auto known =
         static_cast<std::size_t>(std::find(once.joints.begin(), end, vertex.joints[i]) - once.joints.begin());
     if (vertex.weights[i] > 0.0F) {
