@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "app/batch/verb.h"
 #include "app/build_name.h"
 #include "core/base/number.h"
@@ -53,9 +56,20 @@ EditorStart editorStart(const std::vector<std::string_view>& words) {
   return start;
 }
 
+// Files that are opened later never stand where a closed standard stream was.
+void openStandardStreams() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) < 0) {
+      // Output that is closed cannot be written to, and is told so.
+      static_cast<void>(open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY));
+    }
+  }
+}
+
 } // namespace
 
 int main(int argumentCount, char** arguments) {
+  openStandardStreams();
   if (const std::optional<int> status = stretch::interchange::runAsReader(argumentCount, arguments)) {
     return *status;
   }

@@ -1,6 +1,7 @@
 #include "app/auto/clip_ground.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -58,6 +59,50 @@ bool limbsMeet(const ClipGround& ground) {
   return true;
 }
 
+// Feet that rest low, if only for three frames or on something: what is planted is longer and flatter.
+void addRests(ClipGround& ground) {
+  constexpr double nearLowest = 0.01; // of the height
+  constexpr double slow = 0.05;       // of the height per second
+  constexpr std::size_t fewest = 3;
+  const double height = ground.document.body.height;
+  for (std::size_t i = 0; i < ground.limbs.size(); ++i) {
+    if (!isLeg(ground.limbs[i])) {
+      continue;
+    }
+    std::vector<Vec3> foot;
+    std::ranges::transform(ground.places, std::back_inserter(foot),
+                           [&](const LimbPlaces& places) { return places[i].back(); });
+    const auto lowest = std::ranges::min_element(foot, {}, &Vec3::y);
+    const auto rests = [&](std::size_t frame) {
+      return frame < foot.size() && foot[frame].y < lowest->y + nearLowest * height &&
+             foot[frame - 1].y < lowest->y + nearLowest * height &&
+             glm::length(foot[frame] - foot[frame - 1]) * ground.framesPerSecond < slow * height;
+    };
+    std::size_t first = 0;
+    for (std::size_t frame = 1; frame <= foot.size(); ++frame) {
+      if (!rests(frame)) {
+        if (frame - first >= fewest) {
+          ground.stands[ground.limbs[i].id].emplace_back(static_cast<double>(first),
+                                                         static_cast<double>(frame - 1));
+        }
+        first = frame;
+      }
+    }
+  }
+  for (auto& [leg, stands] : ground.stands) {
+    std::ranges::sort(stands, {}, &Vec2::x);
+    std::vector<Vec2> apart;
+    for (const Vec2& stand : stands) {
+      if (!apart.empty() && stand.x <= apart.back().y) {
+        apart.back().y = std::max(apart.back().y, stand.y);
+      } else {
+        apart.push_back(stand);
+      }
+    }
+    stands = std::move(apart);
+  }
+}
+
 } // namespace
 
 std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const FrameState& frame) {
@@ -111,6 +156,7 @@ ClipGround clipGround(const Document& document, int clip) {
   for (const rig::Pin& pin : plantedFeet(document, clip, {0.0, ground.lastFrame}).pins) {
     ground.stands[pin.limb].push_back(pin.time.rangeFrames);
   }
+  addRests(ground);
   ground.floor = floorHeight(document, clip);
   return ground;
 }

@@ -1,12 +1,16 @@
 #include "app/auto/exaggerate_clip.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/auto/planned_trail.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "app/things/place.h"
 #include "core/base/check.h"
 
@@ -35,10 +39,7 @@ AutoClip unchanged(const Document& document, const std::vector<rig::Moment>& mom
 }
 
 // What hangs on the body and carries nothing gives way.
-void addWeights(const AutoSettings& settings, int clip, AutoClip& made) {
-  if (settings.style.weight.amount <= 0.0 || settings.strength <= 0.0) {
-    return;
-  }
+AutoClip withWeights(const AutoSettings& settings, int clip, AutoClip made) {
   for (const int id : made.trailIds) {
     const rig::Limb& limb = *findLimb(made.document, findTrail(made.document, id)->limb);
     if (!reachesOut(limb) || isLeg(limb) || findWeight(made.document, limb.id, clip) != nullptr) {
@@ -53,6 +54,41 @@ void addWeights(const AutoSettings& settings, int clip, AutoClip& made) {
       made.notes.push_back(fmt::format("{} gives way to its weight", limb.id));
     }
   }
+  return made;
+}
+
+double lowestOf(const ClipGround& ground, const Document& document) {
+  const rig::MotionState motion = prepareMotion(document, ground.clip);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (double frame = 0.0; frame <= ground.lastFrame; frame += 1.0) {
+    const FrameState shown = evaluate(document, motion, frame / ground.framesPerSecond);
+    const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, shown);
+    lowest = vertex ? std::min(lowest, vertex->y) : lowest;
+  }
+  return lowest;
+}
+
+// Weight of a clip that ends as it begins goes on over its seam. None is given where something would hang
+// through the floor.
+void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip& made) {
+  if (settings.style.weight.amount <= 0.0) {
+    return;
+  }
+  AutoClip weighted = withWeights(settings, ground.clip, made);
+  if (weighted.notes.size() == made.notes.size()) {
+    return;
+  }
+  if (ground.endsMeet && !isLooping(weighted.document, ground.clip)) {
+    weighted.document = setLooping(weighted.document, ground.clip, true);
+    weighted.madeLoop = true;
+  }
+  constexpr double seen = 1e-3; // of the height
+  const double before = std::min(ground.lowestVertex, lowestOf(ground, made.document));
+  if (lowestOf(ground, weighted.document) < before - seen * ground.document.body.height) {
+    made.notes.emplace_back("no limb gives way to its weight: it would hang through the floor");
+    return;
+  }
+  made = std::move(weighted);
 }
 
 } // namespace
@@ -65,6 +101,10 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   const ClipGround ground = clipGround(document, clip);
   AutoPlan plan = planTrails(ground, moments, settings);
   settle(ground, moments, settings, plan);
+  plan.loops = plan.loops && std::ranges::any_of(plan.trails, [&](const PlannedTrail& planned) {
+                 const rig::TrailSettings& own = planned.trail.settings;
+                 return windowOf(own).y > ground.lastFrame || own.endFrame >= ground.lastFrame;
+               });
   const Document looped = plan.loops ? setLooping(document, clip, true) : document;
   const Result<Placed> placed = place(looped, thingsOf(plan), Entry::request);
   if (!placed) {
@@ -87,7 +127,7 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   for (const rig::Grip& grip : plan.grips) {
     made.notes.push_back(fmt::format("the hand of {} keeps to that of {}", grip.follower, grip.leader));
   }
-  addWeights(settings, clip, made);
+  addWeights(settings, ground, made);
   return made;
 }
 

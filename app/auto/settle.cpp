@@ -100,6 +100,10 @@ private:
     if (!planned.follows && !trail.warnings.empty()) {
       return "its path comes back on itself";
     }
+    constexpr double largestOfPath = 1.5 * rig::largestScale;
+    if (!planned.follows && trail.tip.trailScale && *trail.tip.trailScale > largestOfPath) {
+      return "its path is too short for it";
+    }
     if (wayBackProblem(ground_.document, alone, trail)) {
       return "there is no room for the way back";
     }
@@ -219,13 +223,13 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
 
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan) {
-  constexpr int mostRounds = 12;
+  constexpr int mostRounds = 12; // of lowering; then each takes at least one trail out
   Trial trial(ground, plan.loops);
-  for (int round = 0; round < mostRounds && !plan.trails.empty(); ++round) {
+  for (int round = 0; !plan.trails.empty(); ++round) {
     pairCycles(ground, moments, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
-    if (faults.empty() && !isChanged) {
+    if (faults.empty() && (!isChanged || round >= mostRounds)) {
       return;
     }
     std::set<std::size_t, std::greater<>> places;
@@ -237,7 +241,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
         continue; // likewise
       }
       const auto fault = std::ranges::find(faults, place, &Fault::trail);
-      if (round + 1 == mostRounds) {
+      if (round + 1 >= mostRounds) {
         leaveOut(plan, place, fault->why);
       } else {
         lower(ground, plan, place, fault->why);

@@ -211,8 +211,9 @@ private:
                  seamStep();
         };
         if (gap(now) - gap(source) > seamMetres * metre || turn(now) - turn(source) > seamSpeed * metre) {
-          blame(0.0, ground_.limbs[i], "the loop would not close");
-          blame(ground_.lastFrame, ground_.limbs[i], "the loop would not close");
+          for (const double frame : {0.0, 1.0, ground_.lastFrame - 1.0, ground_.lastFrame}) {
+            blame(frame, ground_.limbs[i], "the loop would not close");
+          }
         }
       }
     }

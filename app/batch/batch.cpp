@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -82,6 +83,22 @@ std::set<std::string> doneBefore(const std::string& log) {
     }
   }
   return done;
+}
+
+// A text as a line of JSON gives it back: what is no UTF-8 is replaced there.
+std::string asLogged(const std::string& text) {
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+Status checkLog(const BatchArguments& arguments) {
+  std::error_code none;
+  if (!arguments.log.empty() && std::filesystem::equivalent(arguments.list, arguments.log, none)) {
+    return Error{"is the list itself", arguments.log, "name another file for the answers"};
+  }
+  const std::filesystem::file_status log = std::filesystem::status(arguments.log, none);
+  const bool canHang = !arguments.log.empty() && std::filesystem::is_fifo(log);
+  return canHang ? Status(Error{"is a pipe, which keeps nothing", arguments.log, "name a file"})
+                 : Status(Success{});
 }
 
 std::string withoutEnds(std::string text) {
@@ -233,9 +250,13 @@ Status runBatch(const BatchArguments& arguments, const std::vector<Verb>& verbs)
   if (listed == 0) {
     return Error{"holds no command", arguments.list, "write one in each line, as behind the program's name"};
   }
+  if (Status log = checkLog(arguments); !log) {
+    return log;
+  }
   if (!arguments.log.empty()) {
     const std::set<std::string> done = doneBefore(arguments.log);
-    std::erase_if(commands, [&](const ListedCommand& command) { return done.contains(command.text); });
+    std::erase_if(commands,
+                  [&](const ListedCommand& command) { return done.contains(asLogged(command.text)); });
   }
   Answers answers(arguments);
   if (!answers.canBeWritten()) {

@@ -65,10 +65,16 @@ void setCamera(const std::string& camera, Recipe& recipe) {
 }
 
 Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
-                 const std::string& camera) {
-  if (arguments.every.wanted && !(arguments.recipe.empty() && requests.empty() && camera.empty())) {
+                 bool hasTrailOptions) {
+  if (arguments.every.wanted && (!arguments.recipe.empty() || hasTrailOptions)) {
     return Error{"stands beside trails of your own", "--auto",
-                 "leave out --limb, --camera and --recipe, or --auto"};
+                 "leave out --recipe and all options of a trail, or --auto"};
+  }
+  if (arguments.every.allClips && !arguments.input.clip.empty()) {
+    return Error{"stands beside --all-clips", "--clip", "give one of the two"};
+  }
+  if (arguments.every.wanted && arguments.loops) {
+    return Error{"is found by --auto itself", "--loops", "leave it out"};
   }
   if (!arguments.every.wanted && arguments.every.givesAny()) {
     return Error{"a style is for every moment at once", "--style", "give --auto as well"};
@@ -104,8 +110,8 @@ Result<gltf::Json> exaggerated(const ExaggerateArguments& arguments,
 }
 
 Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
-                     const std::string& camera) {
-  if (Status oneWay = checkWays(arguments, requests, camera); !oneWay) {
+                     const std::string& camera, bool hasTrailOptions) {
+  if (Status oneWay = checkWays(arguments, requests, hasTrailOptions); !oneWay) {
     return oneWay;
   }
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
@@ -152,7 +158,8 @@ Verb exaggerateVerb() {
             addTrailOptions(line);
             addJson(line, arguments->json);
             return [arguments, line] {
-              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"),
+                                   !line.inOrder().empty());
             };
           }};
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -137,7 +138,7 @@ Status runMoments(const MomentsArguments& arguments) {
     Result<std::vector<ClipMoments>> found = momentsOfFile(arguments, file);
     if (!found) {
       if (problem) {
-        fmt::print(stderr, "stretch-engine: {}\n", problem->line());
+        std::fputs(("stretch-engine: " + problem->line() + "\n").c_str(), stderr);
       }
       problem = found.error();
       continue;

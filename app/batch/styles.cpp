@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
@@ -62,6 +63,13 @@ Status runStyles(const StylesArguments& arguments) {
   }
   if (!arguments.style.empty() && !arguments.taken.file.empty()) {
     return Error{"stands beside --take", "--style", "give one of them"};
+  }
+  if (arguments.taken.file.empty() && !(arguments.name.empty() && arguments.taken.clip.empty())) {
+    return Error{"says how a style is taken", arguments.name.empty() ? "--clip" : "--name",
+                 "give --take as well"};
+  }
+  if (!arguments.output.path.empty() && std::filesystem::path(arguments.output.path).extension() != ".json") {
+    return Error{"is no name for a style", arguments.output.path, "let it end in .json"};
   }
   if (Status apart = checkOutput(arguments.output, {arguments.style, arguments.taken.file}); !apart) {
     return apart;

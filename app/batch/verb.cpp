@@ -7,6 +7,7 @@
 #include <new>
 #include <numeric>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -19,8 +20,13 @@ namespace {
 constexpr int couldNotBeDone = 1;
 constexpr int wrongArguments = 2;
 
+// Where nobody can be told, the exit code alone says it.
+void tell(const std::string& line) {
+  std::fputs(("stretch-engine: " + line + "\n").c_str(), stderr);
+}
+
 int report(const Error& error) {
-  fmt::print(stderr, "stretch-engine: {}\n", error.line());
+  tell(error.line());
   return couldNotBeDone;
 }
 
@@ -29,6 +35,9 @@ Status runWithinMemory(const std::function<Status()>& verb) {
     return verb();
   } catch (const std::bad_alloc&) {
     return Error{"there is not enough memory for this", "", "shorten the range, or use a smaller file"};
+  } catch (const std::system_error& problem) { // of fmt: a stream that takes nothing
+    return Error{std::string("the report cannot be written: ") + problem.what(), "standard output or error",
+                 "check that the disk has room"};
   }
 }
 
@@ -119,7 +128,7 @@ int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int arg
     subcommand->callback([&chosen, run] { chosen = run; });
   }
   if (const std::string problem = unknownVerb(verbs, argumentCount, arguments); !problem.empty()) {
-    fmt::print(stderr, "stretch-engine: {}\n", problem);
+    tell(problem);
     return wrongArguments;
   }
   try {
@@ -128,7 +137,7 @@ int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int arg
     if (problem.get_exit_code() == 0) {
       return program.exit(problem); // prints the help that was asked for
     }
-    fmt::print(stderr, "stretch-engine: {}\n", problem.what());
+    tell(problem.what());
     return wrongArguments;
   }
   Status done = runWithinMemory(chosen);

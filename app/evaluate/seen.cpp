@@ -75,7 +75,9 @@ std::optional<Seen> seenAt(const CameraPlace& camera, const rig::SolvedTrail& tr
   const double scale = glm::length(reachOf(limb, at.after)) / length;
   Seen seen;
   seen.ratio = *after / *before;
-  seen.of = trail.settings.sight.asSeen ? trail.settings.scale : scale;
+  const double asked = trail.settings.scale *
+                       (trail.settings.reference == rig::Reference::rest ? limb.restLength / length : 1.0);
+  seen.of = trail.settings.sight.asSeen ? asked : scale;
   constexpr double lengthened = 0.05; // less is no exaggeration of the length
   const double share = std::abs(scale - 1.0) > lengthened ? (seen.ratio - 1.0) / (scale - 1.0) : 1.0;
   seen.share = std::clamp(std::min(share, carriedShare(camera, limb, at)), 0.0, 1.0);
@@ -98,6 +100,9 @@ const SceneCamera* betterCamera(const Document& document, const rig::SolvedTrail
   const SceneCamera* best = nullptr;
   double most = smallestSeenShare;
   for (const SceneCamera& camera : document.scene->cameras) {
+    if (camera.name == trail.settings.sight.camera) {
+      continue;
+    }
     const std::optional<CameraPlace> place = cameraIn(camera, at.after);
     const std::optional<Seen> seen = place ? seenAt(*place, trail, at) : std::nullopt;
     if (seen && seen->share > most) {

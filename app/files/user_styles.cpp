@@ -31,6 +31,9 @@ Result<rig::Style> loadStyle(const fs::path& path) {
 }
 
 Status saveStyle(const rig::Style& style, const fs::path& path) {
+  if (Status usable = checkStyle(style); !usable) {
+    return usable;
+  }
   return writeText(path, styleToJson(style).dump(2) + "\n");
 }
 

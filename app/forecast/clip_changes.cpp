@@ -137,10 +137,7 @@ private:
     const FrameState second = watched.at(start + step);
     const FrameState last = watched.at(end);
     const FrameState before = watched.at(end - step);
-    const NodeIndex hips = body_.body.hips;
-    Vec3 travel =
-        hips.exists() ? positionOf(last.worlds[at(hips)]) - positionOf(first.worlds[at(hips)]) : Vec3(0.0);
-    travel.y = 0.0;
+    const Vec3 travel = *loop_; // the source's: a body that jumps aside is no travel of its own
     for (const NodeIndex node : skinJoints(*source_.scene)) {
       const auto place = [&](const FrameState& frame) { return positionOf(frame.worlds[at(node)]); };
       const double apart = glm::length(place(last) - place(first) - travel);

@@ -22,7 +22,9 @@ namespace stretch::app {
 
 namespace {
 
-constexpr const char* useVolume = "save it with --form volume, or translation";
+constexpr const char* useVolume =
+    "save the stretch with --form volume, or translation; scale of the source's own joints is baked out "
+    "where it was made";
 
 // What the file holds, found once for all engines.
 struct FileFindings {

@@ -36,6 +36,9 @@ Status checkCamera(const Ground& ground, const rig::Trail& trail) {
   if (sight.asSeen && !sight.hasCamera()) {
     return Error{"the scale counts as seen, by no camera", trail.limb, remedy};
   }
+  if (sight.turnDegrees > 0.0 && !sight.hasCamera() && ground.entry != Entry::file) {
+    return Error{"the path is turned to the view, of no camera", trail.limb, remedy};
+  }
   const bool isKnown = sight.camera.empty() || rig::isStandardView(sight.camera) ||
                        cameraNamed(*ground.document.scene, sight.camera) != nullptr;
   return isKnown || ground.entry == Entry::file // another program may have taken it out

@@ -17,7 +17,8 @@ constexpr std::string_view magic = "Kaydara FBX Binary";
 constexpr std::size_t byteOrderAt = 22;
 constexpr std::size_t versionAt = 23;
 constexpr std::uint32_t oldestVersion = 7100;
-constexpr std::uint32_t cubicFlag = 0x8; // KeyAttrFlags of the FBX SDK: constant 2, linear 4, cubic 8
+constexpr std::uint32_t notLinearFlags = 0x8 | 0x2; // KeyAttrFlags of the FBX SDK: constant 2, linear 4,
+                                                    // cubic 8
 
 std::uint32_t numberAt(std::string_view text, std::size_t place) {
   std::uint32_t number = 0;
@@ -59,7 +60,7 @@ bool bendsBinary(std::string_view text, std::size_t at) {
   }
   const std::size_t most = std::min(count, (text.size() - at - headBytes) / sizeof(std::uint32_t));
   for (std::size_t i = 0; i < most; ++i) {
-    if ((numberAt(text, at + headBytes + i * sizeof(std::uint32_t)) & cubicFlag) != 0) {
+    if ((numberAt(text, at + headBytes + i * sizeof(std::uint32_t)) & notLinearFlags) != 0) {
       return true;
     }
   }
@@ -79,11 +80,11 @@ bool bendsText(std::string_view text, std::size_t at) {
   for (const char c : text.substr(open + 2, close - open - 2)) {
     const bool isDigit = std::isdigit(static_cast<unsigned char>(c)) != 0;
     number = isDigit ? number * 10 + static_cast<std::uint32_t>(c - '0') : number;
-    bends = bends || (!isDigit && isIn && (number & cubicFlag) != 0);
+    bends = bends || (!isDigit && isIn && (number & notLinearFlags) != 0);
     number = isDigit ? number : 0;
     isIn = isDigit;
   }
-  return bends || (isIn && (number & cubicFlag) != 0);
+  return bends || (isIn && (number & notLinearFlags) != 0);
 }
 
 // "Post-Extrapolation: { Type: C: "R" ...": a letter, C where the last value is held.

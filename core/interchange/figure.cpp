@@ -204,8 +204,11 @@ Mat4 localOf(const Figure& figure, const FigureNode& node, const ElementMatrix& 
   if (node.shedsScale) {
     const Vec3 parent =
         toTransform(chainMatrix(figure.nodes[static_cast<std::size_t>(node.parent)], matrixOf)).scale;
+    // What the parent scales is taken back in the parent's axes.
     for (int axis = 0; axis < 3; ++axis) {
-      local[axis] /= std::abs(parent[axis]) > 1e-9 ? parent[axis] : 1.0;
+      for (int row = 0; row < 3; ++row) {
+        local[axis][row] /= std::abs(parent[row]) > 1e-9 ? parent[row] : 1.0;
+      }
     }
   }
   local[3] = Vec4(node.lengths * Vec3(local[3]), 1.0);

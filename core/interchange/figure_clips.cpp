@@ -4,6 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include <assimp/scene.h>
 
@@ -115,6 +118,23 @@ bool isSimilarity(const Transform& t, const Mat4& matrix) {
          std::abs(t.scale.y - t.scale.x) + std::abs(t.scale.z - t.scale.x) < 1e-5 * size;
 }
 
+using NodesByName = std::unordered_map<std::string_view, const aiNode*>;
+
+// Of nodes with one name the first on the way down.
+NodesByName nodesByName(const aiNode& root) {
+  NodesByName nodes;
+  std::vector<const aiNode*> open{&root};
+  while (!open.empty()) {
+    const aiNode* const node = open.back();
+    open.pop_back();
+    nodes.try_emplace(node->mName.C_Str(), node);
+    for (unsigned child = node->mNumChildren; child-- > 0;) {
+      open.push_back(node->mChildren[child]);
+    }
+  }
+  return nodes;
+}
+
 // One animation of the library as a glTF animation.
 class ClipMaker {
 public:
@@ -122,10 +142,11 @@ public:
             ClipNotes& notes)
       : from_(from), scene_(scene), figure_(figure), parts_(parts), notes_(notes),
         secondsOfTick_(from.mTicksPerSecond > 0.0 ? 1.0 / from.mTicksPerSecond : 1.0 / 25.0) {
+    const NodesByName nodes = nodesByName(*scene.mRootNode);
     for (unsigned c = 0; c < from.mNumChannels; ++c) {
       const aiNodeAnim& channel = *from.mChannels[c];
-      if (const aiNode* const node = scene.mRootNode->FindNode(channel.mNodeName)) {
-        driven_.try_emplace(node, drivenBy(channel, *node, secondsOfTick_));
+      if (const auto node = nodes.find(channel.mNodeName.C_Str()); node != nodes.end()) {
+        driven_.try_emplace(node->second, drivenBy(channel, *node->second, secondsOfTick_));
       }
     }
     // A clip that begins before 0 is brought to it: glTF has no such time.
@@ -231,16 +252,18 @@ private:
     }
   }
 
+  // With pivots the scale is an element of its own.
   bool parentScales(const FigureNode& node) const {
-    const FigureNode& parent = figure_.nodes[static_cast<std::size_t>(node.parent)];
-    const Driven* const own = drivenOf(*parent.chain.back());
-    bool scales = own != nullptr && !isStill(own->scale.values, 1e-6);
-    const std::vector<Vec3> still = own != nullptr
-                                        ? own->scale.values
-                                        : std::vector<Vec3>{toTransform(restOf(*parent.chain.back())).scale};
-    scales = scales || glm::length(still.front() - Vec3(1.0)) > 1e-6;
-    for (const Vec3& one : still) {
-      notes_.hasUnevenShed = notes_.hasUnevenShed || std::abs(one.x - one.y) + std::abs(one.y - one.z) > 1e-4;
+    bool scales = false;
+    for (const aiNode* const element : figure_.nodes[static_cast<std::size_t>(node.parent)].chain) {
+      const Driven* const own = drivenOf(*element);
+      const std::vector<Vec3> values =
+          own != nullptr ? own->scale.values : std::vector<Vec3>{toTransform(restOf(*element)).scale};
+      scales = scales || !isStill(values, 1e-6) || glm::length(values.front() - Vec3(1.0)) > 1e-6;
+      for (const Vec3& one : values) {
+        notes_.hasUnevenShed =
+            notes_.hasUnevenShed || std::abs(one.x - one.y) + std::abs(one.y - one.z) > 1e-4;
+      }
     }
     return scales;
   }
@@ -290,9 +313,10 @@ private:
       insertTimes(*driven, times);
     }
     if (node.shedsScale) {
-      if (const Driven* const parent =
-              drivenOf(*figure_.nodes[static_cast<std::size_t>(node.parent)].chain.back())) {
-        insertTimes(*parent, times);
+      for (const aiNode* const element : figure_.nodes[static_cast<std::size_t>(node.parent)].chain) {
+        if (const Driven* const parent = drivenOf(*element)) {
+          insertTimes(*parent, times);
+        }
       }
     }
     Driven made;

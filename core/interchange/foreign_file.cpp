@@ -35,6 +35,12 @@ const char* hintOf(Format format) {
 
 // The library's own word for what is wrong, as one line.
 std::string oneLine(std::string text) {
+  // Files that are read from memory have this name there.
+  constexpr std::string_view inMemory = "$$$___magic___$$$.";
+  for (std::size_t at = text.find(inMemory); at != std::string::npos; at = text.find(inMemory)) {
+    const std::size_t end = text.find(':', at);
+    text.replace(at, end == std::string::npos ? std::string::npos : end + 1 - at, "line ");
+  }
   std::ranges::replace_if(
       text, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   constexpr std::size_t most = 160;
@@ -101,8 +107,9 @@ std::vector<std::string> warningsOfBytes(const Bytes& bytes, Format format, cons
                           "them is played. Bake them before exporting");
   }
   if (head.hasTangents && clips.hasGaps) {
-    warnings.emplace_back("curves that bend between keys are read as straight lines: bake the clip at every "
-                          "frame when exporting");
+    warnings.emplace_back(
+        "curves that bend or step between keys are read as straight lines: bake the clip at every "
+        "frame when exporting");
   }
   if (head.hasRepetition) {
     warnings.emplace_back(

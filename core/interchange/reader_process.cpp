@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h> // environ
@@ -175,6 +176,7 @@ std::optional<int> runAsReader(int argumentCount, const char* const* arguments) 
   }
   std::error_code ignored;
   const std::uintmax_t bytes = std::filesystem::file_size(arguments[2], ignored);
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody waits for the answer when the program is gone
   limitThisProcess(ignored ? 0 : bytes);
   const Result<Converted> made = convertedWithinMemory(arguments[2]);
   const Json head =

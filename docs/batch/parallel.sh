@@ -5,8 +5,9 @@ set -euo pipefail
 list=$1 logs=$2 hosts=${3:-}
 program=${PROGRAM:-stretch-engine} block=${BLOCK:-20}
 mkdir -p "$logs/lists"
+rm -f "$logs"/lists/[0-9]* # parts of another list
 awk -v block="$block" -v to="$logs/lists" 'NF && !/^[ \t]*#/ { print > sprintf("%s/%06d", to, int((n++) / block)) }' "$list"
 where=()
 [ -z "$hosts" ] || where=(--sshloginfile "$hosts" --workdir "$PWD")
 find "$logs/lists" -type f | sort |
-  parallel "${where[@]}" --retries 3 "$program batch {} --resume $logs/{/}.jsonl"
+  parallel -q "${where[@]}" --retries 3 "$program" batch {} --resume "$logs/{/}.jsonl"

@@ -12,5 +12,6 @@ set -euo pipefail
 # An array over 0 to N-1 is N tasks; one of them alone says with TASKS how many there were.
 task=${SLURM_ARRAY_TASK_ID:-0} tasks=${TASKS:-${SLURM_ARRAY_TASK_COUNT:-1}}
 mkdir -p "$LOGS"
-awk -v tasks="$tasks" -v task="$task" 'NF && !/^[ \t]*#/ && n++ % tasks == task' "$LIST" |
-  "$PROGRAM" batch - --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume "$LOGS/$task.jsonl"
+mine=$(awk -v tasks="$tasks" -v task="$task" 'NF && !/^[ \t]*#/ && n++ % tasks == task' "$LIST")
+[ -n "$mine" ] || exit 0 # more tasks than commands
+"$PROGRAM" batch - --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume "$LOGS/$task.jsonl" <<<"$mine"

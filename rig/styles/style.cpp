@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/base/check.h"
 #include "core/base/lower_case.h"
@@ -32,12 +33,12 @@ std::optional<ScaleRange> rangeOf(const std::vector<StyledLimb>& limbs, const Is
     if (!isMeant(limb.kind)) {
       continue;
     }
-    const double scale = limb.settings.scale;
+    const double scale = std::min(limb.settings.scale, largestScale); // more is no style's to ask for
     strongest = strongest == nullptr || stretchOf(limb) > stretchOf(*strongest) ? &limb : strongest;
     range = range.value_or(ScaleRange{1.0, 1.0, 1.0});
     range->least = std::min(range->least, scale);
     range->most = std::max(range->most, scale);
-    range->usual = strongest->settings.scale;
+    range->usual = std::min(strongest->settings.scale, largestScale);
   }
   return range;
 }
@@ -52,7 +53,7 @@ const Style* styleNamed(const std::vector<Style>& styles, std::string_view name)
   const std::string wanted = lowerCase(name);
   const Style* part = nullptr;
   int parts = 0;
-  for (const Style& style : styles) {
+  for (const Style& style : styles | std::views::reverse) {
     const std::string own = lowerCase(style.name);
     if (own == wanted) {
       return &style;
@@ -94,13 +95,30 @@ TrailSettings styledSettings(const TrailSettings& settings, const Style& style, 
   return styled;
 }
 
+namespace {
+
+constexpr double longestRelease = 100.0; // ranges
+
+// Cut between letters, of which the later bytes begin with the bits 10.
+std::string shortened(std::string name) {
+  constexpr std::size_t longest = 100;
+  std::size_t end = std::min(name.size(), longest);
+  while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) {
+    --end;
+  }
+  name.resize(end);
+  return name;
+}
+
+} // namespace
+
 Style styleOf(const std::vector<StyledLimb>& limbs, std::string name) {
   check(!limbs.empty(), "a style is taken from at least one limb");
   const auto strongest = std::ranges::max_element(limbs, {}, stretchOf);
   const TrailSettings& settings = strongest->settings;
   const auto everything = rangeOf(limbs, [](LimbKind kind) { return !isTorso(kind); });
   Style style;
-  style.name = std::move(name);
+  style.name = shortened(std::move(name));
   style.torso = rangeOf(limbs, isTorso).value_or(ScaleRange{1.0, 1.0, 1.0});
   const ScaleRange others = everything.value_or(style.torso);
   style.arm = rangeOf(limbs, [](LimbKind kind) { return kind == LimbKind::arm; }).value_or(others);
@@ -116,7 +134,7 @@ Style styleOf(const std::vector<StyledLimb>& limbs, std::string name) {
   style.easeOut = settings.easeOut;
   const double range = settings.endFrame - settings.startFrame;
   if (settings.releaseFrames && range > 0.0) {
-    style.release = *settings.releaseFrames / range;
+    style.release = std::min(*settings.releaseFrames / range, longestRelease);
   }
   style.overshoot = settings.overshoot;
   style.volume = settings.volume;

@@ -98,4 +98,7 @@ TEST_CASE(
   CHECK_THAT(test::refusal(findStyle((folder.path() / "broken.json").string(), "")),
              Catch::StartsWith((folder.path() / "broken.json").string()));
   CHECK(userStyles(folder.path() / "nowhere").empty());
+  style.arm.usual = 7.0;
+  CHECK_THAT(test::refusal(saveStyle(style, folder.path() / "large.json")), Catch::Contains("arm"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "large.json"));
 }

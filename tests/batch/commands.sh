@@ -70,6 +70,17 @@ grep -q "line 13: broken.glb" again.err || fail "what failed is not tried again"
 grep -q "holds no command" empty.err || fail "it is not told that the list is empty"
 "$program" batch list --resume nowhere/log >unwritable.out 2>unwritable.err && fail "a log that cannot be written is accepted"
 grep -q "nowhere/log.* cannot be written" unwritable.err || fail "it is not told that the log cannot be written"
+cp list kept
+"$program" batch list --resume list >itself.out 2>itself.err && fail "answers are written into the list"
+grep -q "is the list itself" itself.err && cmp list kept || fail "the list is not as it was"
+mkfifo pipe
+timeout 20 "$program" batch list --resume pipe >pipe.out 2>pipe.err && fail "a pipe keeps no answers"
+grep -q "is a pipe" pipe.err || fail "it is not told that a pipe keeps nothing"
+"$program" batch list <&- >closed.out 2>closed.err || true
+grep -q '^done: exaggerate' closed.out || fail "a closed standard input takes the commands' answers"
+status=0
+"$program" info missing.glb 2>/dev/full || status=$?
+[ "$status" = 1 ] || fail "an error that nobody can be told ends in $status"
 "$program" batch list --resume /dev/full >full.out 2>full.err && fail "a log that was not written is accepted"
 grep -q "/dev/full.* could not be written to the end" full.err || fail "it is not told that the log is torn"
 grep -q "batch" <("$program" --help) || fail "the help does not name the verb"

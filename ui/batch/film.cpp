@@ -44,7 +44,10 @@ Status drawPart(const FilmSide& side, const PictureOptions& options, const Box& 
 // Only one side can be drawn at a time: a few pictures of the one, then as many of the other.
 Status drawBeside(const Film& film, const PictureOptions& options,
                   const std::function<Status(std::size_t, const Image&)>& keep) {
-  constexpr std::size_t atOnce = 32;
+  constexpr std::size_t mostBytes = 256U << 20U;
+  const auto pixels =
+      static_cast<std::size_t>(options.widthPixels) * static_cast<std::size_t>(options.heightPixels);
+  const std::size_t atOnce = std::clamp<std::size_t>(mostBytes / (4 * pixels), 1, 32);
   PictureOptions half = options;
   half.widthPixels = (options.widthPixels - gap) / 2;
   Box shown;

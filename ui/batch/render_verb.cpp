@@ -377,14 +377,20 @@ Result<std::optional<app::Document>> besideOf(const RenderArguments& arguments, 
 }
 
 std::vector<PictureFrame> picturesBeside(const app::Document& source, const std::string& clip,
-                                         const std::vector<double>& frames, CharacterLook look) {
+                                         const std::vector<double>& frames, double framesPerSecond,
+                                         CharacterLook look) {
   const int number = app::findClip(source, clip, "--beside").value();
   look.camera = look.camera != nullptr ? cameraNamed(*source.scene, look.camera->name) : nullptr;
   look.weightsOf = NodeIndex::none;
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(source, number));
-  std::vector<PictureFrame> pictures = picturesOfCharacter(source, motion, frames, look);
-  for (PictureFrame& picture : pictures) {
-    picture.label = "before" + (picture.label.empty() ? std::string() : ", " + picture.label);
+  std::vector<double> own = frames; // the same moments, counted as this file counts
+  for (double& frame : own) {
+    frame *= motion->framesPerSecond / framesPerSecond;
+  }
+  std::vector<PictureFrame> pictures = picturesOfCharacter(source, motion, own, look);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    std::string& label = pictures[i].label;
+    label = label.empty() ? std::string("before") : fmt::format("before, frame {:g}", frames[i]);
   }
   return pictures;
 }
@@ -432,8 +438,8 @@ Status renderCharacter(const RenderArguments& arguments) {
     return source.error();
   }
   if (*source) {
-    film.sides.push_back(
-        {(*source)->scene.get(), picturesBeside(**source, app::clipOf(*document, clip).name, *frames, look)});
+    film.sides.push_back({(*source)->scene.get(), picturesBeside(**source, app::clipOf(*document, clip).name,
+                                                                 *frames, motion->framesPerSecond, look)});
   }
   film.sides.push_back({document->scene.get(), picturesOfCharacter(*document, motion, *frames, look)});
   return draw(arguments, film, *options);

@@ -53,6 +53,7 @@ std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, 
                                  "-hide_banner",
                                  "-loglevel",
                                  "error",
+                                 "-xerror", // a disk that is full ends it, with an exit code
                                  "-y",
                                  "-f",
                                  "rawvideo",
@@ -69,7 +70,7 @@ std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, 
   for (const char* const word : {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"}) {
     words.insert(words.end() - 2, word);
   }
-  words.push_back(part.string());
+  words.push_back("file:" + part.string()); // a colon or a dash in a name is no protocol and no option
   return words;
 }
 
@@ -180,7 +181,7 @@ Result<VideoWriter> VideoWriter::open(const VideoPlan& plan) {
   process->bytes =
       4 * static_cast<std::size_t>(plan.widthPixels) * static_cast<std::size_t>(plan.heightPixels);
   process->part = plan.path;
-  process->part.replace_filename(fmt::format(".{}-{}.part", plan.path.filename().string(), getpid()));
+  process->part.replace_filename(fmt::format(".stretch-engine-{}.tmp", getpid()));
   if (Status started = process->start(wordsFor(plan, *kind, process->part)); !started) {
     return started.error();
   }

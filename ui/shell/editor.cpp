@@ -14,6 +14,7 @@
 #include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/shell_commands.h"
+#include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 #include "ui/shell/welcome_keys.h"
 #include "ui/viewport/viewport_pane.h"
@@ -46,6 +47,7 @@ void readUserFiles(Shell& shell) {
   if (settings) {
     readSettings(*settings, shell.ui, shell.panes, shell.window);
   }
+  loadStyles(shell.ui.trails);
   shell.ui.dialogs.navigationChoiceOpen = !settings;
   shell.ui.tour.pending = shell.ui.tour.pending || !settings;
   shell.commands = editorCommands();

@@ -17,6 +17,10 @@
 
 namespace stretch::ui {
 
+void loadStyles(TrailPanels& panels) {
+  panels.styles = app::allStyles(app::stylesFolder());
+}
+
 namespace {
 
 using ShellCommand = app::Command<Shell>;
@@ -36,7 +40,7 @@ bool hasExaggerated(const Shell& shell) {
 /// The user's styles as they are now; the one of this name is chosen.
 void refreshStyles(Shell& shell, const std::string& name) {
   TrailPanels& panels = shell.ui.trails;
-  panels.styles = app::allStyles(app::stylesFolder());
+  loadStyles(panels);
   const auto found = std::ranges::find(panels.styles, name, &rig::Style::name);
   const auto place = static_cast<int>(found - panels.styles.begin());
   const bool isThere = found != panels.styles.end();
@@ -45,7 +49,12 @@ void refreshStyles(Shell& shell, const std::string& name) {
   panels.clipStyle.changed = panels.clipStyle.open;
 }
 
-void keepStyle(Shell& shell, const rig::Style& style) {
+void keepStyle(Shell& shell, rig::Style style) {
+  const std::vector<rig::Style> there = app::allStyles(app::stylesFolder());
+  const std::string name = style.name;
+  for (int number = 2; std::ranges::find(there, style.name, &rig::Style::name) != there.end(); ++number) {
+    style.name = fmt::format("{} {}", name, number);
+  }
   const Status saved = app::saveStyle(style, app::fileOfStyle(app::stylesFolder(), style.name));
   tellProblem(shell, saved);
   if (saved) {

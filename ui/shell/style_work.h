@@ -11,6 +11,7 @@
 namespace stretch::ui {
 
 struct Shell;
+struct TrailPanels;
 
 /// A clip that is exaggerated in a style beside the window.
 struct StyleWork {
@@ -20,6 +21,9 @@ struct StyleWork {
 
 /// "Exaggerate the clip", and taking, importing and exporting styles.
 [[nodiscard]] std::vector<app::Command<Shell>> styleCommands();
+
+/// Offers the styles of the user's folder with those that the program brings along.
+void loadStyles(TrailPanels& panels);
 
 /// Once per frame: works out what the dialog asks for, shows it, and keeps or drops it as one step.
 void updateClipStyle(Shell& shell);

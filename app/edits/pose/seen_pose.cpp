@@ -1,6 +1,7 @@
 #include "app/edits/pose/seen_pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -101,7 +102,9 @@ std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& po
                                     const Vec3& standingWorld) {
   const rig::ControllerList list = controllersOf(moment.document);
   const bool sameCharacter = pose.of == moment.document.scene;
-  const Quat facing = shortestArc(pose.leftWorld, leftOf(moment.document));
+  const Vec3 left = leftOf(moment.document); // level, as that of the pose: turned about the vertical alone
+  const Quat facing = axisAngle(
+      Vec3(0.0, 1.0, 0.0), std::atan2(glm::cross(pose.leftWorld, left).y, glm::dot(pose.leftWorld, left)));
   const double scale = legLengthOf(list) / pose.legLength;
   std::vector<SeenController> goals;
   for (SeenController goal : pose.controllers) {

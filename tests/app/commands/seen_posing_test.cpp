@@ -12,6 +12,7 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
 #include "app/open_document.h"
+#include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/run_command.h"
 
@@ -182,6 +183,23 @@ TEST_CASE("A pose is pasted on a character of another size in lengths of its lim
   CHECK(twice.placeWorld.x == Approx(standing.x).margin(1e-3));
   const Vec3 reach = placedAt(other, 5.0, "left-hand").placeWorld - twice.placeWorld;
   CHECK(glm::length(reach - 2.0 * (seen.placeWorld - hips.placeWorld)) < 1e-3);
+}
+
+TEST_CASE("On a character that faces the other way a pose is turned about the vertical") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  const Vec3 hips = placedAt(session, punchFrame, "hips").placeWorld;
+  const Vec3 reach = placedAt(session, punchFrame, "left-hand").placeWorld - hips;
+  REQUIRE(run(session, command::poseCopy).empty());
+  auto& pose = std::get<SeenPose>(*session.view().copiedPose);
+  pose.of.reset(); // of another character, that looked the other way
+  pose.leftWorld = -pose.leftWorld;
+  session.view().frame = 5.0;
+  CHECK(run(session, command::posePaste).empty());
+  const rig::PlacedController turned = placedAt(session, 5.0, "hips");
+  CHECK(turned.placeWorld.y == Approx(hips.y).epsilon(1e-3));
+  const Vec3 now = placedAt(session, 5.0, "left-hand").placeWorld - turned.placeWorld;
+  CHECK(glm::length(now - Vec3(-reach.x, reach.y, -reach.z)) < 1e-2);
 }
 
 TEST_CASE("Pasting what stands there already says so, and so does a character without these controllers") {

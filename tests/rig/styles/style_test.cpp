@@ -74,6 +74,27 @@ TEST_CASE("A style is found by its name in any case, or by a part that no other 
   CHECK(rig::styleNamed(rig::builtInStyles(), "anime") == nullptr);
 }
 
+TEST_CASE("A style of one's own is found before a built-in one of its name") {
+  std::vector<rig::Style> styles = rig::builtInStyles();
+  rig::Style own = style("Snappy");
+  own.origin = rig::StyleOrigin::own;
+  styles.push_back(own);
+  CHECK(rig::styleNamed(styles, "snappy")->origin == rig::StyleOrigin::own);
+}
+
+TEST_CASE("A style that is taken stays within what a style may ask for") {
+  rig::TrailSettings settings;
+  settings.startFrame = 4.0;
+  settings.endFrame = 5.0;
+  settings.scale = 7.0;
+  settings.releaseFrames = 200.0;
+  const rig::Style taken =
+      rig::styleOf({{LimbKind::arm, settings}}, std::string(98, 'a') + "\xC3\xA9\xC3\xA9");
+  CHECK((taken.arm.usual == 5.0 && taken.arm.most == 5.0));
+  CHECK(taken.release == 100.0);
+  CHECK(taken.name == std::string(98, 'a') + "\xC3\xA9");
+}
+
 TEST_CASE("Neck and spine have the torso's range, a tail, a wing and a chain that of other limbs") {
   const rig::Style& hose = style("Rubber hose");
   CHECK(rig::scalesOf(hose, LimbKind::spine) == hose.torso);

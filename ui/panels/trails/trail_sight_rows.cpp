@@ -119,7 +119,7 @@ void sightRows(PanelContext& context, const rig::Trail& trail) {
   const CameraPlace now = context.character().view().camera;
   trailSection(context, trail, "sight",
                [now](TrailSettings& s) {
-                 if (s.sight.asSeen && !s.sight.hasCamera()) {
+                 if ((s.sight.asSeen || s.sight.turnDegrees > 0.0) && !s.sight.hasCamera()) {
                    s.sight.view = now;
                  }
                },
