@@ -9,6 +9,8 @@
 
 namespace stretch::app {
 
+class EvaluationCache;
+
 struct SaveOptions {
   bool clean = false;         ///< Leave the program's own data out.
   bool keyEveryFrame = false; ///< A key on every frame of range and release, as the thesis does.
@@ -25,6 +27,9 @@ struct SavedEdits {
 /// bind leaves or corners, skin slots, and the work. A joint that a file of ours stretches already keeps the
 /// form that it has there.
 [[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options);
+/// Likewise; what `cache` remembers of the document's motion is not worked out again.
+[[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options,
+                                 EvaluationCache& cache);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,

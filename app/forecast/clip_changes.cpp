@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
@@ -249,7 +250,8 @@ std::vector<ClipChange> worseThanSource(const Document& body, int clip, const Wa
 }
 
 std::vector<ClipChange> worseThanSource(const Document& document,
-                                        const std::vector<std::pair<int, std::vector<Track>>>& edited) {
+                                        const std::vector<std::pair<int, std::vector<Track>>>& edited,
+                                        EvaluationCache& cache) {
   std::vector<ClipChange> all;
   const int known = static_cast<int>(document.clips->size() - document.importedClips);
   for (const auto& [clip, tracks] : edited) {
@@ -257,11 +259,11 @@ std::vector<ClipChange> worseThanSource(const Document& document,
       continue; // it came from another file: nothing stands before it
     }
     const Clip& own = sourceClipOf(document, clip);
-    const rig::MotionState motion = prepareMotion(document, clip);
+    const std::shared_ptr<const rig::MotionState> motion = cache.motion(document, clip);
     const WatchedClip source{document.scene.get(), own,
                              [&](double time) { return rig::sampledFrame(*document.scene, own, time); }};
     const WatchedClip result{document.scene.get(), rig::withTracks(own, tracks),
-                             [&](double time) { return evaluate(document, motion, time); }};
+                             [&](double time) { return evaluate(document, *motion, time); }};
     const std::vector<ClipChange> changes = worseThanSource(document, clip, source, result);
     all.insert(all.end(), changes.begin(), changes.end());
   }
