@@ -60,7 +60,8 @@ public:
 
   [[nodiscard]] const std::vector<rig::Limb>& legs() const { return legs_; }
 
-  [[nodiscard]] Measures of(const WatchedClip& watched) const {
+  /// The depth is left 0 where it is not wanted: it is told by the mesh, which costs most.
+  [[nodiscard]] Measures of(const WatchedClip& watched, bool wantsDepth = true) const {
     Measures measures;
     measures.slides.assign(legs_.size(), 0.0);
     for (const Standing& standing : standing_) {
@@ -70,7 +71,7 @@ public:
     if (loop_) {
       measureSeam(watched, measures);
     }
-    measures.below = depthOf(watched);
+    measures.below = wantsDepth ? depthOf(watched) : 0.0;
     measures.flips = flipsOf(watched.clip);
     return measures;
   }
@@ -227,8 +228,8 @@ std::vector<ClipChange> worseThanSource(const Document& body, int clip, const Wa
   constexpr double seenTurn = 0.5;   // degrees
   constexpr double seenSpeed = 1e-2; // of the height per second
   const ClipMeasuring measuring(body, clip, source);
-  const Measures before = measuring.of(source);
   const Measures after = measuring.of(result);
+  const Measures before = measuring.of(source, after.below > seenPlace); // less is never worse
   std::vector<ClipChange> changes;
   const auto compare = [&](const char* id, double a, double b, double seen, double factor, const char* unit,
                            const std::string& limb = {}) {
