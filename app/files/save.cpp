@@ -207,8 +207,9 @@ Status saveEdits(const Document& document, const gltf::Edits& edits, const std::
   return changed ? gltf::save(std::move(*changed), path) : Status(changed.error());
 }
 
-Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance) {
-  Result<gltf::Loaded> loaded = gltf::load(path, tolerance);
+Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance,
+                              gltf::Pictures pictures) {
+  Result<gltf::Loaded> loaded = gltf::load(path, tolerance, pictures);
   if (!loaded) {
     return loaded.error();
   }

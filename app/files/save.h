@@ -5,6 +5,7 @@
 #include "app/document.h"
 #include "app/schema/saved_form.h"
 #include "core/gltf/patch/edits.h"
+#include "core/gltf/source/pictures.h"
 #include "rig/corners/bind_corners.h"
 
 namespace stretch::app {
@@ -41,6 +42,7 @@ struct SavedEdits {
 
 /// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,
-                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse);
+                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse,
+                                            gltf::Pictures pictures = gltf::Pictures::decoded);
 
 } // namespace stretch::app
