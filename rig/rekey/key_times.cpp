@@ -474,6 +474,7 @@ ChosenKeys chooseKeys(ExactMotion& exact, const std::vector<KeyedPart>& parts, c
     }
     first.chooseNext();
   }
+  chosen.parts.reserve(choosers.size());
   for (PartChooser& chooser : choosers) {
     chosen.parts.push_back(chooser.take());
   }

@@ -106,6 +106,7 @@ std::vector<StretchKeys> buildStretches(ExactMotion& exact, const std::vector<St
     }
   }
   std::vector<StretchKeys> stretches;
+  stretches.reserve(makers.size());
   for (StretchMaker& maker : makers) {
     stretches.push_back(maker.take());
   }
