@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
+#include "core/math/bounds.h"
+#include "core/math/transform.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::skinning {
@@ -136,16 +141,64 @@ private:
 
 SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows) {
   Builder(scene, follows, *this).build();
+  measureSlots();
 }
 
-void SurfacePart::positions(const FrameState& frame, std::size_t count, std::vector<glm::vec3>& out) const {
+void SurfacePart::measureSlots() {
+  std::vector<Bounds> boxes(slots_.size());
+  const auto eachInfluence = [&](const auto& look) {
+    for (std::size_t vertex = 0; vertex < movedCount_; ++vertex) {
+      const Vertex& one = vertices_[vertex];
+      for (std::uint32_t i = 0; i < one.influences; ++i) {
+        look(Vec3(one.position), influences_[one.firstInfluence + i].slot);
+      }
+    }
+  };
+  eachInfluence([&](const Vec3& place, std::uint32_t slot) { boxes[slot].add(place); });
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    if (!boxes[slot].empty()) {
+      slots_[slot].centre = 0.5 * (boxes[slot].low + boxes[slot].high);
+    }
+  }
+  eachInfluence([&](const Vec3& place, std::uint32_t slot) {
+    slots_[slot].radius = std::max(slots_[slot].radius, glm::length(place - slots_[slot].centre));
+  });
+  for (std::size_t vertex = 0; vertex < movedCount_; ++vertex) {
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < vertices_[vertex].influences; ++i) {
+      sum += static_cast<double>(std::abs(influences_[vertices_[vertex].firstInfluence + i].weight));
+    }
+    largestWeight_ = std::max(largestWeight_, sum);
+  }
+}
+
+double SurfacePart::farthestMove(const FrameState& from, const FrameState& to) const {
+  double farthest = 0.0;
+  for (const Slot& slot : slots_) {
+    if (slot.radius < 0.0) {
+      continue;
+    }
+    const Mat4 change = (meshMatrix(to, slot.node) - meshMatrix(from, slot.node)) * slot.inverseBind;
+    const Mat3 turn(change);
+    const double most = std::sqrt(glm::dot(turn[0], turn[0]) + glm::dot(turn[1], turn[1]) +
+                                  glm::dot(turn[2], turn[2])); // no vector grows by more
+    farthest = std::max(farthest, glm::length(transformPoint(change, slot.centre)) + most * slot.radius);
+  }
+  return largestWeight_ * farthest;
+}
+
+void SurfacePart::positions(const FrameState& frame, std::size_t first, std::size_t last,
+                            std::vector<glm::vec3>& out) const {
+  out.resize(vertices_.size());
+  if (first == last) {
+    return;
+  }
   std::vector<glm::mat4> matrices;
   matrices.reserve(slots_.size());
   for (const Slot& slot : slots_) {
     matrices.emplace_back(meshMatrix(frame, slot.node) * slot.inverseBind);
   }
-  out.resize(count);
-  for (std::size_t vertex = 0; vertex < count; ++vertex) {
+  for (std::size_t vertex = first; vertex < last; ++vertex) {
     const Vertex& one = vertices_[vertex];
     const Influence* const influences = &influences_[one.firstInfluence];
     glm::vec4 position(0.0F);
@@ -159,7 +212,15 @@ void SurfacePart::positions(const FrameState& frame, std::size_t count, std::vec
 }
 
 void SurfacePart::positions(const FrameState& frame, std::vector<glm::vec3>& out) const {
-  positions(frame, vertices_.size(), out);
+  positions(frame, 0, vertices_.size(), out);
+}
+
+void SurfacePart::movedPositions(const FrameState& frame, std::vector<glm::vec3>& out) const {
+  positions(frame, 0, movedCount_, out);
+}
+
+void SurfacePart::stillPositions(const FrameState& frame, std::vector<glm::vec3>& out) const {
+  positions(frame, movedCount_, vertices_.size(), out);
 }
 
 } // namespace stretch::skinning

@@ -32,15 +32,23 @@ public:
   /// Each once.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
 
-  /// World positions of the first `count` vertices.
-  void positions(const FrameState& frame, std::size_t count, std::vector<glm::vec3>& out) const;
-  /// Places of all of them.
+  /// World positions of all vertices.
   void positions(const FrameState& frame, std::vector<glm::vec3>& out) const;
+  /// Places of the moved ones alone, in the first movedCount() of `out`, and of their neighbours, after
+  /// those.
+  void movedPositions(const FrameState& frame, std::vector<glm::vec3>& out) const;
+  void stillPositions(const FrameState& frame, std::vector<glm::vec3>& out) const;
+
+  /// What no moved vertex is farther than from its place in another frame, world units: by the balls around
+  /// the vertices of each joint. Rounding of positions is not in it.
+  [[nodiscard]] double farthestMove(const FrameState& from, const FrameState& to) const;
 
 private:
   struct Slot { // a joint of a skin, or the node of a rigid mesh
     NodeIndex node;
     Mat4 inverseBind{1.0};
+    Vec3 centre{0.0};     // of a ball around the moved vertices that follow it, in their mesh
+    double radius = -1.0; // negative: none does
   };
   struct Influence {
     std::uint32_t slot = 0;
@@ -53,12 +61,18 @@ private:
   };
   class Builder;
 
+  void measureSlots();
+  // Of the vertices from the first to before the last, into their places in `out`.
+  void positions(const FrameState& frame, std::size_t first, std::size_t last,
+                 std::vector<glm::vec3>& out) const;
+
   std::vector<NodeIndex> nodes_;
   std::vector<Slot> slots_;
   std::vector<Influence> influences_;
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
   std::size_t movedCount_ = 0;
+  double largestWeight_ = 1.0; // sum of the weights of a vertex
 };
 
 } // namespace stretch::skinning

@@ -10,6 +10,7 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/trail/starting_settings.h"
+#include "app/evaluate/cache.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/weight_schema.h"
@@ -145,14 +146,15 @@ Status runElastic(const ElasticArguments& arguments) {
   if (Status added = addLimbs(arguments, *clip, settings->rangeFrames, *document); !added) {
     return added;
   }
+  EvaluationCache cache;
   Json report;
   report["clip"] = clipOf(*document, *clip).name;
-  report["elastic"] = weightJson(*document, *clip);
+  report["elastic"] = weightJson(*document, *clip, cache);
   report["warnings"] = documentWarnings(*document);
   if (!cut->empty()) {
     report["warnings"].push_back(*cut);
   }
-  if (Status saved = saveReported(*document, arguments.output, report); !saved) {
+  if (Status saved = saveReported(*document, arguments.output, report, cache); !saved) {
     return saved;
   }
   if (arguments.json) {

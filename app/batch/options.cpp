@@ -109,7 +109,8 @@ Result<Document> openDocument(const FileArguments& arguments) {
                  "make a skinned clip of it by compress, and give that"};
   }
   Result<Document> document =
-      openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+      openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse,
+                   arguments.pictures);
   if (document && !arguments.plan.empty()) {
     document = changePlan(*document, arguments.plan);
   }

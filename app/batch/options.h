@@ -10,6 +10,7 @@
 #include "app/schema/schema.h"
 #include "core/base/result.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/source/pictures.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/fit/alternate.h"
 
@@ -28,7 +29,8 @@ struct FileArguments {
   bool tolerant = false;
   std::string plan = {}; ///< Id of a body plan; empty: as found.
   std::string clip = {};
-  double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
+  double framesPerSecond = 0.0;                      ///< 0: as guessed from the keys.
+  gltf::Pictures pictures = gltf::Pictures::headers; ///< Decoded by verbs that draw.
 };
 
 /// Declares FILE and --tolerant.

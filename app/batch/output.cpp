@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/evaluate/cache.h"
 #include "app/forecast/clip_changes.h"
 #include "app/schema/form_schema.h"
 
@@ -55,6 +56,12 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
 }
 
 Status saveReported(const Document& document, const OutputArguments& arguments, Json& report) {
+  EvaluationCache cache;
+  return saveReported(document, arguments, report, cache);
+}
+
+Status saveReported(const Document& document, const OutputArguments& arguments, Json& report,
+                    EvaluationCache& cache) {
   const Setting<SavedForm>& form = *findSetting(formSchema(), "form");
   if (arguments.keepsSkeleton && textOf(arguments.form, form) != nullptr) {
     return Error{"stands beside --form", "--keep-skeleton", "give one of the two"};
@@ -63,7 +70,7 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   if (!options) {
     return options.error();
   }
-  const SavedEdits saved = editsOf(document, *options);
+  const SavedEdits saved = editsOf(document, *options, cache);
   if (options->form.form != StretchForm::scale) {
     report["form"] = formJson(*options, saved.fit);
   }
@@ -71,7 +78,7 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   for (const gltf::ClipTracks& clip : saved.edits.clips) {
     edited.emplace_back(clip.clip, clip.tracks);
   }
-  if (const std::vector<ClipChange> worse = worseThanSource(document, edited); !worse.empty()) {
+  if (const std::vector<ClipChange> worse = worseThanSource(document, edited, cache); !worse.empty()) {
     report["worse"] = changesToJson(worse);
   }
   return saveEdits(document, saved.edits, arguments.file.path);

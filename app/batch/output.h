@@ -5,6 +5,8 @@
 
 namespace stretch::app {
 
+class EvaluationCache;
+
 /// Arguments of a verb that writes a character file.
 struct OutputArguments {
   OutputFile file;
@@ -20,6 +22,9 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 /// leaves, and what is worse than in the source ("worse", left out where nothing is).
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report);
+/// Likewise; what `cache` remembers of the document's motion is not worked out again.
+[[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
+                                  gltf::Json& report, EvaluationCache& cache);
 
 /// Prints what saveReported added, as lines of text.
 void printSaved(const gltf::Json& report);

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/seen.h"
@@ -109,7 +110,8 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   Json report;
   report["clip"] = clipOf(document, clip).name;
   report["trails"] = Json::array();
-  rig::MotionState motion = prepareMotion(document, clip);
+  EvaluationCache cache;
+  rig::MotionState motion = *cache.motion(document, clip);
   motion.weights.clear(); // What the trails do by themselves.
   for (const int id : ids) {
     const auto solved = std::ranges::find_if(
@@ -119,7 +121,7 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
     }
   }
   if (hasWeight(document, clip)) {
-    report["elastic"] = weightJson(document, clip);
+    report["elastic"] = weightJson(document, clip, cache);
   }
   report["warnings"] = documentWarnings(document);
   return report;
@@ -175,9 +177,9 @@ void printWarnings(const gltf::Json& warnings) {
   }
 }
 
-gltf::Json weightJson(const Document& document, int clip) {
+gltf::Json weightJson(const Document& document, int clip, EvaluationCache& cache) {
   gltf::Json limbs = gltf::Json::array();
-  for (const WeightReport& report : weightReports(document, clip)) {
+  for (const WeightReport& report : cache.weightReports(document, clip)) {
     limbs.push_back({{"limb", report.limb},
                      {"young", report.youngModulus},
                      {"widths", report.widths},

@@ -7,6 +7,8 @@
 
 namespace stretch::app {
 
+class EvaluationCache;
+
 /// Outcome of these trails of a clip, and the weight of its limbs, as `exaggerate` reports it.
 [[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids);
 
@@ -23,7 +25,7 @@ void printExaggeration(const gltf::Json& report);
 void printWarnings(const gltf::Json& warnings);
 
 /// Outcome of the weight of each limb of a clip, as `elastic` and `exaggerate` report it.
-[[nodiscard]] gltf::Json weightJson(const Document& document, int clip);
+[[nodiscard]] gltf::Json weightJson(const Document& document, int clip, EvaluationCache& cache);
 
 /// Prints it as lines of text; warnings on standard error.
 void printWeight(const gltf::Json& limbs);

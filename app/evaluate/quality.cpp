@@ -140,10 +140,11 @@ public:
   Trial(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
         const TrailLook& look, const Findings& findings)
       : document_(document), motion_(motion), trail_(trail), look_(look), findings_(findings),
+        likely_(findings.worstFrames()),
         places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*document.scene))) {}
 
   // The largest scale, in quarters, that leaves nothing: the same one from whatever scale above it.
-  [[nodiscard]] std::optional<double> smallerScale() const {
+  [[nodiscard]] std::optional<double> smallerScale() {
     constexpr double quarter = 0.25;
     int worksAt = 4; // quarters: no exaggeration, which is not worth advising
     int failsAt = static_cast<int>(std::ceil(trail_.settings.scale / quarter - 1e-9));
@@ -156,7 +157,7 @@ public:
     return worksAt > 4 ? std::optional(quarter * worksAt) : std::nullopt;
   }
 
-  [[nodiscard]] std::string other() const {
+  [[nodiscard]] std::string other() {
     for (const Remedy& remedy :
          Remedies(document_, motion_, trail_, look_.lowestPlace()).against(findings_)) {
       if (helps(remedy.settings)) {
@@ -167,16 +168,25 @@ public:
   }
 
 private:
-  [[nodiscard]] bool helps(const rig::TrailSettings& settings) const {
+  [[nodiscard]] bool helps(const rig::TrailSettings& settings) {
     const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings, places_);
-    return !other.trails.empty() && !look_.findsAny(other, findings_);
+    if (other.trails.empty()) {
+      return false;
+    }
+    const std::optional<double> found = look_.foundAt(other, likely_);
+    if (found) { // the next one most likely fails there, too
+      std::erase(likely_, *found);
+      likely_.insert(likely_.begin(), *found);
+    }
+    return !found;
   }
 
   const Document& document_;
   const rig::MotionState& motion_;
   const rig::SolvedTrail& trail_;
   const TrailLook& look_;
-  const Findings& findings_; // of the trail as it is
+  const Findings& findings_;   // of the trail as it is
+  std::vector<double> likely_; // frames where what is tried may not look right, the likeliest first
   std::shared_ptr<const rig::BindPlaces> places_;
 };
 
@@ -184,7 +194,7 @@ private:
 // is changed.
 std::string adviceFor(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
                       const TrailLook& look, const Findings& findings) {
-  const Trial trial(document, motion, trail, look, findings);
+  Trial trial(document, motion, trail, look, findings);
   const std::optional<double> scale = trial.smallerScale();
   const std::string other = trial.other();
   const std::string smaller = scale ? fmt::format("lower the scale to {:g}", *scale) : std::string();

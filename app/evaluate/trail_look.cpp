@@ -224,27 +224,37 @@ public:
     return findings_;
   }
 
-  [[nodiscard]] bool any(const std::vector<double>& firstFrames) {
+  [[nodiscard]] std::optional<double> foundAt(const std::vector<double>& firstFrames) {
     const std::vector<double> frames = framesOf(alone_, trail_);
-    const auto isFoundAt = [&](double frame) {
-      lookAt(frame);
-      return findings_.any();
-    };
-    const auto isFoundFirst = [&](double frame) {
-      return std::ranges::binary_search(frames, frame) && isFoundAt(frame);
-    };
-    return std::ranges::any_of(firstFrames, isFoundFirst) || std::ranges::any_of(frames, isFoundAt);
+    for (const double frame : firstFrames) {
+      if (std::ranges::binary_search(frames, frame) && isFoundAt(frame)) {
+        return frame;
+      }
+    }
+    const auto found = std::ranges::find_if(frames, [&](double frame) { return isFoundAt(frame); });
+    return found == frames.end() ? std::nullopt : std::optional(*found);
   }
 
 private:
   void lookAt(double frame) {
+    lookAtPose(frame);
+    lookAtSurface(frame);
+  }
+
+  // The mesh costs most: it is looked at last.
+  [[nodiscard]] bool isFoundAt(double frame) {
+    lookAtPose(frame);
+    if (!findings_.any()) {
+      lookAtSurface(frame);
+    }
+    return findings_.any();
+  }
+
+  void lookAtPose(double frame) {
     lookAtStop(frame);
     step(frame / alone_.framesPerSecond);
     lookAtLimb(frame);
     lookAtPlaces(frame);
-    if (look_.surface_.movedCount() > 0) {
-      lookAtSurface(frame);
-    }
   }
 
   void step(double seconds) {
@@ -340,13 +350,39 @@ private:
   }
 
   void lookAtSurface(double frame) {
-    const std::size_t moved = look_.surface_.movedCount();
-    look_.surface_.positions(before_, from_);
-    look_.surface_.positions(after_, moved, to_);
-    to_.insert(to_.end(), from_.begin() + static_cast<std::ptrdiff_t>(moved), from_.end());
+    if (look_.surface_.movedCount() == 0) {
+      return;
+    }
+    hasFrom_ = false;
+    look_.surface_.movedPositions(after_, to_);
+    look_.surface_.stillPositions(before_, to_);
+    if (mayBeFarOff()) {
+      lookAtVertices(frame);
+    }
+    lookAtEdges(frame);
+  }
+
+  // Places in the source, which most frames need not.
+  [[nodiscard]] const std::vector<glm::vec3>& from() {
+    if (!hasFrom_) {
+      look_.surface_.positions(before_, from_);
+      hasFrom_ = true;
+    }
+    return from_;
+  }
+
+  // Whether a vertex may be too far from its place, told by the joints alone; rounding is far below the
+  // slack.
+  [[nodiscard]] bool mayBeFarOff() const {
+    const double slack = 1e-3 * height() + 1e-5 * glm::length(rig::leadingPosition(trail_.limb, after_));
+    return !(look_.surface_.farthestMove(before_, after_) + slack <= room * findings_.tipDisplacement);
+  }
+
+  void lookAtVertices(double frame) {
+    const std::vector<glm::vec3>& source = from();
     float farthestSquared = 0.0F;
-    for (std::size_t i = 0; i < moved; ++i) {
-      farthestSquared = std::max(farthestSquared, squaredDistance(to_[i], from_[i]));
+    for (std::size_t i = 0; i < look_.surface_.movedCount(); ++i) {
+      farthestSquared = std::max(farthestSquared, squaredDistance(to_[i], source[i]));
     }
     const double farthest = std::sqrt(static_cast<double>(farthestSquared));
     if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
@@ -354,7 +390,6 @@ private:
           glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
       (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, farthest, farthest);
     }
-    lookAtEdges(frame);
   }
 
   void lookAtEdges(double frame) {
@@ -370,7 +405,7 @@ private:
       }
       const double after = std::sqrt(static_cast<double>(afterSquared));
       const double before =
-          std::sqrt(static_cast<double>(squaredDistance(from_[edge.moved], from_[edge.other])));
+          std::sqrt(static_cast<double>(squaredDistance(from()[edge.moved], from()[edge.other])));
       const double own = std::max(look_.edgeLengths_[i], before);
       if (after > most * own) {
         worst = std::max(worst, after / std::max(own, 1e-9 * height()));
@@ -390,7 +425,8 @@ private:
   Findings findings_;
   FrameState before_;
   FrameState after_;
-  std::vector<glm::vec3> from_;
+  std::vector<glm::vec3> from_; // of `before_` where it has them; see from()
+  bool hasFrom_ = false;
   std::vector<glm::vec3> to_;
 };
 
@@ -398,8 +434,9 @@ Findings TrailLook::findings(const rig::MotionState& alone) const {
   return Walk(*this, alone).all();
 }
 
-bool TrailLook::findsAny(const rig::MotionState& alone, const Findings& likely) const {
-  return Walk(*this, alone).any(likely.worstFrames());
+std::optional<double> TrailLook::foundAt(const rig::MotionState& alone,
+                                         const std::vector<double>& likely) const {
+  return Walk(*this, alone).foundAt(likely);
 }
 
 } // namespace stretch::app

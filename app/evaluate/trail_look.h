@@ -58,8 +58,9 @@ public:
 
   /// `alone`: a motion of the one trail, with these or other settings.
   [[nodiscard]] Findings findings(const rig::MotionState& alone) const;
-  /// Whether that motion has any; `likely`: of other settings, whose worst frames are looked at first.
-  [[nodiscard]] bool findsAny(const rig::MotionState& alone, const Findings& likely) const;
+  /// A frame where that motion has any, none where it has not; `likely` frames are looked at first.
+  [[nodiscard]] std::optional<double> foundAt(const rig::MotionState& alone,
+                                              const std::vector<double>& likely) const;
   /// Whether a node's place depends on the trail.
   [[nodiscard]] const std::vector<bool>& moved() const { return moved_; }
 

@@ -12,6 +12,7 @@
 #include "app/edits/keys/rate_edits.h"
 #include "app/edits/keys/track_edits.h"
 #include "app/edits/pose/prop_file_edits.h"
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
@@ -161,6 +162,11 @@ void addStretches(const Document& seen, const std::vector<rig::ClipStretches>& s
 } // namespace
 
 SavedEdits editsOf(const Document& document, const SaveOptions& options) {
+  EvaluationCache cache;
+  return editsOf(document, options, cache);
+}
+
+SavedEdits editsOf(const Document& document, const SaveOptions& options, EvaluationCache& cache) {
   SavedEdits saved;
   gltf::Edits& edits = saved.edits;
   edits.addedFiles = document.addedFiles;
@@ -170,7 +176,7 @@ SavedEdits editsOf(const Document& document, const SaveOptions& options) {
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
   for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =
-        rig::rekey(*seen.scene, clipOf(seen, clip), prepareMotion(seen, clip), rekeyOptions);
+        rig::rekey(*seen.scene, clipOf(seen, clip), *cache.motion(seen, clip), rekeyOptions);
     std::vector<Track> tracks = joinedTracks(editedTracks(seen, clip), std::move(rekeyed.tracks));
     if (tracks.empty() && rekeyed.stretches.empty()) {
       continue;
@@ -201,8 +207,9 @@ Status saveEdits(const Document& document, const gltf::Edits& edits, const std::
   return changed ? gltf::save(std::move(*changed), path) : Status(changed.error());
 }
 
-Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance) {
-  Result<gltf::Loaded> loaded = gltf::load(path, tolerance);
+Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance,
+                              gltf::Pictures pictures) {
+  Result<gltf::Loaded> loaded = gltf::load(path, tolerance, pictures);
   if (!loaded) {
     return loaded.error();
   }

@@ -5,9 +5,12 @@
 #include "app/document.h"
 #include "app/schema/saved_form.h"
 #include "core/gltf/patch/edits.h"
+#include "core/gltf/source/pictures.h"
 #include "rig/corners/bind_corners.h"
 
 namespace stretch::app {
+
+class EvaluationCache;
 
 struct SaveOptions {
   bool clean = false;         ///< Leave the program's own data out.
@@ -25,6 +28,9 @@ struct SavedEdits {
 /// bind leaves or corners, skin slots, and the work. A joint that a file of ours stretches already keeps the
 /// form that it has there.
 [[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options);
+/// Likewise; what `cache` remembers of the document's motion is not worked out again.
+[[nodiscard]] SavedEdits editsOf(const Document& document, const SaveOptions& options,
+                                 EvaluationCache& cache);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
@@ -36,6 +42,7 @@ struct SavedEdits {
 
 /// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,
-                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse);
+                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse,
+                                            gltf::Pictures pictures = gltf::Pictures::decoded);
 
 } // namespace stretch::app

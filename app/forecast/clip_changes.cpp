@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
@@ -59,7 +60,8 @@ public:
 
   [[nodiscard]] const std::vector<rig::Limb>& legs() const { return legs_; }
 
-  [[nodiscard]] Measures of(const WatchedClip& watched) const {
+  /// The depth is left 0 where it is not wanted: it is told by the mesh, which costs most.
+  [[nodiscard]] Measures of(const WatchedClip& watched, bool wantsDepth = true) const {
     Measures measures;
     measures.slides.assign(legs_.size(), 0.0);
     for (const Standing& standing : standing_) {
@@ -69,7 +71,7 @@ public:
     if (loop_) {
       measureSeam(watched, measures);
     }
-    measures.below = depthOf(watched);
+    measures.below = wantsDepth ? depthOf(watched) : 0.0;
     measures.flips = flipsOf(watched.clip);
     return measures;
   }
@@ -223,8 +225,8 @@ std::vector<ClipChange> worseThanSource(const Document& body, int clip, const Wa
   constexpr double seenTurn = 0.5;   // degrees
   constexpr double seenSpeed = 1e-2; // of the height per second
   const ClipMeasuring measuring(body, clip, source);
-  const Measures before = measuring.of(source);
   const Measures after = measuring.of(result);
+  const Measures before = measuring.of(source, after.below > seenPlace); // less is never worse
   std::vector<ClipChange> changes;
   const auto compare = [&](const char* id, double a, double b, double seen, double factor, const char* unit,
                            const std::string& limb = {}) {
@@ -246,7 +248,8 @@ std::vector<ClipChange> worseThanSource(const Document& body, int clip, const Wa
 }
 
 std::vector<ClipChange> worseThanSource(const Document& document,
-                                        const std::vector<std::pair<int, std::vector<Track>>>& edited) {
+                                        const std::vector<std::pair<int, std::vector<Track>>>& edited,
+                                        EvaluationCache& cache) {
   std::vector<ClipChange> all;
   const int known = static_cast<int>(document.clips->size() - document.importedClips);
   for (const auto& [clip, tracks] : edited) {
@@ -254,11 +257,11 @@ std::vector<ClipChange> worseThanSource(const Document& document,
       continue; // it came from another file: nothing stands before it
     }
     const Clip& own = sourceClipOf(document, clip);
-    const rig::MotionState motion = prepareMotion(document, clip);
+    const std::shared_ptr<const rig::MotionState> motion = cache.motion(document, clip);
     const WatchedClip source{document.scene.get(), own,
                              [&](double time) { return rig::sampledFrame(*document.scene, own, time); }};
     const WatchedClip result{document.scene.get(), rig::withTracks(own, tracks),
-                             [&](double time) { return evaluate(document, motion, time); }};
+                             [&](double time) { return evaluate(document, *motion, time); }};
     const std::vector<ClipChange> changes = worseThanSource(document, clip, source, result);
     all.insert(all.end(), changes.begin(), changes.end());
   }

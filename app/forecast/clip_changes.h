@@ -10,6 +10,8 @@
 
 namespace stretch::app {
 
+class EvaluationCache;
+
 /// A clip that is looked at: its frames, its tracks.
 struct WatchedClip {
   const Scene* scene = nullptr;
@@ -34,9 +36,11 @@ struct ClipChange {
 [[nodiscard]] std::vector<ClipChange> worseThanSource(const Document& body, int clip,
                                                       const WatchedClip& source, const WatchedClip& result);
 
-/// The clips of a document that these edited tracks change, against what the source has.
+/// The clips of a document that these edited tracks change, against what the source has; `cache`: of the
+/// document's motion.
 [[nodiscard]] std::vector<ClipChange>
-worseThanSource(const Document& document, const std::vector<std::pair<int, std::vector<Track>>>& edited);
+worseThanSource(const Document& document, const std::vector<std::pair<int, std::vector<Track>>>& edited,
+                EvaluationCache& cache);
 
 /// The clips of a file against those of the same name in the file that it was made from. Error: the one is
 /// not made from the other.

@@ -348,7 +348,7 @@ std::vector<EngineForecast> forecast(const Document& document, const std::vector
 }
 
 Result<Document> openAsItStands(const std::string& path) {
-  Result<gltf::Loaded> loaded = gltf::loadAsItStands(path);
+  Result<gltf::Loaded> loaded = gltf::loadAsItStands(path, gltf::Pictures::headers);
   if (!loaded) {
     return loaded.error();
   }

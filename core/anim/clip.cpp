@@ -3,19 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace stretch {
 
 namespace {
 
+// Ascending, each once. Most tracks of a clip share their times, and those of each ascend already.
 std::vector<float> allKeyTimes(const std::vector<CopyOnWrite<Track>>& tracks) {
-  std::vector<float> times;
+  std::set<std::vector<float>> different;
   for (const CopyOnWrite<Track>& track : tracks) {
-    times.insert(times.end(), track->times.begin(), track->times.end());
+    different.insert(track->times);
   }
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  std::vector<std::vector<float>> lists(different.begin(), different.end());
+  while (lists.size() > 1) {
+    std::vector<std::vector<float>> joined;
+    for (std::size_t i = 0; i < lists.size(); i += 2) {
+      const std::vector<float> beside = i + 1 < lists.size() ? std::move(lists[i + 1]) : std::vector<float>();
+      std::ranges::set_union(lists[i], beside, std::back_inserter(joined.emplace_back()));
+    }
+    lists = std::move(joined);
+  }
+  return lists.empty() ? std::vector<float>() : std::move(lists.front());
 }
 
 constexpr double mostKeys = 0.9; // of a clip or a track: enough to name its rate

@@ -1,6 +1,7 @@
 #include "rig/rekey/exact_motion.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -8,7 +9,19 @@
 
 namespace stretch::rig {
 
-std::size_t ExactMotion::capacity(const Scene& scene) {
+std::vector<double> stopsAmong(std::vector<double> times) {
+  constexpr std::size_t keysBetween = 64;
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<double> stops;
+  for (std::size_t i = keysBetween; i < times.size(); i += keysBetween) {
+    stops.push_back(times[i]);
+  }
+  stops.push_back(std::numeric_limits<double>::infinity());
+  return stops;
+}
+
+std::size_t ExactMotion::usualCapacity(const Scene& scene) {
   constexpr std::size_t bytes = std::size_t{1} << 26U;
   constexpr std::size_t bytesOfNode =
       sizeof(Transform) + sizeof(Mat4) + sizeof(Mat3) + sizeof(std::vector<float>);
@@ -20,6 +33,7 @@ const FrameState& ExactMotion::at(double timeSeconds) {
   return frames_.of(timeSeconds, [&] {
     FrameState frame;
     part_.moved(timeSeconds, frame);
+    ++made_;
     return frame;
   });
 }

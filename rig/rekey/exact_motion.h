@@ -40,12 +40,19 @@ private:
   std::map<double, Value> before_;
 };
 
+/// Where makers of keys at these times stop for each other: a long clip's frames are made once for all of
+/// them, since those between two stops are few enough to be remembered. Ascending, the last endless.
+[[nodiscard]] std::vector<double> stopsAmong(std::vector<double> times);
+
 /// The motion that keys are made to follow: of the nodes that it moves, and of what they hang from, alone.
 class ExactMotion {
 public:
   ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion)
+      : ExactMotion(scene, clip, motion, usualCapacity(scene)) {}
+  /// Remembers the frames of so many times, twice as many at most.
+  ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t capacity)
       : scene_(scene), clip_(clip), motion_(motion), part_(scene, clip, motion, {}), reach_(meshReach(scene)),
-        frames_(capacity(scene)) {}
+        frames_(capacity) {}
 
   /// Good for the frames around it.
   [[nodiscard]] const FrameState& at(double timeSeconds);
@@ -55,10 +62,12 @@ public:
   [[nodiscard]] const Clip& clip() const { return clip_; }
   [[nodiscard]] const MotionState& motion() const { return motion_; }
   [[nodiscard]] double reachOf(std::size_t node) const { return reach_[node]; } ///< See meshReach.
+  /// Frames that were made so far, those that were forgotten and made again among them.
+  [[nodiscard]] std::size_t made() const { return made_; }
 
 private:
   // Frames of about 64 MB, and no fewer than a second of them.
-  static std::size_t capacity(const Scene& scene);
+  static std::size_t usualCapacity(const Scene& scene);
 
   const Scene& scene_;
   const Clip& clip_;
@@ -67,6 +76,7 @@ private:
   std::vector<double> reach_;
   RecentTimes<FrameState> frames_;
   FrameState source_;
+  std::size_t made_ = 0;
 };
 
 /// A node's animated property as numbers: translation and scale in x, y, z, rotation as (x, y, z, w).

@@ -71,23 +71,7 @@ void compare(const FrameState& frame, const Pose& source, NodeIndex node, NodeCh
   changes.stretches = changes.stretches || (!frame.stretch.empty() && isStretch(frame.stretch[at(node)]));
 }
 
-// One walk through the times for all nodes: a long clip is not remembered as a whole.
-std::vector<NodeChanges> changesOf(ExactMotion& exact, const KeyedPart& part) {
-  std::vector<NodeChanges> changes(part.nodes.size());
-  for (const double time : allTimes(exact, part.windows)) {
-    const FrameState& frame = exact.at(time);
-    const Pose& source = exact.sourceAt(time);
-    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
-      if (!changes[i].all()) {
-        compare(frame, source, part.nodes[i], changes[i]);
-      }
-    }
-  }
-  return changes;
-}
-
-void findChanges(ExactMotion& exact, PartKeys& keys) {
-  const std::vector<NodeChanges> changes = changesOf(exact, *keys.part);
+void setChanges(const ExactMotion& exact, const std::vector<NodeChanges>& changes, PartKeys& keys) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const NodeIndex node = keys.part->nodes[i];
     for (std::size_t c = 0; c < transformChannels.size(); ++c) {
@@ -273,100 +257,228 @@ std::vector<double> keysInside(const MissOf& missOf, double framesPerSecond, dou
   return refined(missOf, 32.0 * framesPerSecond, few * tolerance, 5.0, start, eighths);
 }
 
-// The stretches of a node at its times, gathered on one walk through the times of all nodes.
-struct SeenStretches {
-  std::vector<double> times;
-  std::vector<Mat3> stretches; // empty as long as there is none
-  std::size_t next = 0;
-  bool any = false;
+// Ascending times of a longer walk at which something is looked at.
+class Visits {
+public:
+  explicit Visits(std::vector<double> times) : times_(std::move(times)) {
+    std::ranges::sort(times_);
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+  }
 
-  void look(const FrameState& frame, NodeIndex node, double time) {
-    if (next >= times.size() || times[next] != time) {
+  /// Whether a time of the walk, which ascends, is one of them.
+  [[nodiscard]] bool take(double time) {
+    const bool isThere = taken_ < times_.size() && times_[taken_] == time;
+    taken_ += isThere ? 1 : 0;
+    return isThere;
+  }
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+
+private:
+  std::vector<double> times_;
+  std::size_t taken_ = 0;
+};
+
+// What a part changes of its nodes.
+struct SeenChanges {
+  const KeyedPart* part = nullptr;
+  Visits visits;
+  std::vector<NodeChanges> changes;
+
+  void look(ExactMotion& exact, double time) {
+    if (!visits.take(time) || std::ranges::all_of(changes, &NodeChanges::all)) {
       return;
     }
-    ++next;
-    const Mat3 stretch = frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
-    if (!any && isStretch(stretch)) {
-      any = true;
-      stretches.assign(next - 1, Mat3(1.0));
+    const FrameState& frame = exact.at(time);
+    const Pose& source = exact.sourceAt(time);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      if (!changes[i].all()) {
+        compare(frame, source, part->nodes[i], changes[i]);
+      }
     }
-    if (any) {
+  }
+};
+
+// The stretches of a node at its times.
+struct SeenStretches {
+  Visits visits;
+  std::vector<Mat3> stretches = {}; // empty as long as there is none
+
+  void look(ExactMotion& exact, NodeIndex node, double time) {
+    if (!visits.take(time)) {
+      return;
+    }
+    const FrameState& frame = exact.at(time);
+    const Mat3 stretch = frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
+    if (stretches.empty() && isStretch(stretch)) {
+      stretches.assign(visits.taken() - 1, Mat3(1.0));
+      stretches.push_back(stretch);
+    } else if (!stretches.empty()) {
       stretches.push_back(stretch);
     }
   }
 };
 
+// What all parts change, seen on one walk through the times of all of them: a long clip is not remembered as
+// a whole.
+class SeenMotion {
+public:
+  SeenMotion(ExactMotion& exact, const std::vector<KeyedPart>& parts) {
+    std::map<NodeIndex, std::vector<double>> timesOfNodes;
+    for (const KeyedPart& part : parts) {
+      const std::vector<double> times = allTimes(exact, part.windows);
+      for (const NodeIndex node : part.nodes) {
+        std::vector<double>& ofNode = timesOfNodes[node];
+        ofNode.insert(ofNode.end(), times.begin(), times.end());
+        const std::vector<double> brought = sourceStretchTimes(exact, node);
+        ofNode.insert(ofNode.end(), brought.begin(), brought.end());
+      }
+      parts_.push_back({&part, Visits(times), std::vector<NodeChanges>(part.nodes.size())});
+      addToWalk(parts_.back().visits.times());
+    }
+    for (auto& [node, times] : timesOfNodes) {
+      const auto [seen, isNew] = nodes_.emplace(node, SeenStretches{Visits(std::move(times))});
+      addToWalk(seen->second.visits.times());
+    }
+    for (const double time : walk_) {
+      for (SeenChanges& part : parts_) {
+        part.look(exact, time);
+      }
+      for (auto& [node, stretches] : nodes_) {
+        stretches.look(exact, node, time);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<SeenChanges>& parts() const { return parts_; }
+  /// Forgets the stretches that they are told from.
+  [[nodiscard]] FramesOfNodes takeFrames() {
+    FramesOfNodes frames;
+    for (auto& [node, seen] : nodes_) {
+      if (!seen.stretches.empty()) {
+        frames.emplace(node, StretchFrames(node, seen.visits.times(), seen.stretches));
+      }
+      seen = SeenStretches{Visits({})};
+    }
+    return frames;
+  }
+
+private:
+  void addToWalk(const std::vector<double>& times) {
+    std::vector<double> both;
+    std::ranges::set_union(walk_, times, std::back_inserter(both));
+    walk_ = std::move(both);
+  }
+
+  std::vector<double> walk_;
+  std::vector<SeenChanges> parts_;
+  std::map<NodeIndex, SeenStretches> nodes_;
+};
+
+// The keys of one part, chosen span by span.
+class PartChooser {
+public:
+  PartChooser(ExactMotion& exact, const FramesOfNodes& frames, const RekeyOptions& options,
+              const SeenChanges& seen)
+      : exact_(exact), frames_(frames), options_(options), keys_(keysOf(exact, seen)), check_(exact, keys_) {
+    openWindow();
+  }
+
+  /// Where the next span starts, seconds; endless after the last.
+  [[nodiscard]] double nextSeconds() const {
+    return isDone() ? std::numeric_limits<double>::infinity() : first_[next_ - 1];
+  }
+  [[nodiscard]] bool isDone() const { return window_ == keys_.part->windows.size(); }
+  [[nodiscard]] PartKeys take() { return std::move(keys_); }
+
+  void chooseNext() {
+    const auto missOfJoints = [&](double start, double end) {
+      std::vector<ChannelSpan> spans;
+      for (const ChangedChannel& channel : keys_.channels) {
+        spans.push_back(fitSpan(exact_, channel, start, end));
+      }
+      return [this, spans = std::move(spans)](double time) { return check_.missAt(keys_, spans, time); };
+    };
+    const auto missOfStretch = [&](double start, double end) {
+      return
+          [span = StretchSpan(exact_, keys_, frames_, start, end)](double time) { return span.missAt(time); };
+    };
+    addKeys(missOfJoints, keys_.times.back());
+    addKeys(missOfStretch, keys_.stretchTimes.back());
+    if (++next_ == first_.size()) {
+      closeWindow();
+      openWindow();
+    }
+  }
+
+private:
+  static PartKeys keysOf(const ExactMotion& exact, const SeenChanges& seen) {
+    PartKeys keys;
+    keys.part = seen.part;
+    setChanges(exact, seen.changes, keys);
+    return keys;
+  }
+
+  template <typename MissOf>
+  void addKeys(const MissOf& missOf, std::vector<double>& times) const {
+    std::ranges::copy(
+        keysInside(missOf, framesPerSecond(), options_.tolerance, first_[next_ - 1], first_[next_]),
+        std::back_inserter(times));
+  }
+
+  // The next window that has a span.
+  void openWindow() {
+    for (; !isDone(); closeWindow()) {
+      first_ = firstTimes(keys_.part->windows[window_], keys_, framesPerSecond(), options_.keyEveryFrame);
+      keys_.times.push_back({first_.front()});
+      keys_.stretchTimes.push_back({first_.front()});
+      next_ = 1;
+      if (next_ < first_.size()) {
+        return;
+      }
+    }
+  }
+
+  void closeWindow() {
+    addJumps(*keys_.part, keys_.part->windows[window_], keys_.times.back());
+    addJumps(*keys_.part, keys_.part->windows[window_], keys_.stretchTimes.back());
+    ++window_;
+  }
+
+  [[nodiscard]] double framesPerSecond() const { return exact_.motion().framesPerSecond; }
+
+  ExactMotion& exact_;
+  const FramesOfNodes& frames_;
+  const RekeyOptions& options_;
+  PartKeys keys_;
+  JointCheck check_;
+  std::size_t window_ = 0;
+  std::vector<double> first_; // ends of the spans of that window
+  std::size_t next_ = 1;      // end of the next span
+};
+
 } // namespace
 
-FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts) {
-  std::map<NodeIndex, std::vector<double>> timesOfNodes;
-  for (const KeyedPart& part : parts) {
-    const std::vector<double> times = allTimes(exact, part.windows);
-    for (const NodeIndex node : part.nodes) {
-      std::vector<double>& ofNode = timesOfNodes[node];
-      ofNode.insert(ofNode.end(), times.begin(), times.end());
-      const std::vector<double> brought = sourceStretchTimes(exact, node);
-      ofNode.insert(ofNode.end(), brought.begin(), brought.end());
-    }
+ChosenKeys chooseKeys(ExactMotion& exact, const std::vector<KeyedPart>& parts, const RekeyOptions& options) {
+  SeenMotion seen(exact, parts);
+  ChosenKeys chosen{{}, seen.takeFrames()};
+  std::vector<PartChooser> choosers;
+  choosers.reserve(parts.size());
+  for (const SeenChanges& part : seen.parts()) {
+    choosers.emplace_back(exact, chosen.frames, options, part);
   }
-  std::map<NodeIndex, SeenStretches> seen;
-  std::vector<double> walk;
-  for (auto& [node, times] : timesOfNodes) {
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    std::vector<double> both;
-    std::set_union(walk.begin(), walk.end(), times.begin(), times.end(), std::back_inserter(both));
-    walk = std::move(both);
-    seen[node].times = std::move(times);
-  }
-  for (const double time : walk) {
-    const FrameState& frame = exact.at(time);
-    for (auto& [node, stretches] : seen) {
-      stretches.look(frame, node, time);
+  while (!choosers.empty()) {
+    PartChooser& first = *std::ranges::min_element(choosers, {}, &PartChooser::nextSeconds);
+    if (first.isDone()) {
+      break;
     }
+    first.chooseNext();
   }
-  FramesOfNodes frames;
-  for (auto& [node, stretches] : seen) {
-    if (stretches.any) {
-      frames.emplace(node, StretchFrames(node, std::move(stretches.times), stretches.stretches));
-    }
+  chosen.parts.reserve(choosers.size());
+  for (PartChooser& chooser : choosers) {
+    chosen.parts.push_back(chooser.take());
   }
-  return frames;
-}
-
-PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNodes& frames,
-                    const RekeyOptions& options) {
-  PartKeys keys;
-  keys.part = &part;
-  findChanges(exact, keys);
-  JointCheck check(exact, keys);
-  const auto missOfJoints = [&](double start, double end) {
-    std::vector<ChannelSpan> spans;
-    for (const ChangedChannel& channel : keys.channels) {
-      spans.push_back(fitSpan(exact, channel, start, end));
-    }
-    return [&check, &keys, spans = std::move(spans)](double time) { return check.missAt(keys, spans, time); };
-  };
-  const auto missOfStretch = [&](double start, double end) {
-    return [span = StretchSpan(exact, keys, frames, start, end)](double time) { return span.missAt(time); };
-  };
-  const double framesPerSecond = exact.motion().framesPerSecond;
-  for (const Window& window : part.windows) {
-    const std::vector<double> first = firstTimes(window, keys, framesPerSecond, options.keyEveryFrame);
-    std::vector<double> times{first.front()};
-    std::vector<double> stretchTimes{first.front()};
-    for (std::size_t i = 1; i < first.size(); ++i) {
-      std::ranges::copy(keysInside(missOfJoints, framesPerSecond, options.tolerance, first[i - 1], first[i]),
-                        std::back_inserter(times));
-      std::ranges::copy(keysInside(missOfStretch, framesPerSecond, options.tolerance, first[i - 1], first[i]),
-                        std::back_inserter(stretchTimes));
-    }
-    addJumps(part, window, times);
-    addJumps(part, window, stretchTimes);
-    keys.times.push_back(std::move(times));
-    keys.stretchTimes.push_back(std::move(stretchTimes));
-  }
-  return keys;
+  return chosen;
 }
 
 } // namespace stretch::rig

@@ -30,11 +30,15 @@ struct PartKeys {
 /// Stretched nodes with the frames of their stretches.
 using FramesOfNodes = std::map<NodeIndex, StretchFrames>;
 
-/// The frames of every node that some part stretches.
-[[nodiscard]] FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts);
+/// What parts change, and where they get keys.
+struct ChosenKeys {
+  std::vector<PartKeys> parts; ///< In the order of the parts, which have to outlive them.
+  FramesOfNodes frames;        ///< Of every node that some part stretches.
+};
 
-/// Chooses where one part gets keys.
-[[nodiscard]] PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNodes& frames,
-                                  const RekeyOptions& options);
+/// Chooses the keys of all parts. They are gone through in step with time, so that the frames of a long clip
+/// are made once for all parts, and not once for each.
+[[nodiscard]] ChosenKeys chooseKeys(ExactMotion& exact, const std::vector<KeyedPart>& parts,
+                                    const RekeyOptions& options);
 
 } // namespace stretch::rig

@@ -101,20 +101,17 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
                   const RekeyOptions& options) {
   ExactMotion exact(scene, clip, motion);
   const std::vector<KeyedPart> parts = keyedParts(motion);
-  const FramesOfNodes frames = framesOfNodes(exact, parts);
-  std::vector<PartKeys> keysOfParts;
-  keysOfParts.reserve(parts.size());
-  for (const KeyedPart& part : parts) {
-    keysOfParts.push_back(chooseKeys(exact, part, frames, options));
-  }
+  const ChosenKeys chosen = chooseKeys(exact, parts, options);
   RekeyedClip rekeyed;
-  rekeyed.tracks = buildTracks(exact, keysOfChannels(keysOfParts));
-  for (const auto& [node, ofNode] : frames) {
-    const std::vector<KeyWindow> windows = windowsOfStretch(node, keysOfParts);
+  rekeyed.tracks = buildTracks(exact, keysOfChannels(chosen.parts));
+  std::vector<StretchWindows> stretched;
+  for (const auto& [node, frames] : chosen.frames) {
+    std::vector<KeyWindow> windows = windowsOfStretch(node, chosen.parts);
     if (!windows.empty()) {
-      rekeyed.stretches.push_back(buildStretch(exact, ofNode, node, windows));
+      stretched.push_back({node, &frames, std::move(windows)});
     }
   }
+  rekeyed.stretches = buildStretches(exact, stretched);
   return rekeyed;
 }
 

@@ -38,6 +38,45 @@ bool isInside(const std::vector<KeyWindow>& windows, double time) {
   });
 }
 
+// The keys of one node, made one after the other.
+class StretchMaker {
+public:
+  StretchMaker(const ExactMotion& exact, const StretchWindows& stretched) : frames_(stretched.frames) {
+    for (const KeyWindow& window : stretched.windows) {
+      addTimesOf(window, times_);
+    }
+    for (const double time : sourceStretchTimes(exact, stretched.node)) {
+      if (!isInside(stretched.windows, time)) {
+        times_.emplace(static_cast<float>(time), time);
+      }
+    }
+    keys_.node = stretched.node;
+  }
+
+  [[nodiscard]] const KeyTimes& times() const { return times_; }
+
+  void makeUpTo(double time, ExactMotion& exact) {
+    for (; !times_.empty() && times_.begin()->second <= time; times_.erase(times_.begin())) {
+      const StretchFrame frame = frames_->at(exact, times_.begin()->second);
+      keys_.times.push_back(times_.begin()->first);
+      keys_.axes.push_back(frame.axes);
+      keys_.scales.push_back(frame.factors);
+    }
+  }
+
+  [[nodiscard]] StretchKeys take() {
+    if (frames_->axesAreFixed()) {
+      keys_.axes.resize(1);
+    }
+    return std::move(keys_);
+  }
+
+private:
+  const StretchFrames* frames_;
+  KeyTimes times_; // of the keys that are not made yet
+  StretchKeys keys_;
+};
+
 } // namespace
 
 std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node) {
@@ -52,29 +91,26 @@ std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node)
   return times;
 }
 
-StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, NodeIndex node,
-                         const std::vector<KeyWindow>& windows) {
-  KeyTimes times;
-  for (const KeyWindow& window : windows) {
-    addTimesOf(window, times);
-  }
-  for (const double time : sourceStretchTimes(exact, node)) {
-    if (!isInside(windows, time)) {
-      times.emplace(static_cast<float>(time), time);
+std::vector<StretchKeys> buildStretches(ExactMotion& exact, const std::vector<StretchWindows>& stretched) {
+  std::vector<StretchMaker> makers;
+  std::vector<double> times;
+  makers.reserve(stretched.size());
+  for (const StretchWindows& one : stretched) {
+    for (const auto& [key, lookedAt] : makers.emplace_back(exact, one).times()) {
+      times.push_back(lookedAt);
     }
   }
-  StretchKeys keys;
-  keys.node = node;
-  for (const auto& [key, lookedAt] : times) {
-    const StretchFrame frame = frames.at(exact, lookedAt);
-    keys.times.push_back(key);
-    keys.axes.push_back(frame.axes);
-    keys.scales.push_back(frame.factors);
+  for (const double stop : stopsAmong(std::move(times))) {
+    for (StretchMaker& maker : makers) {
+      maker.makeUpTo(stop, exact);
+    }
   }
-  if (frames.axesAreFixed()) {
-    keys.axes.resize(1);
+  std::vector<StretchKeys> stretches;
+  stretches.reserve(makers.size());
+  for (StretchMaker& maker : makers) {
+    stretches.push_back(maker.take());
   }
-  return keys;
+  return stretches;
 }
 
 } // namespace stretch::rig

@@ -11,9 +11,16 @@ namespace stretch::rig {
 /// Key times of the stretch that the source has already at a node (Scene::bindChains); empty without one.
 [[nodiscard]] std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node);
 
-/// The stretch of one joint as keys: at the times of its windows, and outside them at those of the stretch
+/// A joint that some parts stretch.
+struct StretchWindows {
+  NodeIndex node;
+  const StretchFrames* frames = nullptr; ///< Its own.
+  std::vector<KeyWindow> windows;        ///< Disjoint, ascending, at least one.
+};
+
+/// The stretch of each joint as keys: at the times of its windows, and outside them at those of the stretch
 /// that the source has already.
-[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, NodeIndex node,
-                                       const std::vector<KeyWindow>& windows);
+[[nodiscard]] std::vector<StretchKeys> buildStretches(ExactMotion& exact,
+                                                      const std::vector<StretchWindows>& stretched);
 
 } // namespace stretch::rig

@@ -95,24 +95,14 @@ private:
   std::vector<Key> keys_;
 };
 
-// Where all channels stop for each other: a long clip's frames are made once for all of them, since those
-// between two stops are few enough to be remembered.
-std::vector<double> stopsOf(const std::vector<ChannelKeys>& channels) {
-  constexpr std::size_t keysBetween = 64;
+std::vector<double> timesOf(const std::vector<ChannelKeys>& channels) {
   std::vector<double> times;
   for (const ChannelKeys& keys : channels) {
     for (const KeyWindow& window : keys.windows) {
       times.insert(times.end(), window.times.begin(), window.times.end());
     }
   }
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  std::vector<double> stops;
-  for (std::size_t i = keysBetween; i < times.size(); i += keysBetween) {
-    stops.push_back(times[i]);
-  }
-  stops.push_back(std::numeric_limits<double>::infinity());
-  return stops;
+  return times;
 }
 
 // For each channel, for each of its windows.
@@ -124,7 +114,7 @@ std::vector<std::vector<WindowKeys>> exactKeys(ExactMotion& exact, const std::ve
       windows.emplace_back(keys.channel, window.times);
     }
   }
-  for (const double stop : stopsOf(channels)) {
+  for (const double stop : stopsAmong(timesOf(channels))) {
     for (std::vector<WindowKeys>& windows : made) {
       for (WindowKeys& window : windows) {
         window.makeUpTo(stop, exact);

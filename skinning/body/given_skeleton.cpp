@@ -85,7 +85,7 @@ Box boxOf(const Points& points) {
 } // namespace
 
 Result<std::vector<SkinBone>> readSkeleton(const std::filesystem::path& path) {
-  const auto loaded = gltf::loadAsItStands(path);
+  const auto loaded = gltf::loadAsItStands(path, gltf::Pictures::headers);
   if (!loaded) {
     return loaded.error();
   }

@@ -100,7 +100,7 @@ std::size_t bytesOf(const BaseCourse& course) {
 }
 
 Result<StreamBase> readBase(const std::filesystem::path& path) {
-  auto loaded = gltf::loadAsItStands(path);
+  auto loaded = gltf::loadAsItStands(path, gltf::Pictures::headers);
   if (!loaded) {
     return loaded.error();
   }
@@ -151,7 +151,7 @@ Result<Matched> matched(const StreamBase& base, const MeshSequence& sequence,
   skinned.influences.assign(sequence.vertexCount, first);
   EncodedClip written = encodeGltf(skinned);
   gltf::Problems problems;
-  const DrawnMesh own = drawnMesh(gltf::importScene(written.source, problems));
+  const DrawnMesh own = drawnMesh(gltf::importScene(written.source, problems, gltf::Pictures::headers));
   const DrawnMesh known = drawnMesh(base.scene);
   if (own.positions.size() != known.positions.size() || own.indices != known.indices ||
       known.influences.size() != known.positions.size()) {

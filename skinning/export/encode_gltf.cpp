@@ -308,7 +308,7 @@ struct FewerKeys {
 
 MeshSequence framesOf(const gltf::Source& source, const SkinnedSequence& sequence) {
   gltf::Problems problems;
-  const Scene scene = gltf::importScene(source, problems);
+  const Scene scene = gltf::importScene(source, problems, gltf::Pictures::headers);
   const std::vector<Clip> clips = gltf::importClips(source, scene, problems);
   check(!problems.hasErrors(), "what this program writes, it can read");
   return framesShown(scene, clips, sequence.frameCount(), sequence.framesPerSecond);

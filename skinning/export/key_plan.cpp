@@ -268,7 +268,7 @@ std::vector<std::vector<std::vector<std::size_t>>> waysToShare(const Scene& scen
 std::optional<KeyPlan> planKeys(const gltf::Source& everyKey, std::size_t frames, double bound,
                                 const std::vector<std::size_t>& also, const Proceed& proceed) {
   gltf::Problems problems;
-  const Scene scene = gltf::importScene(everyKey, problems);
+  const Scene scene = gltf::importScene(everyKey, problems, gltf::Pictures::headers);
   const std::vector<Clip> clips = gltf::importClips(everyKey, scene, problems);
   check(!problems.hasErrors(), "what this program writes, it can read");
   if (clips.empty()) {

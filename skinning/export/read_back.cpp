@@ -29,7 +29,7 @@ MeshSequence framesShown(const Scene& scene, const std::vector<Clip>& clips, std
 
 Result<SequenceMetrics> errorOfFile(const std::filesystem::path& path, const EncodedClip& clip,
                                     const MeshSequence& source) {
-  const auto loaded = gltf::loadAsItStands(path);
+  const auto loaded = gltf::loadAsItStands(path, gltf::Pictures::headers);
   if (!loaded) {
     return loaded.error();
   }

@@ -183,13 +183,12 @@ TEST_CASE("something is found on a trail wherever it is looked for first") {
   const TrailLook look(document, 0, motion.trails.front(), LookAt::limbAndMesh);
   const Findings found = look.findings(motion);
   REQUIRE(found.any());
-  CHECK(look.findsAny(motion, found));
-  CHECK(look.findsAny(motion, {}));
-  Findings elsewhere;
-  elsewhere.lengths.add(found.firstFrame() - 1.0, 1.0, 1.0);
-  CHECK(look.findsAny(motion, elsewhere));
+  const double worst = found.worstFrames().back();
+  CHECK(look.foundAt(motion, {worst, found.firstFrame()}) == worst);
+  CHECK(look.foundAt(motion, {}) == found.firstFrame());
+  CHECK(look.foundAt(motion, {found.firstFrame() - 1.0}) == found.firstFrame());
   const rig::MotionState calm = prepareMotion(punching(20.0, 1.0), 0);
-  CHECK_FALSE(look.findsAny(calm, found));
+  CHECK_FALSE(look.foundAt(calm, found.worstFrames()));
 }
 
 TEST_CASE("the advice stays the same while the scale is changed, and it helps") {

@@ -6,8 +6,10 @@
 #include <webp/encode.h>
 
 #include "core/gltf/json/json.h"
+#include "core/gltf/source/pictures.h"
 #include "core/gltf/source/uri.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using gltf::Json;
@@ -93,6 +95,23 @@ TEST_CASE("A texture that cannot be shown is a warning, the model opens") {
   REQUIRE(file.warnings.size() == 1);
   CHECK_THAT(file.warnings[0], Catch::StartsWith("images[0]: "));
   CHECK(file.scene->images[0].rgba.empty());
+}
+
+TEST_CASE("Where nothing is drawn a picture's header is looked at alone, and told of as before") {
+  const test::TemporaryFolder folder;
+  const auto opened = [&](const char* uri, gltf::Pictures pictures) {
+    texturedArm(uri).write(folder / "arm.glb");
+    return *gltf::load(folder / "arm.glb", gltf::Tolerance::refuse, pictures);
+  };
+  for (const char* const uri : {picture, "gone.png", "data:image/png;base64,AAAA", hugePicture}) {
+    CAPTURE(uri);
+    const gltf::Loaded shown = opened(uri, gltf::Pictures::decoded);
+    const gltf::Loaded unshown = opened(uri, gltf::Pictures::headers);
+    CHECK(unshown.warnings == shown.warnings);
+    REQUIRE(unshown.scene->images.size() == shown.scene->images.size());
+    CHECK(unshown.scene->images[0].rgba.empty());
+    CHECK(shown.scene->images[0].rgba.empty() == (uri != picture));
+  }
 }
 
 TEST_CASE("A KTX2 texture is told once and its material shown plain") {

@@ -140,6 +140,19 @@ TEST_CASE("The frame rate is guessed from the keys") {
   CHECK(rateOf({0, 1 / 25.0F, 3 / 25.0F}) == 25.0);
   CHECK(rateOf({0, 1 / 60.0F, 2 / 60.0F}) == 60.0);
   CHECK(rateOf({0.5F}) == 30.0);
+  // Between them the tracks are keyed on every frame, many of them at the same ones.
+  std::vector<CopyOnWrite<Track>> tracks;
+  for (const int first : {0, 1, 0, 2, 0, 0, 1}) {
+    Track track = moves(Interpolation::linear);
+    track.times.clear();
+    for (int frame = first; frame < 40; frame += 3) {
+      track.times.push_back(static_cast<float>(frame) / 17.0F);
+    }
+    track.values.assign(track.times.size() * 3, 0.0F);
+    tracks.emplace_back(std::move(track));
+  }
+  CHECK(guessFramesPerSecond(tracks) == Approx(17.0));
+  CHECK(guessFramesPerSecond({}) == 30.0);
   CHECK(rateOf({0, 0.0123F, 0.0301F, 0.0449F}) == 30.0); // no rate fits
 }
 

@@ -488,6 +488,7 @@ app::Verb renderVerb() {
           "video.",
           [](app::CommandLine& line) {
             const auto arguments = std::make_shared<RenderArguments>();
+            arguments->input.pictures = gltf::Pictures::decoded;
             line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
                            "punch.glb -o sheet.png --sheet --frames 18:36:2",
                            "punch.glb --video punch.mp4 --beside dummy.glb --safe-frame"});

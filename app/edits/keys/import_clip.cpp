@@ -41,7 +41,7 @@ std::string titleOfClip(const Document& document, int clip) {
 
 // The donor is not moved from here on: its skeleton refers to its scene.
 Result<Donor> readDonor(const std::filesystem::path& file) {
-  Result<gltf::Loaded> loaded = gltf::loadAsItStands(file);
+  Result<gltf::Loaded> loaded = gltf::loadAsItStands(file, gltf::Pictures::headers);
   if (!loaded) {
     return loaded.error();
   }

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "core/gltf/source/pictures.h"
 #include "core/gltf/source/problems.h"
 #include "core/gltf/source/source.h"
 
@@ -13,7 +14,8 @@ namespace stretch::gltf {
 // without errors, and reports what it finds to `problems`; after an error its answer is not to be used.
 
 /// Nodes, roots, skins, meshes, materials, images, cameras and the humanoid table.
-[[nodiscard]] Scene importScene(const Source& source, Problems& problems);
+[[nodiscard]] Scene importScene(const Source& source, Problems& problems,
+                                Pictures pictures = Pictures::decoded);
 
 /// One clip for each animation of the file, in its order; channels that drive nothing we know are left out.
 [[nodiscard]] std::vector<Clip> importClips(const Source& source, const Scene& scene, Problems& problems);
@@ -38,7 +40,7 @@ private:
 [[nodiscard]] std::vector<Mesh> importMeshes(const Source& source, const Scene& scene, Problems& problems);
 [[nodiscard]] std::vector<Material> importMaterials(const Source& source, Problems& problems);
 [[nodiscard]] std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
-                                              Problems& problems);
+                                              Problems& problems, Pictures pictures = Pictures::decoded);
 /// The bytes of an entry of "images" as they lie in the file; nothing when they cannot be read.
 [[nodiscard]] std::optional<Bytes> encodedImage(const Source& source, const Json& image);
 [[nodiscard]] std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems);

@@ -178,13 +178,16 @@ std::optional<Bytes> encodedImage(const Source& source, const Json& image) {
 }
 
 std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
-                                Problems& problems) {
+                                Problems& problems, Pictures pictures) {
   std::vector<bool> wanted = shownImages(sizeOf(source.json, "images"), materials);
   ImageChoice choice(source, problems);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     wanted[i] = wanted[i] && !choice.isSpent() && choice.take(i);
   }
   std::vector<Image> images(wanted.size());
+  if (pictures == Pictures::headers) {
+    return images;
+  }
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     const std::optional<Bytes> bytes =
         wanted[i] ? encodedImage(source, element(source.json, "images", i)) : std::nullopt;

@@ -148,7 +148,7 @@ std::vector<Skin> importSkins(const Source& source, Problems& problems) {
 
 } // namespace
 
-Scene importScene(const Source& source, Problems& problems) {
+Scene importScene(const Source& source, Problems& problems, Pictures pictures) {
   Scene scene;
   scene.nodes = importNodes(source.json);
   scene.roots = importRoots(source.json, scene.nodes);
@@ -157,7 +157,7 @@ Scene importScene(const Source& source, Problems& problems) {
     scene.meshes = importMeshes(source, scene, problems);
   }
   scene.materials = importMaterials(source, problems);
-  scene.images = importImages(source, scene.materials, problems);
+  scene.images = importImages(source, scene.materials, problems, pictures);
   scene.humanoid = importHumanoid(source, problems);
   scene.cameras = importCameras(source, problems);
   if (!problems.hasErrors()) {

@@ -52,22 +52,23 @@ std::optional<PlainSource> readableContent(const Source& source, Problems& probl
   return plain;
 }
 
-void importParts(const Source& readable, Loaded& loaded, Problems& problems) {
-  auto scene = std::make_shared<Scene>(importScene(readable, problems));
+void importParts(const Source& readable, Pictures pictures, Loaded& loaded, Problems& problems) {
+  auto scene = std::make_shared<Scene>(importScene(readable, problems, pictures));
   if (!problems.hasErrors()) {
     loaded.clips = importClips(readable, *scene, problems);
   }
   loaded.scene = std::move(scene);
 }
 
-void readContent(const Source& source, Loaded& loaded, Problems& problems) {
+void readContent(const Source& source, Pictures pictures, Loaded& loaded, Problems& problems) {
   const std::optional<PlainSource> plain = readableContent(source, problems);
   if (!problems.hasErrors()) {
-    importParts(plain ? plain->source : source, loaded, problems);
+    importParts(plain ? plain->source : source, pictures, loaded, problems);
   }
 }
 
-Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Tolerance tolerance) {
+Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Tolerance tolerance,
+                        Pictures pictures) {
   Problems problems;
   Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
@@ -82,7 +83,7 @@ Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Toler
       }
       shown = std::move(with).value();
     }
-    readContent(shown ? *shown : *source, loaded, problems);
+    readContent(shown ? *shown : *source, pictures, loaded, problems);
   }
   if (problems.hasErrors() || (tolerance == Tolerance::refuse && problems.hasViolations())) {
     return problems.firstError();
@@ -95,7 +96,11 @@ Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Toler
 } // namespace
 
 Result<Loaded> load(const std::filesystem::path& path, Tolerance tolerance) {
-  return loadFile(path, true, tolerance);
+  return load(path, tolerance, Pictures::decoded);
+}
+
+Result<Loaded> load(const std::filesystem::path& path, Tolerance tolerance, Pictures pictures) {
+  return loadFile(path, true, tolerance, pictures);
 }
 
 Result<std::shared_ptr<const Scene>> sceneWith(const Source& source, const std::vector<AddedFile>& files) {
@@ -105,13 +110,13 @@ Result<std::shared_ptr<const Scene>> sceneWith(const Source& source, const std::
   }
   Problems problems;
   Loaded loaded;
-  readContent(*with, loaded, problems);
+  readContent(*with, Pictures::decoded, loaded, problems);
   return problems.hasErrors() ? Result<std::shared_ptr<const Scene>>(problems.firstError())
                               : Result<std::shared_ptr<const Scene>>(loaded.scene);
 }
 
-Result<Loaded> loadAsItStands(const std::filesystem::path& path) {
-  Result<Loaded> loaded = loadFile(path, false, Tolerance::warn);
+Result<Loaded> loadAsItStands(const std::filesystem::path& path, Pictures pictures) {
+  Result<Loaded> loaded = loadFile(path, false, Tolerance::warn, pictures);
   return loaded ? std::move(loaded) : inFile(path.string(), loaded.error());
 }
 

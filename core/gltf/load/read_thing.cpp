@@ -10,6 +10,7 @@
 #include "core/gltf/read/structure.h"
 #include "core/gltf/source/added_file.h"
 #include "core/gltf/source/fields.h"
+#include "core/gltf/source/pictures.h"
 #include "core/gltf/source/plain_source.h"
 
 namespace stretch::gltf {
@@ -292,7 +293,7 @@ bool hasSkinnedNode(const Json& json) {
 } // namespace
 
 Result<Thing> readThing(const std::filesystem::path& path) {
-  const Result<Loaded> loaded = load(path);
+  const Result<Loaded> loaded = load(path, Tolerance::refuse, Pictures::headers);
   if (!loaded) {
     return inFile(path.string(), loaded.error());
   }

@@ -230,3 +230,28 @@ TEST_CASE(
   characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
   CHECK(runVerb({"pose", (folder / "in.glb").string(), "-o", output, "--pin-feet"}).exitCode == 0);
 }
+
+TEST_CASE("A picture that is broken behind its header is told by check, and no other verb decodes it") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["images"] = {
+      {{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42gf/"
+               "+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}}};
+  glb.json["textures"] = {{{"source", 0}}};
+  glb.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  glb.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+      glb.floats({0, 0, 1, 0, 0, 1, 1, 1, 0, 2, 1, 2}, "VEC2", 2);
+  const std::string file = (folder / "broken.glb").string();
+  glb.write(file);
+  const auto isTold = [](const VerbAnswer& answer) {
+    return (answer.output + answer.told).find("images[0]: is not a picture") != std::string::npos;
+  };
+  CHECK(isTold(runVerb({"check", file})));
+  const VerbAnswer info = runVerb({"info", file});
+  CHECK(info.exitCode == 0);
+  CHECK_FALSE(isTold(info));
+  const VerbAnswer saved = runVerb({"resave", file, "-o", (folder / "again.glb").string()});
+  CHECK(saved.exitCode == 0);
+  CHECK_FALSE(isTold(saved));
+  CHECK(isTold(runVerb({"check", (folder / "again.glb").string()})));
+}

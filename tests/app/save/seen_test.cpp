@@ -5,6 +5,7 @@
 
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "core/gltf/json/json.h"
@@ -103,4 +104,19 @@ TEST_CASE("Weights that are no numbers are saved as those that are seen in their
   CHECK(kept[0] == Approx(0.5F / 0.96875F));
   CHECK(kept[3] == Approx(0.09375F / 0.96875F));
   CHECK(kept[4] == 0.0F);
+}
+
+TEST_CASE("Saving takes the motion that was worked out for a report, and writes the same") {
+  Document document = test::boxer();
+  for (const rig::Limb& limb : document.body.limbs) {
+    document = *setWeight(document, {limb.id, 0, true, {}});
+  }
+  EvaluationCache cache;
+  REQUIRE_FALSE(cache.weightReports(document, 0).empty());
+  const std::shared_ptr<const rig::MotionState> reported = cache.motion(document, 0);
+  const SavedEdits saved = editsOf(document, {}, cache);
+  CHECK(cache.motion(document, 0) == reported);
+  const gltf::Edits alone = editsOf(document, {}).edits;
+  REQUIRE(saved.edits.clips.size() == 1);
+  CHECK(saved.edits.clips[0].tracks == alone.clips[0].tracks);
 }
