@@ -67,10 +67,10 @@ struct LegPath {
 
 class Retargeting {
 public:
-  Retargeting(const Skeleton& from, const Clip& clip, const Skeleton& to)
-      : from_(from), clip_(clip), to_(to), pairs_(pairJoints(from, to)), poser_(to, pairs_.pairs),
-        times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)), sourceShoulders_(shoulderWidth(from)),
-        ownShoulders_(shoulderWidth(to)) {}
+  Retargeting(const Skeleton& from, const Clip& clip, const Skeleton& to, Correction correction)
+      : from_(from), clip_(clip), to_(to), correction_(correction), pairs_(pairJoints(from, to)),
+        poser_(to, pairs_.pairs), times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)),
+        sourceShoulders_(shoulderWidth(from)), ownShoulders_(shoulderWidth(to)) {}
 
   Result<Retargeted> run(const std::function<bool(double)>& proceed) {
     const Error stopped{"stopped before the clip was brought over", clip_.name, "import it again"};
@@ -232,6 +232,9 @@ private:
   }
 
   [[nodiscard]] BodyPose posed(std::size_t frame) const {
+    if (correction_ == Correction::none) {
+      return poser_.pose(turns_[frame], shifts_[frame], {});
+    }
     const Vec3 shift = shifts_[frame] - Vec3(0.0, lowered_[frame], 0.0);
     std::vector<Quat> turns = turns_[frame];
     const BodyPose straight = poser_.pose(turns, shift, {});
@@ -343,6 +346,7 @@ private:
   const Skeleton& from_;
   const Clip& clip_;
   const Skeleton& to_;
+  Correction correction_;
   JointPairs pairs_;
   BodyPoser poser_;
   std::vector<double> times_;
@@ -359,8 +363,8 @@ private:
 } // namespace
 
 Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
-                            const std::function<bool(double)>& proceed) {
-  return Retargeting(from, clip, to).run(proceed);
+                            const std::function<bool(double)>& proceed, Correction correction) {
+  return Retargeting(from, clip, to, correction).run(proceed);
 }
 
 } // namespace stretch::rig
