@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/evaluate/evaluate.h"
-#include "app/forecast/standing_feet.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
@@ -16,6 +15,7 @@
 #include "rig/motion/evaluate.h"
 #include "rig/motion/seam.h"
 #include "rig/rekey/rekey.h"
+#include "rig/retarget/standing.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {
@@ -37,7 +37,7 @@ struct Measures {
 
 struct Standing {
   std::size_t leg = 0;
-  Stretch frames;
+  rig::Stand frames;
 };
 
 class ClipMeasuring {
@@ -52,7 +52,7 @@ public:
     }
     const std::vector<std::vector<Vec3>> feet = feetOfFrames();
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-      for (const Stretch& frames : standingIn(feet[leg], rate(), body_.body.height)) {
+      for (const rig::Stand& frames : rig::standingIn(feet[leg], rate(), body_.body.height)) {
         standing_.push_back({leg, frames});
       }
     }
@@ -102,7 +102,7 @@ private:
     for (std::size_t frame = standing.frames.first; frame <= standing.frames.last; ++frame) {
       feet.push_back(footAt(watched, standing.leg, static_cast<double>(frame)));
     }
-    return wanderIn(feet, {0, feet.size() - 1}) / body_.body.height;
+    return rig::wanderIn(feet, {0, feet.size() - 1}) / body_.body.height;
   }
 
   void measureSeam(const WatchedClip& watched, Measures& measures) const {

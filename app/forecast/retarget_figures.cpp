@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 
 #include "app/forecast/body_touch.h"
-#include "app/forecast/standing_feet.h"
 #include "core/anim/frames.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/json/json.h"
 #include "rig/retarget/joined_hands.h"
+#include "rig/retarget/standing.h"
 
 namespace stretch::app {
 
@@ -25,7 +25,7 @@ constexpr double touchingAt = 0.01; // of the height
 struct FootPoint {
   std::size_t side = 0;
   bool isBall = false;
-  std::vector<Stretch> stands; // of the source's
+  std::vector<rig::Stand> stands; // of the source's
 };
 
 struct TouchTime {
@@ -89,7 +89,7 @@ private:
                {rig::rightSide, true, {}}};
     const std::vector<std::vector<Vec3>> feet = feetOf(source_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      points_[i].stands = standingIn(feet[i], source_.clip.framesPerSecond, source_.skeleton.height);
+      points_[i].stands = rig::standingIn(feet[i], source_.clip.framesPerSecond, source_.skeleton.height);
     }
   }
 
@@ -123,10 +123,17 @@ private:
 
   [[nodiscard]] std::optional<double> slideOf(const PlayedClip& played) const {
     std::optional<double> slide;
-    const std::vector<std::vector<Vec3>> feet = feetOf(played);
+    std::vector<std::vector<Vec3>> feet = feetOf(played);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      for (const Stretch& stand : points_[i].stands) {
-        slide = std::max(slide.value_or(0.0), wanderIn(feet[i], stand) / played.skeleton.height);
+      for (Vec3& place : feet[i]) {
+        place.y = 0.0;
+      }
+      for (const rig::Stand& stand : points_[i].stands) {
+        slide = std::max(slide.value_or(0.0), rig::wanderIn(feet[i], stand) / played.skeleton.height);
+        if (getenv("DBG")) {
+          fprintf(stderr, "side %d ball %d stand %d..%d wander %.2f\n", int(points_[i].side), int(points_[i].isBall), int(stand.first), int(stand.last), 100*rig::wanderIn(feet[i], stand) / played.skeleton.height);
+          if (getenv("DBG")[0] == '2') for (auto f = stand.first; f <= stand.last; ++f) fprintf(stderr, "   %d  %.4f %.4f %.4f\n", int(f), feet[i][f].x / played.skeleton.height, feet[i][f].y / played.skeleton.height, feet[i][f].z/ played.skeleton.height);
+        }
       }
     }
     return slide;

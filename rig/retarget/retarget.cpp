@@ -135,6 +135,9 @@ private:
     turns.reserve(pairs_.pairs.size());
     for (const JointPair& pair : pairs_.pairs) {
       Quat turn = turnOf(worlds, pair.from);
+      if (pair.standsOn) {
+        turn = standingTurn(turn, *pair.standsOn, worlds);
+      }
       if (pair.share > 0.0) {
         turn = glm::slerp(turn, turnOf(worlds, pair.towards), pair.share);
       }
@@ -142,6 +145,17 @@ private:
                                      to_.bindTurns[at(pair.joint)]));
     }
     return turns;
+  }
+
+  // A foot that the source lacks follows its shin in the air, and is as level as in the bind pose on the
+  // ground.
+  [[nodiscard]] Quat standingTurn(const Quat& turn, std::size_t side, const std::vector<Mat4>& worlds) const {
+    constexpr double clear = 0.3; // of the leg
+    const SkeletonLeg& leg = from_.legs[side];
+    const double rise = endPosition(leg.limb, worlds).y - endPosition(leg.limb, from_.bind).y;
+    const Quat level = glm::normalize(Quat(turn.w, 0.0, turn.y, 0.0));
+    const bool isUpsideDown = turn.w * turn.w + turn.y * turn.y < 0.01;
+    return isUpsideDown ? turn : glm::slerp(level, turn, smoothstep(rise / (clear * leg.length)));
   }
 
   void follow(double time) {
@@ -201,11 +215,18 @@ private:
   // Feet keep their places where they stand, and the body comes down as far as a leg asks that would not
   // reach the ground.
   void holdFeet() {
+    constexpr double leastLeg = 0.25; // of the height
+    constexpr double shuffled = 0.15; // of the leg
     std::vector<double> down(times_.size(), 0.0);
     for (const std::size_t side : {leftSide, rightSide}) {
       LegPath& path = legs_[side];
-      path.foot.ankleStands = standsOf(path.sourceAnkles, times_, from_.legs[side].length);
-      path.foot.ballStands = standsOf(path.sourceBalls, times_, from_.legs[side].length);
+      // However short it is: a foot does not stand less for it.
+      const double leg = std::max(from_.legs[side].length, leastLeg * from_.height);
+      path.foot.ankleStands = standsOf(path.sourceAnkles, times_, leg);
+      path.foot.ballStands = standsOf(path.sourceBalls, times_, leg);
+      path.foot.shuffle = shuffled * to_.legs[side].length;
+      path.foot.ankles = heldInPlace(path.foot.ankles, groundedIn(path.sourceAnkles));
+      path.foot.balls = heldInPlace(path.foot.balls, groundedIn(path.sourceBalls));
       path.ankles = plantedAnkles(path.foot);
       const std::vector<bool> isStanding = standingFrames(path.foot);
       for (std::size_t frame = 0; frame < times_.size(); ++frame) {
@@ -217,6 +238,12 @@ private:
     const double step =
         times_.size() < 2 ? 1.0 : (times_.back() - times_.front()) / static_cast<double>(times_.size() - 1);
     lowered_ = easedAbove(down, static_cast<std::size_t>(std::ceil(easeSeconds / step)));
+  }
+
+  [[nodiscard]] std::vector<Stand> groundedIn(const std::vector<Vec3>& places) const {
+    const double length = times_.back() - times_.front();
+    const double rate = length > 0.0 ? static_cast<double>(times_.size() - 1) / length : 1.0;
+    return standingIn(places, rate, from_.height);
   }
 
   // How far the base of the leg has to come down for its foot to reach its place.
