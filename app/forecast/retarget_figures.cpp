@@ -21,7 +21,7 @@ namespace {
 constexpr double mostMeasured = 20000.0;
 constexpr double touchingAt = 0.01; // of the height
 
-// A point of a foot, in every frame: the heel's joint, or the ball.
+// A point of a foot: the ankle, or the ball.
 struct FootPoint {
   std::size_t side = 0;
   bool isBall = false;
@@ -44,6 +44,30 @@ Vec3 placeOf(const FootPoint& point, const rig::Skeleton& skeleton, const std::v
   return point.isBall ? leg.ball(worlds) : rig::endPosition(leg.limb, worlds);
 }
 
+// Stands without the frames of others, of three frames at least: a heel that turns about a ball that stands
+// does not slide.
+std::vector<rig::Stand> without(const std::vector<rig::Stand>& stands,
+                                const std::vector<rig::Stand>& others) {
+  constexpr std::size_t fewest = 3;
+  std::vector<rig::Stand> kept;
+  for (const rig::Stand& stand : stands) {
+    std::size_t first = stand.first;
+    const auto keep = [&](std::size_t past) {
+      if (past >= first + fewest) {
+        kept.push_back({first, past - 1});
+      }
+    };
+    for (const rig::Stand& other : others) {
+      if (other.last >= first && other.first <= stand.last) {
+        keep(other.first);
+        first = other.last + 1;
+      }
+    }
+    keep(stand.last + 1);
+  }
+  return kept;
+}
+
 class RetargetMeasuring {
 public:
   explicit RetargetMeasuring(const PlayedClip& source)
@@ -64,6 +88,8 @@ public:
     const BodyTouch touch(played.skeleton);
     if (touch.hasSurface()) {
       measureTouch(played, touch, figures);
+    }
+    if (vertexCount(*played.skeleton.scene) > 0) {
       figures.below = belowFloor(*played.skeleton.scene, played.clip);
       figures.floor = figures.below.depth / played.skeleton.height;
     }
@@ -90,6 +116,9 @@ private:
     const std::vector<std::vector<Vec3>> feet = feetOf(source_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       points_[i].stands = rig::standingIn(feet[i], source_.clip.framesPerSecond, source_.skeleton.height);
+    }
+    for (const std::size_t side : {rig::leftSide, rig::rightSide}) {
+      points_[2 * side].stands = without(points_[2 * side].stands, points_[2 * side + 1].stands);
     }
   }
 
@@ -130,10 +159,6 @@ private:
       }
       for (const rig::Stand& stand : points_[i].stands) {
         slide = std::max(slide.value_or(0.0), rig::wanderIn(feet[i], stand) / played.skeleton.height);
-        if (getenv("DBG")) {
-          fprintf(stderr, "side %d ball %d stand %d..%d wander %.2f\n", int(points_[i].side), int(points_[i].isBall), int(stand.first), int(stand.last), 100*rig::wanderIn(feet[i], stand) / played.skeleton.height);
-          if (getenv("DBG")[0] == '2') for (auto f = stand.first; f <= stand.last; ++f) fprintf(stderr, "   %d  %.4f %.4f %.4f\n", int(f), feet[i][f].x / played.skeleton.height, feet[i][f].y / played.skeleton.height, feet[i][f].z/ played.skeleton.height);
-        }
       }
     }
     return slide;

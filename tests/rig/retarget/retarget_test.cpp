@@ -209,6 +209,73 @@ TEST_CASE("Hands that work together in the source are as many shoulder widths ap
   }
 }
 
+TEST_CASE("A foot that the source lacks is level while its shin leans, and follows the shin in the air") {
+  MovingBiped source = bodyOf({.feet = false, .toes = false});
+  const MovingBiped target = bodyOf();
+  const auto levelOff = [&](const Clip& clip) {
+    const std::vector<Mat4> worlds = worldsAt(target, clip, 1.0);
+    const std::vector<Mat4> bind = worldsAt(target, Clip{}, 0.0);
+    const NodeIndex foot = target.limb("left-leg").endNode;
+    const Vec3 up(0.0, 1.0, 0.0);
+    return degreesBetween(rotationOf(worlds[at(foot)]) * glm::inverse(rotationOf(bind[at(foot)])) * up, up);
+  };
+  const auto turned = [&](double thigh, double shin) {
+    MovingBiped moving = source;
+    for (const auto& [key, angle] : {std::pair("thigh.l", thigh), std::pair("shin.l", shin)}) {
+      moving.clip.tracks.emplace_back(test::rotationTrack(
+          moving.node.at(key), Interpolation::linear,
+          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(1.0, 0.0, 0.0), angle)}}));
+    }
+    setEndsFromKeys(moving.clip);
+    return brought(moving, target);
+  };
+  CHECK(levelOff(turned(-0.35, 0.7)) < 12.0);
+  CHECK(levelOff(turned(-1.4, 0.2)) > 45.0);
+}
+
+TEST_CASE("Feet stand where the source's stand, and slide where they are only mapped") {
+  MovingBiped source = bodyOf();
+  const std::vector<Mat4> bind = worldsAt(source, Clip{}, 0.0);
+  const NodeIndex hips = source.node.at("hips");
+  const Vec3 place = source.scene.nodes[at(hips)].rest.translation;
+  // Both legs lean to the side below hips that go there: the feet stay.
+  const double leg = source.limb("left-leg").restLength;
+  const double lean = 0.15;
+  source.clip.tracks.emplace_back(test::vectorTrack(
+      hips, Channel::translation, Interpolation::linear,
+      {{0.0, place}, {1.0, place + leg * Vec3(std::sin(lean), std::cos(lean) - 1.0, 0.0)}}));
+  for (const std::string side : {".l", ".r"}) {
+    for (const auto& [key, angle] : {std::pair("thigh" + side, -lean), std::pair("foot" + side, lean)}) {
+      source.clip.tracks.emplace_back(test::rotationTrack(
+          source.node.at(key), Interpolation::linear,
+          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(0.0, 0.0, 1.0), angle)}}));
+    }
+  }
+  setEndsFromKeys(source.clip);
+  test::SyntheticBiped bowed = test::namedBody();
+  for (test::SyntheticJoint& joint : bowed.joints) {
+    joint.position.y *= joint.position.y < 0.95 ? 1.4 : 1.0;
+    joint.position.y += joint.position.y < 1.3 ? 0.0 : 0.38;
+  }
+  const MovingBiped target = test::still(bowed);
+  const std::optional<Skeleton> from = skeletonOf(source.scene, source.body);
+  const std::optional<Skeleton> own = skeletonOf(target.scene, target.body);
+  REQUIRE((from && own));
+  const auto wander = [&](Correction correction) {
+    const Result<Retargeted> result = retarget(*from, source.clip, *own, {}, correction);
+    REQUIRE(result);
+    double farthest = 0.0;
+    for (double seconds = 0.0; seconds <= 1.0; seconds += 1.0 / 48.0) {
+      const Vec3 way = own->legs[leftSide].ball(worldsAt(target, result->clip, seconds)) -
+                       own->legs[leftSide].ball(worldsAt(target, result->clip, 0.0));
+      farthest = std::max(farthest, std::hypot(way.x, way.z));
+    }
+    return farthest / own->height;
+  };
+  CHECK(wander(Correction::feetAndHands) < 0.002);
+  CHECK(wander(Correction::none) > 0.004);
+}
+
 TEST_CASE("What the character has no joints for is told") {
   const MovingBiped moving = test::punchingBiped();
   const MovingBiped other = bodyOf({.toes = false, .fingers = false});
