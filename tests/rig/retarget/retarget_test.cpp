@@ -68,6 +68,33 @@ MovingBiped choppingBiped(const test::BodyOptions& options) {
   return moving;
 }
 
+// Knees bend within a second, the feet stay where they are and as they are.
+MovingBiped squattingBiped() {
+  constexpr double bent = 0.6;
+  MovingBiped moving = bodyOf();
+  for (const std::string side : {".l", ".r"}) {
+    for (const auto& [key, angle] :
+         {std::pair("thigh", -bent), std::pair("shin", 2.0 * bent), std::pair("foot", -bent)}) {
+      moving.clip.tracks.emplace_back(test::rotationTrack(
+          moving.node.at(key + side), Interpolation::linear,
+          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(1.0, 0.0, 0.0), angle)}}));
+    }
+  }
+  const auto ankle = [&](double seconds) {
+    return endPosition(moving.limb("left-leg"),
+                       worldMatrices(moving.scene, samplePose(moving.scene, moving.clip, seconds)));
+  };
+  const NodeIndex hips = moving.node.at("hips");
+  test::VectorKeys keys;
+  for (int i = 0; i <= 24; ++i) {
+    const double seconds = static_cast<double>(i) / 24.0;
+    keys.emplace_back(seconds, moving.scene.nodes[at(hips)].rest.translation + ankle(0.0) - ankle(seconds));
+  }
+  moving.clip.tracks.emplace_back(test::vectorTrack(hips, Channel::translation, Interpolation::linear, keys));
+  setEndsFromKeys(moving.clip);
+  return moving;
+}
+
 Clip brought(const MovingBiped& from, const MovingBiped& to) {
   const std::optional<Skeleton> source = skeletonOf(from.scene, from.body);
   const std::optional<Skeleton> own = skeletonOf(to.scene, to.body);
@@ -234,30 +261,12 @@ TEST_CASE("A foot that the source lacks is level while its shin leans, and follo
 }
 
 TEST_CASE("Feet stand where the source's stand, and slide where they are only mapped") {
-  MovingBiped source = bodyOf();
-  const std::vector<Mat4> bind = worldsAt(source, Clip{}, 0.0);
-  const NodeIndex hips = source.node.at("hips");
-  const Vec3 place = source.scene.nodes[at(hips)].rest.translation;
-  // Both legs lean to the side below hips that go there: the feet stay.
-  const double leg = source.limb("left-leg").restLength;
-  const double lean = 0.15;
-  source.clip.tracks.emplace_back(test::vectorTrack(
-      hips, Channel::translation, Interpolation::linear,
-      {{0.0, place}, {1.0, place + leg * Vec3(std::sin(lean), std::cos(lean) - 1.0, 0.0)}}));
+  const MovingBiped source = squattingBiped();
+  test::SyntheticBiped lowKnees = test::namedBody();
   for (const std::string side : {".l", ".r"}) {
-    for (const auto& [key, angle] : {std::pair("thigh" + side, -lean), std::pair("foot" + side, lean)}) {
-      source.clip.tracks.emplace_back(test::rotationTrack(
-          source.node.at(key), Interpolation::linear,
-          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(0.0, 0.0, 1.0), angle)}}));
-    }
+    test::jointOf(lowKnees, "shin" + side).position.y = 0.35;
   }
-  setEndsFromKeys(source.clip);
-  test::SyntheticBiped bowed = test::namedBody();
-  for (test::SyntheticJoint& joint : bowed.joints) {
-    joint.position.y *= joint.position.y < 0.95 ? 1.4 : 1.0;
-    joint.position.y += joint.position.y < 1.3 ? 0.0 : 0.38;
-  }
-  const MovingBiped target = test::still(bowed);
+  const MovingBiped target = test::still(lowKnees);
   const std::optional<Skeleton> from = skeletonOf(source.scene, source.body);
   const std::optional<Skeleton> own = skeletonOf(target.scene, target.body);
   REQUIRE((from && own));
@@ -273,7 +282,7 @@ TEST_CASE("Feet stand where the source's stand, and slide where they are only ma
     return farthest / own->height;
   };
   CHECK(wander(Correction::feetAndHands) < 0.002);
-  CHECK(wander(Correction::none) > 0.004);
+  CHECK(wander(Correction::none) > 0.02);
 }
 
 TEST_CASE("What the character has no joints for is told") {
