@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include <glm/vector_relational.hpp>
 
 #include "core/math/bounds.h"
 #include "skinning/geometry/inside.h"

@@ -1,7 +1,9 @@
 #include "app/forecast/retarget_figures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/forecast/below_floor.h"
 #include "core/anim/clip.h"
@@ -20,8 +20,8 @@ struct PlayedClip {
 /// How a body moves where another one stands, touches itself, or has both hands at one thing: see
 /// docs/import_clip.md, In numbers. Nothing: there is nothing to measure it by.
 struct RetargetFigures {
-  std::optional<double> slide; ///< Farthest over the ground that a ball of the foot, or an ankle whose ball
-                               ///< is up, gets from its place while the source's stands, of the height.
+  std::optional<double> slide;   ///< Farthest over the ground that a ball of the foot, or an ankle whose ball
+                                 ///< is up, gets from its place while the source's stands, of the height.
   std::optional<double> contact; ///< From the hand to what the source's touches, mean, of the height.
   std::optional<double> inside;  ///< Share of the vertices of forearms to feet in trunk and head, mean.
   std::optional<double> deepest; ///< How deep the deepest of them is, of the height.

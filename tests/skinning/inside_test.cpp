@@ -1,4 +1,4 @@
-#include <array>
+#include <cmath>
 #include <vector>
 
 #include <catch2/catch.hpp>
