@@ -118,18 +118,35 @@ Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weigh
   return morphed(Vec3(primitive.positions[vertex]), &MorphTarget::positions, primitive, weights, vertex);
 }
 
-NodeIndex strongestNode(const Scene& scene, std::size_t vertex) {
+std::vector<NodeIndex> strongestNodes(const Scene& scene) {
+  std::vector<NodeIndex> nodes;
+  nodes.reserve(vertexCount(scene));
   for (const NodeIndex node : drawnMeshNodes(scene)) {
     const Node& holder = scene.nodes[at(node)];
     for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
-      if (vertex < primitive.positions.size()) {
-        const bool isSkinned = holder.skin >= 0 && !primitive.influences.empty();
-        return isSkinned ? strongestJoint(scene.skins[at(holder.skin)], primitive.influences[vertex]) : node;
+      const bool isSkinned = holder.skin >= 0 && !primitive.influences.empty();
+      for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
+        nodes.push_back(isSkinned ? strongestJoint(scene.skins[at(holder.skin)], primitive.influences[vertex])
+                                  : node);
       }
-      vertex -= primitive.positions.size();
     }
   }
-  return NodeIndex::none;
+  return nodes;
+}
+
+std::vector<Triangle> drawnTriangles(const Scene& scene) {
+  std::vector<Triangle> triangles;
+  std::uint32_t before = 0;
+  for (const NodeIndex node : drawnMeshNodes(scene)) {
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        triangles.push_back({before + primitive.indices[i], before + primitive.indices[i + 1],
+                             before + primitive.indices[i + 2]});
+      }
+      before += static_cast<std::uint32_t>(primitive.positions.size());
+    }
+  }
+  return triangles;
 }
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/anim/frame_state.h"
+#include "core/scene/mesh_sequence.h"
 #include "core/scene/scene.h"
 
 namespace stretch::skinning {
@@ -21,9 +22,11 @@ enum class NormalMatrix { inverseTranspose, plain };
 [[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame,
                                                NormalMatrix by = NormalMatrix::inverseTranspose);
 
-/// The node that moves a drawn vertex most: its strongest joint, or of a rigid mesh the node itself.
-/// `vertex`: counted as in skinnedPositions; none beyond them.
-[[nodiscard]] NodeIndex strongestNode(const Scene& scene, std::size_t vertex);
+/// The node that moves each drawn vertex most: its strongest joint, or of a rigid mesh the node itself.
+[[nodiscard]] std::vector<NodeIndex> strongestNodes(const Scene& scene);
+
+/// Triangles of all that is drawn, of vertices as skinnedPositions counts them.
+[[nodiscard]] std::vector<Triangle> drawnTriangles(const Scene& scene);
 
 /// A vertex in its mesh's space, moved by the morph targets.
 [[nodiscard]] Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights,

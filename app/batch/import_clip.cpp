@@ -52,14 +52,19 @@ Json clipJson(const Clip& clip, const NewClip& brought) {
   for (const CopyOnWrite<Track>& track : clip.tracks) {
     keys += track->times.size();
   }
-  return {{"name", clip.name},
-          {"from", brought.from},
-          {"way", brought.isRetargeted ? "retargeted" : "copied"},
-          {"seconds", clip.endSeconds},
-          {"frames", frameCount(clip)},
-          {"keys", keys},
-          {"fps", clip.framesPerSecond},
-          {"left_out", brought.left}};
+  Json json{{"name", clip.name},
+            {"from", brought.from},
+            {"way", brought.isRetargeted ? "retargeted" : "copied"},
+            {"seconds", clip.endSeconds},
+            {"frames", frameCount(clip)},
+            {"keys", keys},
+            {"fps", clip.framesPerSecond},
+            {"left_out", brought.left}};
+  if (brought.report) {
+    json["report"] = reportToJson(*brought.report);
+    json["figures"] = reportLines(*brought.report);
+  }
+  return json;
 }
 
 Json reportOf(const Document& document, const NewClips& brought) {
@@ -76,6 +81,9 @@ void printReport(const Json& report) {
     fmt::print("clip   {}: {} from {}, {:.3f} s, {} keys\n", clip["name"].get<std::string>(),
                clip["way"].get<std::string>(), clip["from"].get<std::string>(), clip["seconds"].get<double>(),
                clip["keys"].get<int>());
+    for (const Json& line : clip.value("figures", Json::array())) {
+      fmt::print("       {}\n", line.get<std::string>());
+    }
   }
   for (const Json& warning : report["warnings"]) {
     fmt::print("warning: {}\n", warning.get<std::string>());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/core.h>
@@ -17,6 +16,7 @@
 #include "rig/motion/evaluate.h"
 #include "rig/motion/seam.h"
 #include "rig/rekey/rekey.h"
+#include "rig/retarget/standing.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {
@@ -38,8 +38,7 @@ struct Measures {
 
 struct Standing {
   std::size_t leg = 0;
-  double first = 0.0; // frames
-  double last = 0.0;
+  rig::Stand frames;
 };
 
 class ClipMeasuring {
@@ -54,7 +53,9 @@ public:
     }
     const std::vector<std::vector<Vec3>> feet = feetOfFrames();
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-      findStanding(leg, feet[leg]);
+      for (const rig::Stand& frames : rig::standingIn(feet[leg], rate(), body_.body.height)) {
+        standing_.push_back({leg, frames});
+      }
     }
   }
 
@@ -98,37 +99,12 @@ private:
     return feet;
   }
 
-  // Stretches in which the foot is low and slow, of three frames at least.
-  void findStanding(std::size_t leg, const std::vector<Vec3>& feet) {
-    constexpr double nearLowest = 0.01; // of the height
-    constexpr double slow = 0.05;       // of the height per second
-    constexpr std::size_t fewest = 3;
-    const double height = body_.body.height;
-    double lowest = std::numeric_limits<double>::max();
-    for (const Vec3& foot : feet) {
-      lowest = std::min(lowest, foot.y);
-    }
-    const auto isLow = [&](std::size_t frame) { return feet[frame].y < lowest + nearLowest * height; };
-    std::size_t first = 0;
-    for (std::size_t frame = 1; frame <= feet.size(); ++frame) {
-      if (frame < feet.size() && isLow(frame) && isLow(frame - 1) &&
-          glm::length(feet[frame] - feet[frame - 1]) * rate() < slow * height) {
-        continue;
-      }
-      if (frame - first >= fewest) {
-        standing_.push_back({leg, static_cast<double>(first), static_cast<double>(frame - 1)});
-      }
-      first = frame;
-    }
-  }
-
   [[nodiscard]] double wanderOf(const WatchedClip& watched, const Standing& standing) const {
-    const Vec3 start = footAt(watched, standing.leg, standing.first);
-    double farthest = 0.0;
-    for (double frame = standing.first; frame <= standing.last; frame += 1.0) {
-      farthest = std::max(farthest, glm::length(footAt(watched, standing.leg, frame) - start));
+    std::vector<Vec3> feet;
+    for (std::size_t frame = standing.frames.first; frame <= standing.frames.last; ++frame) {
+      feet.push_back(footAt(watched, standing.leg, static_cast<double>(frame)));
     }
-    return farthest / body_.body.height;
+    return rig::wanderIn(feet, {0, feet.size() - 1}) / body_.body.height;
   }
 
   void measureSeam(const WatchedClip& watched, Measures& measures) const {

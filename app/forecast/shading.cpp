@@ -110,11 +110,12 @@ WrongShading wrongShadingOf(const Scene& scene, FrameState frame) {
 }
 
 std::string mostFrequentLimb(const Document& document, const std::vector<std::size_t>& vertices) {
-  constexpr std::size_t mostAsked = 200; // each is found by counting through the meshes
+  constexpr std::size_t mostAsked = 200;
   std::map<std::string, std::size_t> counts;
+  const std::vector<NodeIndex> nodes = skinning::strongestNodes(*document.scene);
   const std::size_t step = std::max<std::size_t>(1, vertices.size() / mostAsked);
   for (std::size_t i = 0; i < vertices.size(); i += step) {
-    ++counts[limbOfNode(document, skinning::strongestNode(*document.scene, vertices[i]))];
+    ++counts[limbOfNode(document, nodes[vertices[i]])];
   }
   const auto most = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
   return most == counts.end() ? std::string() : most->first;

@@ -5,8 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "rig/trail/release.h"
-
 namespace stretch::rig {
 
 namespace {
@@ -36,6 +34,36 @@ std::vector<Stand> runsOf(const std::vector<bool>& stands) {
   return runs;
 }
 
+// Runs between which the foot shuffles only are one.
+std::vector<Stand> joined(const FootMotion& foot, const std::vector<Stand>& runs) {
+  std::vector<Stand> all;
+  for (const Stand& run : runs) {
+    bool shuffles = !all.empty();
+    for (std::size_t i = shuffles ? all.back().last + 1 : 0; shuffles && i <= run.first; ++i) {
+      shuffles = glm::length(foot.ankles[i] - foot.ankles[all.back().last]) < foot.shuffle;
+    }
+    if (shuffles) {
+      all.back().last = run.last;
+    } else {
+      all.push_back(run);
+    }
+  }
+  return all;
+}
+
+// How far the ankle goes from the frame before: as the source's ball does where it is the ball that stands,
+// else as its heel does.
+Vec3 heldStep(const FootMotion& foot, std::size_t frame, const std::vector<bool>& heelStands,
+              const std::vector<bool>& ballStands) {
+  const bool isOnBall = ballStands[frame] && ballStands[frame - 1];
+  const bool isOnHeel = heelStands[frame] && heelStands[frame - 1];
+  const bool isNearBall = ballStands[frame] || ballStands[frame - 1];
+  if (isOnBall || (!isOnHeel && isNearBall)) {
+    return foot.balls[frame] - foot.balls[frame - 1] + foot.toAnkle[frame] - foot.toAnkle[frame - 1];
+  }
+  return foot.ankles[frame] - foot.ankles[frame - 1];
+}
+
 // How far the ankle has to be from its wanted place over a run, for what stands to stand: about nothing on
 // the mean.
 void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& heelStands,
@@ -44,13 +72,7 @@ void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& 
   offsets[run.first] = Vec3(0.0);
   for (std::size_t i = run.first + 1; i <= run.last; ++i) {
     const Vec3 wanted = foot.wanted[i] - foot.wanted[i - 1];
-    Vec3 step = wanted;
-    if (ballStands[i] && ballStands[i - 1]) {
-      step = foot.balls[i] - foot.balls[i - 1] + foot.toAnkle[i] - foot.toAnkle[i - 1];
-    } else if (heelStands[i] && heelStands[i - 1]) {
-      step = foot.ankles[i] - foot.ankles[i - 1];
-    }
-    offsets[i] = offsets[i - 1] + step - wanted;
+    offsets[i] = offsets[i - 1] + heldStep(foot, i, heelStands, ballStands) - wanted;
     sum += offsets[i];
   }
   const Vec3 mean = sum / static_cast<double>(run.last - run.first + 1);
@@ -59,30 +81,12 @@ void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& 
   }
 }
 
-// Carries the offsets of runs over to the frames between them.
-void carryOver(const std::vector<Stand>& runs, std::vector<Vec3>& offsets) {
-  for (std::size_t i = 0; i < runs.front().first; ++i) {
-    offsets[i] = offsets[runs.front().first];
-  }
-  for (std::size_t run = 0; run + 1 < runs.size(); ++run) {
-    const std::size_t from = runs[run].last;
-    const std::size_t to = runs[run + 1].first;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const double share = smoothstep(static_cast<double>(i - from) / static_cast<double>(to - from));
-      offsets[i] = (1.0 - share) * offsets[from] + share * offsets[to];
-    }
-  }
-  for (std::size_t i = runs.back().last + 1; i < offsets.size(); ++i) {
-    offsets[i] = offsets[runs.back().last];
-  }
-}
-
 } // namespace
 
 std::vector<Stand> standsOf(const std::vector<Vec3>& places, const std::vector<double>& seconds,
                             double legLength) {
   constexpr double restingSpeed = 0.25; // leg lengths in each second
-  constexpr double restingSeconds = 0.1;
+  constexpr std::size_t fewest = 3;
   std::vector<Stand> stands;
   for (std::size_t first = 0; first + 1 < places.size();) {
     std::size_t last = first;
@@ -90,7 +94,7 @@ std::vector<Stand> standsOf(const std::vector<Vec3>& places, const std::vector<d
                                            restingSpeed * legLength * (seconds[last + 1] - seconds[last])) {
       ++last;
     }
-    if (last > first && seconds[last] - seconds[first] >= restingSeconds) {
+    if (last - first + 1 >= fewest) {
       stands.push_back({first, last});
     }
     first = last + 1;
@@ -110,7 +114,7 @@ std::vector<bool> standingFrames(const FootMotion& foot) {
 std::vector<Vec3> plantedAnkles(const FootMotion& foot) {
   const std::vector<bool> heelStands = framesOf(foot.ankleStands, foot.wanted.size());
   const std::vector<bool> ballStands = framesOf(foot.ballStands, foot.wanted.size());
-  const std::vector<Stand> runs = runsOf(standingFrames(foot));
+  const std::vector<Stand> runs = joined(foot, runsOf(standingFrames(foot)));
   std::vector<Vec3> places = foot.wanted;
   if (runs.empty()) {
     return places;

@@ -3,17 +3,12 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "rig/retarget/standing.h"
 
 namespace stretch::rig {
 
-/// Frames over which a point keeps its place, both ends included.
-struct Stand {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-/// Finds where a point rests: slower than a quarter of the leg's length a second, for a tenth of a second at
-/// least. One place and one time for each frame; none for less than two frames.
+/// Finds where a point rests: slower than a quarter of the leg's length a second, for three frames at least.
+/// One place and one time for each frame.
 [[nodiscard]] std::vector<Stand> standsOf(const std::vector<Vec3>& places, const std::vector<double>& seconds,
                                           double legLength);
 
@@ -25,6 +20,8 @@ struct FootMotion {
   std::vector<Vec3> wanted;       ///< Places where the ankle would be, if nothing had to stand.
   std::vector<Stand> ankleStands; ///< Times and places at which the source's heel and ball stand.
   std::vector<Stand> ballStands;
+  double shuffle = 0.0; ///< A foot that gets no farther from where it stood has shuffled: it goes as the
+                        ///< source's does until it stands again.
 };
 
 /// Whether the foot touches the ground with anything, at each frame.

@@ -201,7 +201,11 @@ private:
     pairBones(from.limb, to.limb, stances);
     addBones(from.limb, to.limb, stances);
     // A foot that stands flat in the one bind pose stands flat in the other.
-    add(to.limb.endNode, from.limb.endNode, body_);
+    const bool hasFoot = from.limb.endNode.exists();
+    add(to.limb.endNode, hasFoot ? from.limb.endNode : from.limb.joints.back(), body_);
+    if (!hasFoot && from_.isUpright && result_.pairs.back().joint == to.limb.endNode) {
+      result_.pairs.back().standsOn = side;
+    }
     add(to.toes, from.toes, body_);
     if (from.toes.exists() && !to.toes.exists()) {
       lack("toes");

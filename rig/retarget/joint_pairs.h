@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct JointPair {
   double share = 0.0;              ///< Share of `towards`, 0..1.
   Quat stance{1.0, 0.0, 0.0, 0.0}; ///< World: turns the joint from its bind pose into the stance of the
                                    ///< skeleton that it follows (a T-pose into an A-pose).
+  std::optional<std::size_t> standsOn = {}; ///< The side of a foot that the other skeleton lacks: it follows
+                                            ///< the shin, and is level where that stands.
 };
 
 /// How one skeleton follows another.

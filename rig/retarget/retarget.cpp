@@ -67,10 +67,10 @@ struct LegPath {
 
 class Retargeting {
 public:
-  Retargeting(const Skeleton& from, const Clip& clip, const Skeleton& to)
-      : from_(from), clip_(clip), to_(to), pairs_(pairJoints(from, to)), poser_(to, pairs_.pairs),
-        times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)), sourceShoulders_(shoulderWidth(from)),
-        ownShoulders_(shoulderWidth(to)) {}
+  Retargeting(const Skeleton& from, const Clip& clip, const Skeleton& to, Correction correction)
+      : from_(from), clip_(clip), to_(to), correction_(correction), pairs_(pairJoints(from, to)),
+        poser_(to, pairs_.pairs), times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)),
+        sourceShoulders_(shoulderWidth(from)), ownShoulders_(shoulderWidth(to)) {}
 
   Result<Retargeted> run(const std::function<bool(double)>& proceed) {
     const Error stopped{"stopped before the clip was brought over", clip_.name, "import it again"};
@@ -135,6 +135,9 @@ private:
     turns.reserve(pairs_.pairs.size());
     for (const JointPair& pair : pairs_.pairs) {
       Quat turn = turnOf(worlds, pair.from);
+      if (pair.standsOn) {
+        turn = standingTurn(turn, *pair.standsOn, worlds);
+      }
       if (pair.share > 0.0) {
         turn = glm::slerp(turn, turnOf(worlds, pair.towards), pair.share);
       }
@@ -142,6 +145,17 @@ private:
                                      to_.bindTurns[at(pair.joint)]));
     }
     return turns;
+  }
+
+  // A foot that the source lacks follows its shin in the air, and is as level as in the bind pose on the
+  // ground.
+  [[nodiscard]] Quat standingTurn(const Quat& turn, std::size_t side, const std::vector<Mat4>& worlds) const {
+    constexpr double clear = 0.3; // of the leg
+    const SkeletonLeg& leg = from_.legs[side];
+    const double rise = endPosition(leg.limb, worlds).y - endPosition(leg.limb, from_.bind).y;
+    const Quat level = glm::normalize(Quat(turn.w, 0.0, turn.y, 0.0));
+    const bool isUpsideDown = turn.w * turn.w + turn.y * turn.y < 0.01;
+    return isUpsideDown ? turn : glm::slerp(level, turn, smoothstep(rise / (clear * leg.length)));
   }
 
   void follow(double time) {
@@ -201,11 +215,18 @@ private:
   // Feet keep their places where they stand, and the body comes down as far as a leg asks that would not
   // reach the ground.
   void holdFeet() {
+    constexpr double leastLeg = 0.25; // of the height
+    constexpr double shuffled = 0.15; // of the leg
     std::vector<double> down(times_.size(), 0.0);
     for (const std::size_t side : {leftSide, rightSide}) {
       LegPath& path = legs_[side];
-      path.foot.ankleStands = standsOf(path.sourceAnkles, times_, from_.legs[side].length);
-      path.foot.ballStands = standsOf(path.sourceBalls, times_, from_.legs[side].length);
+      // However short it is: a foot does not stand less for it.
+      const double leg = std::max(from_.legs[side].length, leastLeg * from_.height);
+      path.foot.ankleStands = standsOf(path.sourceAnkles, times_, leg);
+      path.foot.ballStands = standsOf(path.sourceBalls, times_, leg);
+      path.foot.shuffle = shuffled * to_.legs[side].length;
+      path.foot.ankles = heldInPlace(path.foot.ankles, groundedIn(path.sourceAnkles));
+      path.foot.balls = heldInPlace(path.foot.balls, groundedIn(path.sourceBalls));
       path.ankles = plantedAnkles(path.foot);
       const std::vector<bool> isStanding = standingFrames(path.foot);
       for (std::size_t frame = 0; frame < times_.size(); ++frame) {
@@ -217,6 +238,12 @@ private:
     const double step =
         times_.size() < 2 ? 1.0 : (times_.back() - times_.front()) / static_cast<double>(times_.size() - 1);
     lowered_ = easedAbove(down, static_cast<std::size_t>(std::ceil(easeSeconds / step)));
+  }
+
+  [[nodiscard]] std::vector<Stand> groundedIn(const std::vector<Vec3>& places) const {
+    const double length = times_.back() - times_.front();
+    const double rate = length > 0.0 ? static_cast<double>(times_.size() - 1) / length : 1.0;
+    return standingIn(places, rate, from_.height);
   }
 
   // How far the base of the leg has to come down for its foot to reach its place.
@@ -232,6 +259,9 @@ private:
   }
 
   [[nodiscard]] BodyPose posed(std::size_t frame) const {
+    if (correction_ == Correction::none) {
+      return poser_.pose(turns_[frame], shifts_[frame], {});
+    }
     const Vec3 shift = shifts_[frame] - Vec3(0.0, lowered_[frame], 0.0);
     std::vector<Quat> turns = turns_[frame];
     const BodyPose straight = poser_.pose(turns, shift, {});
@@ -343,6 +373,7 @@ private:
   const Skeleton& from_;
   const Clip& clip_;
   const Skeleton& to_;
+  Correction correction_;
   JointPairs pairs_;
   BodyPoser poser_;
   std::vector<double> times_;
@@ -359,8 +390,8 @@ private:
 } // namespace
 
 Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
-                            const std::function<bool(double)>& proceed) {
-  return Retargeting(from, clip, to).run(proceed);
+                            const std::function<bool(double)>& proceed, Correction correction) {
+  return Retargeting(from, clip, to, correction).run(proceed);
 }
 
 } // namespace stretch::rig

@@ -19,11 +19,15 @@ struct Retargeted {
   std::vector<std::string> left; ///< Parts that the source moves and the character lacks: "fingers".
 };
 
+/// Whether feet and hands are put where the source's body has them, or stay where the turned bones take them.
+enum class Correction { none, feetAndHands };
+
 /// The clip of one biped on another (docs/import_clip.md): joints turn from the bind pose as the source's do,
 /// the body travels by the ratio of the legs' lengths, feet that stand in the source stand. Finite for every
 /// file that was read; an error where the clip is too long, or nothing in it can be followed.
 /// `proceed` is told the share that is done, 0..1, and answers whether to go on: else an error.
 [[nodiscard]] Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
-                                          const std::function<bool(double)>& proceed = {});
+                                          const std::function<bool(double)>& proceed = {},
+                                          Correction correction = Correction::feetAndHands);
 
 } // namespace stretch::rig

@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/keys/below_floor.h"
 #include "app/named.h"
 #include "core/base/number.h"
 #include "core/gltf/load/load_as_it_stands.h"
@@ -127,7 +126,14 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   if (!brought) {
     return Error{brought.error().what, file + ": " + title, brought.error().remedy};
   }
-  return NewClip{std::move(brought->clip), title, true, std::move(brought->left)};
+  const Result<rig::Retargeted> mapped =
+      rig::retarget(*donor.skeleton, clip, *own, proceed, rig::Correction::none);
+  if (!mapped) {
+    return mapped.error();
+  }
+  RetargetReport report =
+      retargetReport({*donor.skeleton, clip}, {*own, mapped->clip}, {*own, brought->clip});
+  return NewClip{std::move(brought->clip), title, true, std::move(brought->left), std::move(report)};
 }
 
 std::string freeClipName(const std::vector<Clip>& clips, const std::string& wanted) {
@@ -196,24 +202,21 @@ std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
 }
 
 // Feet of other proportions may sink in: farther below the floor than the source's do, of either's height.
-std::optional<std::string> sinkingLine(const Donor& donor, int index, const Document& document,
-                                       const NewClip& brought) {
+std::optional<std::string> sinkingLine(const Scene& scene, const NewClip& brought) {
   constexpr double seen = 0.01;
-  const BelowFloor own = belowFloor(*document.scene, brought.clip);
-  const double ownShare = own.depth / document.body.height;
-  if (!brought.isRetargeted || ownShare <= seen) {
+  if (!brought.report) {
     return std::nullopt;
   }
-  const BelowFloor source = belowFloor(*donor.document.scene, clipOf(donor.document, index));
-  const double sourceShare = source.depth / donor.document.body.height;
-  if (ownShare - sourceShare <= seen) {
+  const RetargetFigures& own = brought.report->result;
+  const double sourceShare = brought.report->source.floor.value_or(0.0);
+  if (own.floor.value_or(0.0) - sourceShare <= seen) {
     return std::nullopt;
   }
-  const std::string part = own.node.exists() ? document.scene->nodes[at(own.node)].name : std::string();
+  const std::string part = own.below.node.exists() ? scene.nodes[at(own.below.node)].name : std::string();
   return fmt::format(
       "{}: what follows \"{}\" gets {:.1f} % of the height below the floor at {:.2f} s (in the source "
       "{:.1f} %); pose it higher there",
-      brought.from, part, 100.0 * ownShare, own.seconds, 100.0 * sourceShare);
+      brought.from, part, 100.0 * *own.floor, own.below.seconds, 100.0 * sourceShare);
 }
 
 } // namespace
@@ -256,7 +259,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
     clip->clip.name = !request.name.empty()     ? request.name
                       : clip->clip.name.empty() ? request.file.stem().string()
                                                 : clip->clip.name;
-    if (std::optional<std::string> line = sinkingLine(*donor, index, document, *clip)) {
+    if (std::optional<std::string> line = sinkingLine(*document.scene, *clip)) {
       brought.warnings.push_back(*std::move(line));
     }
     brought.clips.push_back(std::move(clip).value());

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/document.h"
+#include "app/forecast/retarget_figures.h"
 #include "core/base/result.h"
 
 namespace stretch::app {
@@ -20,9 +22,10 @@ struct ClipRequest {
 /// A clip of another file, brought to this character.
 struct NewClip {
   Clip clip;
-  std::string from;              ///< Its name in the other file, "#2" without one.
-  bool isRetargeted = false;     ///< Else its tracks were copied: the other skeleton is the same.
-  std::vector<std::string> left; ///< Joints, or parts of the body, that the character lacks.
+  std::string from;                          ///< Its name in the other file, "#2" without one.
+  bool isRetargeted = false;                 ///< Else its tracks were copied: the other skeleton is the same.
+  std::vector<std::string> left;             ///< Joints, or parts of the body, that the character lacks.
+  std::optional<RetargetReport> report = {}; ///< How it moves beside the source, where it is retargeted.
 };
 
 struct NewClips {

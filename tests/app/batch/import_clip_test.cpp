@@ -78,6 +78,30 @@ TEST_CASE("import-clip adds the clip of another skeleton behind the file's own a
   }
 }
 
+TEST_CASE(
+    "import-clip tells how the clip moves on the character beside the source and as it is only mapped") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const std::string from = punchFile(folder);
+  const test::VerbAnswer answer = import(output, from);
+  REQUIRE(answer.exitCode == 0);
+  const Json clip = Json::parse(answer.output)["clips"][0];
+  for (const char* whose : {"source", "mapped", "result"}) {
+    for (const char* figure : {"slide_percent", "slide_cm", "contact_cm", "inside_percent", "deepest_percent",
+                               "floor_percent", "hands_widths"}) {
+      CHECK(clip["report"][whose].contains(figure));
+    }
+  }
+  CHECK(clip["report"]["result"]["inside_percent"].is_number());
+  CHECK(clip["report"]["result"]["floor_percent"].is_number());
+  const test::VerbAnswer told =
+      test::runVerb({"import-clip", posedCharacter, "-o", (folder / "told.glb").string(), "--from", from});
+  CHECK_THAT(told.output, Catch::Contains("inside trunk and head") && Catch::Contains("(as mapped ") &&
+                              Catch::Contains(", source "));
+  const Json copied = Json::parse(import((folder / "copied.glb").string(), posedCharacter).output);
+  CHECK_FALSE(copied["clips"][0].contains("report"));
+}
+
 TEST_CASE("import-clip copies the keys of the same skeleton, under a name that is free") {
   const TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();

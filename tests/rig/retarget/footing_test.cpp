@@ -60,6 +60,60 @@ TEST_CASE("A foot rests where it keeps its place for a while, and not while it s
   CHECK(stands[1].last == count - 1);
 }
 
+TEST_CASE("A foot that stops for three frames stands, and one that stops for two does not") {
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double way = i < 10 ? static_cast<double>(i) : i < 12 ? 10.0 : static_cast<double>(i) - 1.0;
+    places.emplace_back(0.0, 0.0, 0.1 * way);
+  }
+  CHECK(standsOf(places, seconds(), legLength).empty());
+  for (std::size_t i = 12; i < count; ++i) {
+    places[i].z -= 0.1;
+  }
+  const std::vector<Stand> stands = standsOf(places, seconds(), legLength);
+  REQUIRE(stands.size() == 1);
+  CHECK(stands.front().first == 10);
+  CHECK(stands.front().last == 12);
+}
+
+TEST_CASE("A foot that only shuffles between two stands goes as the source's does, whatever the body does") {
+  FootMotion foot;
+  for (std::size_t i = 0; i < count; ++i) {
+    foot.ankles.emplace_back(0.0, 0.0, i < 20 ? 0.0 : 0.02);
+    foot.balls.push_back(foot.ankles[i] + Vec3(0.0, 0.0, 0.2));
+    foot.toAnkle.emplace_back(0.0, 0.0, -0.3);
+    foot.wanted.emplace_back(i < 20 ? 0.0 : 0.3, 0.0, foot.ankles[i].z);
+  }
+  foot.ankleStands = {{0, 19}, {20, count - 1}};
+  foot.ballStands = foot.ankleStands;
+  foot.ankleStands.front().last = foot.ballStands.front().last = 18;
+  foot.shuffle = 0.1;
+  const std::vector<Vec3> ankles = plantedAnkles(foot);
+  for (std::size_t i = 1; i < count; ++i) {
+    CHECK(glm::length(ankles[i] - ankles[i - 1] - (foot.ankles[i] - foot.ankles[i - 1])) < 1e-9);
+  }
+  foot.shuffle = 0.01; // now it was a step: each stand is where the leg has it
+  const std::vector<Vec3> stepped = plantedAnkles(foot);
+  CHECK(stepped.front().x == Approx(0.0).margin(1e-9));
+  CHECK(stepped.back().x == Approx(0.3));
+}
+
+TEST_CASE("A heel stands until the ball does, without a slip in the frame between them") {
+  FootMotion foot;
+  for (std::size_t i = 0; i < count; ++i) {
+    foot.ankles.emplace_back(0.0);
+    foot.balls.emplace_back(0.0, 0.0, 0.2);
+    foot.toAnkle.emplace_back(0.0, 0.0, -0.3);
+    foot.wanted.emplace_back(0.0, 0.0, 0.01 * static_cast<double>(i));
+  }
+  foot.ankleStands = {{0, 19}};
+  foot.ballStands = {{20, count - 1}};
+  const std::vector<Vec3> ankles = plantedAnkles(foot);
+  for (const Vec3& ankle : ankles) {
+    CHECK(glm::length(ankle - ankles.front()) < 1e-9);
+  }
+}
+
 TEST_CASE("A ball of the foot that stands in the source stands, while a longer foot turns about it") {
   const FootMotion foot = turningFoot();
   const std::vector<Vec3> ankles = plantedAnkles(foot);

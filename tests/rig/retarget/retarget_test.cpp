@@ -68,6 +68,33 @@ MovingBiped choppingBiped(const test::BodyOptions& options) {
   return moving;
 }
 
+// Knees bend within a second, the feet stay where they are and as they are.
+MovingBiped squattingBiped() {
+  constexpr double bent = 0.6;
+  MovingBiped moving = bodyOf();
+  for (const std::string side : {".l", ".r"}) {
+    for (const auto& [key, angle] :
+         {std::pair("thigh", -bent), std::pair("shin", 2.0 * bent), std::pair("foot", -bent)}) {
+      moving.clip.tracks.emplace_back(test::rotationTrack(
+          moving.node.at(key + side), Interpolation::linear,
+          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(1.0, 0.0, 0.0), angle)}}));
+    }
+  }
+  const auto ankle = [&](double seconds) {
+    return endPosition(moving.limb("left-leg"),
+                       worldMatrices(moving.scene, samplePose(moving.scene, moving.clip, seconds)));
+  };
+  const NodeIndex hips = moving.node.at("hips");
+  test::VectorKeys keys;
+  for (int i = 0; i <= 24; ++i) {
+    const double seconds = static_cast<double>(i) / 24.0;
+    keys.emplace_back(seconds, moving.scene.nodes[at(hips)].rest.translation + ankle(0.0) - ankle(seconds));
+  }
+  moving.clip.tracks.emplace_back(test::vectorTrack(hips, Channel::translation, Interpolation::linear, keys));
+  setEndsFromKeys(moving.clip);
+  return moving;
+}
+
 Clip brought(const MovingBiped& from, const MovingBiped& to) {
   const std::optional<Skeleton> source = skeletonOf(from.scene, from.body);
   const std::optional<Skeleton> own = skeletonOf(to.scene, to.body);
@@ -207,6 +234,55 @@ TEST_CASE("Hands that work together in the source are as many shoulder widths ap
             Approx(glm::length(boneOf(target, alone, limb, bone, 0.0))).epsilon(1e-3));
     }
   }
+}
+
+TEST_CASE("A foot that the source lacks is level while its shin leans, and follows the shin in the air") {
+  MovingBiped source = bodyOf({.feet = false, .toes = false});
+  const MovingBiped target = bodyOf();
+  const auto levelOff = [&](const Clip& clip) {
+    const std::vector<Mat4> worlds = worldsAt(target, clip, 1.0);
+    const std::vector<Mat4> bind = worldsAt(target, Clip{}, 0.0);
+    const NodeIndex foot = target.limb("left-leg").endNode;
+    const Vec3 up(0.0, 1.0, 0.0);
+    return degreesBetween(rotationOf(worlds[at(foot)]) * glm::inverse(rotationOf(bind[at(foot)])) * up, up);
+  };
+  const auto turned = [&](double thigh, double shin) {
+    MovingBiped moving = source;
+    for (const auto& [key, angle] : {std::pair("thigh.l", thigh), std::pair("shin.l", shin)}) {
+      moving.clip.tracks.emplace_back(test::rotationTrack(
+          moving.node.at(key), Interpolation::linear,
+          {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(1.0, 0.0, 0.0), angle)}}));
+    }
+    setEndsFromKeys(moving.clip);
+    return brought(moving, target);
+  };
+  CHECK(levelOff(turned(-0.35, 0.7)) < 12.0);
+  CHECK(levelOff(turned(-1.4, 0.2)) > 45.0);
+}
+
+TEST_CASE("Feet stand where the source's stand, and slide where they are only mapped") {
+  const MovingBiped source = squattingBiped();
+  test::SyntheticBiped lowKnees = test::namedBody();
+  for (const std::string side : {".l", ".r"}) {
+    test::jointOf(lowKnees, "shin" + side).position.y = 0.35;
+  }
+  const MovingBiped target = test::still(lowKnees);
+  const std::optional<Skeleton> from = skeletonOf(source.scene, source.body);
+  const std::optional<Skeleton> own = skeletonOf(target.scene, target.body);
+  REQUIRE((from && own));
+  const auto wander = [&](Correction correction) {
+    const Result<Retargeted> result = retarget(*from, source.clip, *own, {}, correction);
+    REQUIRE(result);
+    double farthest = 0.0;
+    for (double seconds = 0.0; seconds <= 1.0; seconds += 1.0 / 48.0) {
+      const Vec3 way = own->legs[leftSide].ball(worldsAt(target, result->clip, seconds)) -
+                       own->legs[leftSide].ball(worldsAt(target, result->clip, 0.0));
+      farthest = std::max(farthest, std::hypot(way.x, way.z));
+    }
+    return farthest / own->height;
+  };
+  CHECK(wander(Correction::feetAndHands) < 0.002);
+  CHECK(wander(Correction::none) > 0.02);
 }
 
 TEST_CASE("What the character has no joints for is told") {

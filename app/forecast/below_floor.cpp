@@ -1,4 +1,4 @@
-#include "app/edits/keys/below_floor.h"
+#include "app/forecast/below_floor.h"
 
 #include <algorithm>
 
@@ -12,6 +12,7 @@ BelowFloor belowFloor(const Scene& scene, const Clip& clip) {
   constexpr std::size_t most = 48;
   constexpr std::size_t fewest = 8;
   constexpr std::size_t mostVertices = 5'000'000; // of all times together
+  const std::vector<NodeIndex> nodes = skinning::strongestNodes(scene);
   BelowFloor below;
   std::size_t count = most;
   for (std::size_t i = 0; i < count; ++i) {
@@ -25,7 +26,7 @@ BelowFloor belowFloor(const Scene& scene, const Clip& clip) {
     const auto lowest = std::ranges::min_element(places, {}, &Vec3::y);
     if (-lowest->y > below.depth) {
       const auto vertex = static_cast<std::size_t>(lowest - places.begin());
-      below = {-lowest->y, seconds, skinning::strongestNode(scene, vertex)};
+      below = {-lowest->y, seconds, nodes[vertex]};
     }
     count = std::clamp(mostVertices / places.size(), fewest, most);
   }

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/forecast/body_touch.h"
+#include "app/forecast/retarget_figures.h"
+#include "core/gltf/json/json.h"
+#include "core/math/rotation.h"
+#include "tests/support/nodes.h"
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using test::MovingBiped;
+
+namespace {
+
+// A box that hangs on a node, its middle at a place of the world in the bind pose.
+void addBox(MovingBiped& moving, const std::string& node, const Vec3& middle, const Vec3& half) {
+  const std::vector<Mat4> worlds = worldMatrices(moving.scene, restPose(moving.scene));
+  Primitive box;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
+    const Vec3 place = transformPoint(glm::inverse(worlds[at(moving.node.at(node))]), middle + half * corner);
+    box.positions.emplace_back(place);
+    box.normals.emplace_back(0.0F, 1.0F, 0.0F);
+  }
+  box.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
+                 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
+  const NodeIndex part = test::addNode(moving.scene, "box of " + node, moving.node.at(node), Vec3(0.0));
+  moving.scene.nodes[at(part)].mesh = static_cast<int>(moving.scene.meshes.size());
+  moving.scene.meshes.push_back({"box", {box}, {}});
+}
+
+const Vec3 chest(0.0, 1.2, 0.0);
+
+// A biped of which a chest and the hands are shown: the left one as far in front of the chest as is said, the
+// right one far from anything.
+MovingBiped showing(double gap) {
+  MovingBiped moving = test::still(test::namedBody({.toes = false, .fingers = false}));
+  moving.scene.meshes.clear();
+  for (Node& node : moving.scene.nodes) {
+    node.mesh = -1;
+    node.skin = -1;
+  }
+  addBox(moving, "spine0", chest, Vec3(0.2));
+  addBox(moving, "hand.l", chest + Vec3(0.0, 0.0, 0.25 + gap), Vec3(0.05));
+  addBox(moving, "hand.r", Vec3(-3.0, 1.0, 0.0), Vec3(0.05));
+  return moving;
+}
+
+rig::Skeleton skeletonOf(const MovingBiped& moving) {
+  std::optional<rig::Skeleton> skeleton = rig::skeletonOf(moving.scene, moving.body);
+  REQUIRE(skeleton);
+  return *std::move(skeleton);
+}
+
+FrameState atRest(const MovingBiped& moving) {
+  return frameOf(moving.scene, restPose(moving.scene), 0.0);
+}
+
+Clip standingClip(const MovingBiped& moving, double metresPerSecond) {
+  Clip clip;
+  clip.framesPerSecond = 24.0;
+  const NodeIndex hips = moving.node.at("hips");
+  const Vec3 place = moving.scene.nodes[at(hips)].rest.translation;
+  clip.tracks.emplace_back(test::vectorTrack(hips, Channel::translation, Interpolation::linear,
+                                             {{0.0, place}, {1.0, place + Vec3(metresPerSecond, 0.0, 0.0)}}));
+  setEndsFromKeys(clip);
+  return clip;
+}
+
+} // namespace
+
+TEST_CASE("A hand is as far from the chest as its surface is, and from the other hand") {
+  const MovingBiped moving = showing(0.07);
+  const BodyTouch touch(skeletonOf(moving));
+  const HandDistances hands = touch.handsAt(atRest(moving));
+  REQUIRE((hands.toTrunk[rig::leftSide] && hands.toTrunk[rig::rightSide] && hands.toOther));
+  CHECK(*hands.toTrunk[rig::leftSide] == Approx(0.07).epsilon(1e-4));
+  CHECK(*hands.toTrunk[rig::rightSide] == Approx(2.75).epsilon(1e-4));
+  CHECK(*hands.toOther > 2.5);
+}
+
+TEST_CASE("A hand within the chest is told with its share and its depth, and one beside it is not") {
+  const MovingBiped within = showing(-0.08);
+  const Inside inside = BodyTouch(skeletonOf(within)).insideAt(atRest(within));
+  CHECK(inside.share == Approx(0.25)); // four of sixteen corners
+  CHECK(inside.deepest == Approx(0.08).epsilon(1e-4));
+  const MovingBiped beside = showing(0.01);
+  CHECK(BodyTouch(skeletonOf(beside)).insideAt(atRest(beside)).share == 0.0);
+}
+
+TEST_CASE("Feet that stand in the source are looked at in the result, and nothing else of it") {
+  const MovingBiped moving = test::still(test::namedBody());
+  const rig::Skeleton skeleton = skeletonOf(moving);
+  const Clip still = standingClip(moving, 0.0);
+  const Clip sliding = standingClip(moving, 0.036);
+  const Clip running = standingClip(moving, 2.0);
+  const RetargetReport report = retargetReport({skeleton, still}, {skeleton, sliding}, {skeleton, still});
+  REQUIRE((report.source.slide && report.mapped.slide && report.result.slide));
+  CHECK(*report.source.slide == Approx(0.0).margin(1e-9));
+  CHECK(*report.mapped.slide == Approx(0.036 / skeleton.height).epsilon(1e-3));
+  CHECK(*report.result.slide == Approx(0.0).margin(1e-9));
+  const RetargetReport run = retargetReport({skeleton, running}, {skeleton, sliding}, {skeleton, sliding});
+  CHECK_FALSE(run.result.slide);
+  const gltf::Json json = reportToJson(report);
+  CHECK(json["mapped"]["slide_percent"].get<double>() == Approx(100.0 * *report.mapped.slide));
+  CHECK(json["mapped"]["slide_cm"].get<double>() == Approx(170.0 * *report.mapped.slide));
+  CHECK(reportToJson(run)["result"]["slide_percent"].is_null());
+}
+
+TEST_CASE("Contact is the distance of the result's hand where the source's touches, and only there") {
+  const MovingBiped touching = showing(0.005);
+  const MovingBiped apart = showing(0.3);
+  const rig::Skeleton near = skeletonOf(touching);
+  const rig::Skeleton far = skeletonOf(apart);
+  const Clip still = standingClip(touching, 0.0);
+  const RetargetReport report = retargetReport({near, still}, {far, still}, {near, still});
+  REQUIRE((report.mapped.contact && report.result.contact));
+  CHECK(*report.mapped.contact == Approx(0.3 / far.height).epsilon(1e-3));
+  CHECK(*report.result.contact == Approx(0.005 / near.height).epsilon(1e-2));
+  const RetargetReport never = retargetReport({far, still}, {near, still}, {near, still});
+  CHECK_FALSE(never.result.contact);
+  const std::vector<std::string> lines = reportLines(report);
+  const std::string told = fmt::format("hands that touch are off by {:.2f} cm at 1.7 m (as mapped {:.2f},",
+                                       170.0 * *report.result.contact, 170.0 * *report.mapped.contact);
+  CHECK(std::ranges::any_of(lines, [&](const std::string& line) { return line.starts_with(told); }));
+}
