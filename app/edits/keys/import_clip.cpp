@@ -133,7 +133,7 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   }
   RetargetReport report =
       retargetReport({*donor.skeleton, clip}, {*own, mapped->clip}, {*own, brought->clip});
-  return NewClip{std::move(brought->clip), title, true, std::move(brought->left), std::move(report)};
+  return NewClip{std::move(brought->clip), title, true, std::move(brought->left), report};
 }
 
 std::string freeClipName(const std::vector<Clip>& clips, const std::string& wanted) {
