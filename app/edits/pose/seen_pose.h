@@ -38,11 +38,11 @@ struct SeenController {
 struct SeenPose {
   std::vector<SeenController> controllers;
   std::vector<AttributeValue> values; ///< What places do not tell: a fist, how a limb gives way.
-  std::shared_ptr<const Scene> of;  ///< Character that it was seen on.
-  Vec3 standingWorld{0.0};          ///< Point of the ground (y = 0) below the hips.
-  Vec3 leftWorld{1.0, 0.0, 0.0};    ///< To the character's left in the bind pose; unit length, level.
-  Vec3 leftOnItsWay{1.0, 0.0, 0.0}; ///< To its left on its way through the clip: headingNormal.
-  double legLength = 1.0;           ///< Length that moves of the hips count in, world units.
+  std::shared_ptr<const Scene> of;    ///< Character that it was seen on.
+  Vec3 standingWorld{0.0};            ///< Point of the ground (y = 0) below the hips.
+  Vec3 leftWorld{1.0, 0.0, 0.0};      ///< To the character's left in the bind pose; unit length, level.
+  Vec3 leftOnItsWay{1.0, 0.0, 0.0};   ///< To its left on its way through the clip: headingNormal.
+  double legLength = 1.0;             ///< Length that moves of the hips count in, world units.
 };
 
 /// Returns what is seen of these controllers; of all but the body's where none is named.

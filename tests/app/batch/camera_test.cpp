@@ -33,7 +33,7 @@ Punch punch(const std::string& character, const TemporaryFolder& folder,
   Punch made;
   made.file = (folder / "punch.glb").string();
   std::vector<std::string> words{"exaggerate", character, "-o",      made.file, "--limb", "left-arm",
-                                 "--range",    "21:27",   "--scale", "3",       "--json", "--clean"};
+                                 "--range",    "21:27",   "--scale", "3",       "--json"};
   words.insert(words.end(), more.begin(), more.end());
   made.answer = runVerb(words);
   INFO(made.answer.told);
@@ -86,7 +86,7 @@ TEST_CASE("info lists the file's cameras with their lens and the clips that move
 TEST_CASE("a punch is seen from the side, and from the front it is told that it points along the view") {
   const TemporaryFolder folder;
   const std::string file = test::boxerWithCameras(folder);
-  const Json side = punch(file, folder, {"--camera", "Side"}).trail;
+  const Json side = punch(file, folder, {"--camera", "Side", "--clean"}).trail;
   CHECK(side["seen"]["camera"] == "Side");
   CHECK(side["seen"]["ratio"].get<double>() ==
         Approx(seenInFile((folder / "punch.glb").string(), file, "Side")).epsilon(1e-3));
@@ -110,7 +110,7 @@ TEST_CASE("scaled as seen, the saved file's limb looks as long as it should thro
   for (const std::string camera : {"Side", "Front", "Flat"}) {
     for (const bool keepDepth : {true, false}) {
       CAPTURE(camera, keepDepth);
-      std::vector<std::string> words{"--as-seen", "--camera", camera, "--scale", "1.8"};
+      std::vector<std::string> words{"--as-seen", "--camera", camera, "--scale", "1.8", "--clean"};
       if (!keepDepth) {
         words.emplace_back("--no-keep-depth");
       }
