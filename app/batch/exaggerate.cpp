@@ -158,8 +158,7 @@ Verb exaggerateVerb() {
             addTrailOptions(line);
             addJson(line, arguments->json);
             return [arguments, line] {
-              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"),
-                                   !line.inOrder().empty());
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"), namesTrail(line));
             };
           }};
 }

@@ -71,6 +71,14 @@ std::vector<TrailRequest> requestsOf(const CommandLine& line) {
   return requests;
 }
 
+bool namesTrail(const CommandLine& line) {
+  return std::ranges::any_of(line.inOrder(), [](const auto& given) {
+    return given.first == "--limb" || given.first == "--range" ||
+           std::ranges::any_of(trailSchema(),
+                               [&](const auto& setting) { return given.first == setting.option; });
+  });
+}
+
 Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Document& document) {
   Recipe recipe;
   recipe.clip = clip;

@@ -21,6 +21,9 @@ void addTrailOptions(CommandLine& line);
 /// Trails that were asked for, in the order of the command line. To be asked after the line was parsed.
 [[nodiscard]] std::vector<TrailRequest> requestsOf(const CommandLine& line);
 
+/// Whether any option of a trail was given, --limb or another.
+[[nodiscard]] bool namesTrail(const CommandLine& line);
+
 /// The trails that were asked for, as a recipe would name them; chains join the document. Errors name the
 /// option.
 [[nodiscard]] Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip,
