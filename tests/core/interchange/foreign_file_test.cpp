@@ -163,7 +163,9 @@ TEST_CASE("A parent's scale reaches a bone, or does not where the FBX says so") 
 }
 
 TEST_CASE("What the library cannot do with an FBX is told where it shows") {
-  CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 8})), "bend between keys"));
+  CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 8})), "bend or step between keys"));
+  CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 2})), "bend or step between keys"));
+  CHECK_FALSE(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 4})), "between keys"));
   CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.layers = 2})), "not blended"));
   const TemporaryFolder folder;
   const std::string old =
