@@ -22,7 +22,7 @@ VERTICES = {"blender_293_half_skinned_7400_binary.fbx": "three.js draws vertices
             "maya_anim_pivot_rotate_7700_ascii.fbx": "as for the joints"}
 Z_UP = {"max_transformed_skin_7500_binary.fbx"}
 REFUSED = {"maya_cube_big_endian_7500_binary.fbx": "big endian", "max2009_cube_anim_6100_binary.fbx": "version 6.1"}
-WARNED = {"boxing-toes.bvh": "3070", "maya_anim_layers_7500_binary.fbx": "layers", "maya_auto_clamp_7700_binary.fbx": "bend between keys",
+WARNED = {"boxing-toes.bvh": "3070", "maya_anim_layers_7500_binary.fbx": "layers", "maya_auto_clamp_7700_binary.fbx": "bend or step between keys",
           "maya_anim_extrapolation_7700_binary.fbx": "beyond their keys", "blender_293_half_skinned_7400_binary.fbx": "2 vertices",
           "cmu-input.bvh": "names no unit"}
 
