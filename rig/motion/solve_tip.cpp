@@ -85,6 +85,9 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
         fmt::format("there is no camera '{}' to look through{}", solved.settings.sight.camera,
                     solved.settings.sight.asSeen ? ": the scale counts in the limb's own length" : ""));
   }
+  if (solved.settings.scale == 1.0 && !solved.settings.spheres.empty()) {
+    return; // pulled alone: no length was asked for
+  }
   if (tip.outcome == TipOutcome::nothingToScale) {
     solved.warnings.emplace_back(
         "nothing to scale: the limb's end does not move along the active axes in this range");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "core/base/check.h"
 #include "core/base/lower_case.h"
@@ -53,13 +52,13 @@ const Style* styleNamed(const std::vector<Style>& styles, std::string_view name)
   const std::string wanted = lowerCase(name);
   const Style* part = nullptr;
   int parts = 0;
-  for (const Style& style : styles | std::views::reverse) {
-    const std::string own = lowerCase(style.name);
+  for (auto style = styles.rbegin(); style != styles.rend(); ++style) { // one's own come last
+    const std::string own = lowerCase(style->name);
     if (own == wanted) {
-      return &style;
+      return &*style;
     }
     if (!wanted.empty() && own.find(wanted) != std::string::npos) {
-      part = &style;
+      part = &*style;
       ++parts;
     }
   }

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "app/auto/exaggerate_clip.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/clip_moments.h"
@@ -91,6 +93,17 @@ TEST_CASE("A limb that the character lacks and a landing of the whole body are l
   CHECK(made.moments[0].why == "the character has no such limb");
   CHECK_THAT(made.moments[1].why, Catch::Contains("feet stay"));
   CHECK(made.trailIds.empty());
+}
+
+TEST_CASE("The spine that goes along with a punch is pulled, and complains of no length") {
+  const AutoClip made = exaggerated(test::boxer(), in("Snappy"));
+  const rig::MotionState motion = prepareMotion(made.document, 0);
+  const auto spine = std::ranges::find_if(
+      motion.trails, [](const rig::SolvedTrail& solved) { return solved.limb.id == "spine"; });
+  REQUIRE(spine != motion.trails.end());
+  CHECK(spine->settings.scale == 1.0);
+  CHECK_FALSE(spine->settings.spheres.empty());
+  CHECK(spine->warnings.empty());
 }
 
 TEST_CASE("A style with weight gives it to arms that have a trail") {
