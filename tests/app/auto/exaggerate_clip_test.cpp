@@ -8,6 +8,7 @@
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/app/posed_file.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -96,7 +97,7 @@ TEST_CASE("A limb that the character lacks and a landing of the whole body are l
 }
 
 TEST_CASE("The spine that goes along with a punch is pulled, and complains of no length") {
-  const AutoClip made = exaggerated(test::boxer(), in("Snappy"));
+  const AutoClip made = exaggerated(test::openedFile(test::posedCharacter), in("Snappy"));
   const rig::MotionState motion = prepareMotion(made.document, 0);
   const auto spine = std::ranges::find_if(
       motion.trails, [](const rig::SolvedTrail& solved) { return solved.limb.id == "spine"; });
