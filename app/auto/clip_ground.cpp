@@ -11,6 +11,7 @@
 #include "app/evaluate/way_back.h"
 #include "app/standing_floor.h"
 #include "core/anim/frames.h"
+#include "rig/retarget/standing.h"
 
 namespace stretch::app {
 
@@ -61,10 +62,6 @@ bool limbsMeet(const ClipGround& ground) {
 
 // Feet that rest low, if only for three frames or on something: what is planted is longer and flatter.
 void addRests(ClipGround& ground) {
-  constexpr double nearLowest = 0.01; // of the height
-  constexpr double slow = 0.05;       // of the height per second
-  constexpr std::size_t fewest = 3;
-  const double height = ground.document.body.height;
   for (std::size_t i = 0; i < ground.limbs.size(); ++i) {
     if (!isLeg(ground.limbs[i])) {
       continue;
@@ -72,21 +69,10 @@ void addRests(ClipGround& ground) {
     std::vector<Vec3> foot;
     std::ranges::transform(ground.places, std::back_inserter(foot),
                            [&](const LimbPlaces& places) { return places[i].back(); });
-    const auto lowest = std::ranges::min_element(foot, {}, &Vec3::y);
-    const auto rests = [&](std::size_t frame) {
-      return frame < foot.size() && foot[frame].y < lowest->y + nearLowest * height &&
-             foot[frame - 1].y < lowest->y + nearLowest * height &&
-             glm::length(foot[frame] - foot[frame - 1]) * ground.framesPerSecond < slow * height;
-    };
-    std::size_t first = 0;
-    for (std::size_t frame = 1; frame <= foot.size(); ++frame) {
-      if (!rests(frame)) {
-        if (frame - first >= fewest) {
-          ground.stands[ground.limbs[i].id].emplace_back(static_cast<double>(first),
-                                                         static_cast<double>(frame - 1));
-        }
-        first = frame;
-      }
+    for (const rig::Stand& stand :
+         rig::standingIn(foot, ground.framesPerSecond, ground.document.body.height)) {
+      ground.stands[ground.limbs[i].id].emplace_back(static_cast<double>(stand.first),
+                                                     static_cast<double>(stand.last));
     }
   }
   for (auto& [leg, stands] : ground.stands) {

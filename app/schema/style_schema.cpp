@@ -14,7 +14,6 @@ using rig::ScaleRange;
 using rig::Style;
 
 constexpr int styleVersion = 1;
-constexpr std::size_t longestName = 100;
 
 struct Kind {
   const char* name;
@@ -80,7 +79,7 @@ Schema<Style> wayOutSettings() {
 Schema<Style> wayBackSettings() {
   return {
       setting<Style>({.name = "release",
-                      .maximum = 100.0,
+                      .maximum = rig::longestStyleRelease,
                       .unit = "of the range",
                       .help = "Length of the way back to the original motion; default: as a trail finds it."},
                      &Style::release),
@@ -140,7 +139,8 @@ Schema<Style> withOptions(Schema<Style> schema) {
 }
 
 Status readName(const Json& json, std::string& name) {
-  if (!json.is_string() || json.get<std::string>().empty() || json.get<std::string>().size() > longestName) {
+  if (!json.is_string() || json.get<std::string>().empty() ||
+      json.get<std::string>().size() > rig::longestStyleName) {
     return Error{json.dump() + " is not a name", "name", "give 1 to 100 letters"};
   }
   name = json.get<std::string>();

@@ -96,12 +96,9 @@ TrailSettings styledSettings(const TrailSettings& settings, const Style& style, 
 
 namespace {
 
-constexpr double longestRelease = 100.0; // ranges
-
 // Cut between letters, of which the later bytes begin with the bits 10.
 std::string shortened(std::string name) {
-  constexpr std::size_t longest = 100;
-  std::size_t end = std::min(name.size(), longest);
+  std::size_t end = std::min(name.size(), longestStyleName);
   while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) {
     --end;
   }
@@ -133,7 +130,7 @@ Style styleOf(const std::vector<StyledLimb>& limbs, std::string name) {
   style.easeOut = settings.easeOut;
   const double range = settings.endFrame - settings.startFrame;
   if (settings.releaseFrames && range > 0.0) {
-    style.release = std::min(*settings.releaseFrames / range, longestRelease);
+    style.release = std::min(*settings.releaseFrames / range, longestStyleRelease);
   }
   style.overshoot = settings.overshoot;
   style.volume = settings.volume;

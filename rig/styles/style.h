@@ -75,6 +75,9 @@ struct Style {
   friend bool operator==(const Style&, const Style&) = default;
 };
 
+inline constexpr double longestStyleRelease = 100.0; ///< Style::release, lengths of the range.
+inline constexpr std::size_t longestStyleName = 100; ///< Bytes.
+
 /// "measured", "ours", "own".
 [[nodiscard]] std::string_view originName(StyleOrigin origin);
 
