@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <new>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include <assimp/DefaultLogger.hpp>
@@ -127,6 +129,12 @@ std::vector<std::string> warningsOfBytes(const Bytes& bytes, Format format, cons
   return warnings;
 }
 
+bool hasNoRate(const aiScene& scene) {
+  return std::ranges::any_of(std::span(scene.mAnimations, scene.mNumAnimations), [](const aiAnimation* clip) {
+    return !(std::isfinite(clip->mTicksPerSecond) && clip->mTicksPerSecond > 0.0);
+  });
+}
+
 Json nodeJson(const FigureNode& node, const Mat4& local) {
   const Transform parts = toTransform(local);
   Json json{{"name", node.name}};
@@ -247,6 +255,10 @@ Result<Converted> converted(const std::filesystem::path& file) {
   }
   if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0 && scene->mRootNode->mNumChildren == 0) {
     return Error{"holds neither a skeleton nor a mesh nor a clip", "", exportAgain};
+  }
+  if (*format == Format::bvh && hasNoRate(*scene)) {
+    return Error{"says of a frame that it takes no time, or is no number", "Frame Time",
+                 "write the seconds of a frame there, such as 0.0333333"};
   }
   Result<Converted> made = convertedScene(*scene, file, *format, *bytes, head);
   if (made && leftOut.count > 0) {

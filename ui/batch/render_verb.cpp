@@ -437,6 +437,10 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!source) {
     return source.error();
   }
+  if (*source && *camera != nullptr && cameraNamed(*(*source)->scene, (*camera)->name) == nullptr) {
+    return Error{"has no camera '" + (*camera)->name + "'", arguments.beside,
+                 "name a file with it, or look by --view"};
+  }
   if (*source) {
     film.sides.push_back({(*source)->scene.get(), picturesBeside(**source, app::clipOf(*document, clip).name,
                                                                  *frames, motion->framesPerSecond, look)});

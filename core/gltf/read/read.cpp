@@ -82,6 +82,10 @@ std::optional<Source> fromForeign(const std::filesystem::path& path, interchange
 }
 
 std::optional<Source> fromBytes(const std::filesystem::path& path, const Bytes& bytes, Problems& problems) {
+  if (bytes.empty()) {
+    problems.error("", "is empty", "export the file again");
+    return std::nullopt;
+  }
   if (isGlb(bytes)) {
     return fromGlb(bytes, problems);
   }

@@ -113,6 +113,24 @@ TEST_CASE("A BVH that holds another number of frames than it says") {
   }
 }
 
+TEST_CASE("A BVH whose frames take no time, or none that is a number, is refused in one line") {
+  for (const char* const time : {"0", "-1", "nan"}) {
+    INFO(time);
+    std::string text = test::personBvh(3, 3);
+    text.replace(text.find("0.02", text.find("Frame Time")), 4, time);
+    const TemporaryFolder folder;
+    const std::string told = test::refusal(gltf::load(folder.write("person.bvh", text)));
+    CHECK(told.find("Frame Time") != std::string::npos);
+  }
+}
+
+TEST_CASE("A file without a byte is called empty") {
+  const TemporaryFolder folder;
+  for (const char* const name : {"a.fbx", "a.glb", "a.gltf"}) {
+    CHECK(test::refusal(gltf::load(folder.write(name, ""))).find("is empty") != std::string::npos);
+  }
+}
+
 TEST_CASE("Pivots of an FBX are collapsed: the motion is the file's within 1e-4 of the height, at and "
           "between keys") {
   const gltf::Loaded loaded = loadedText("bones.fbx", test::twoBonesFbx());

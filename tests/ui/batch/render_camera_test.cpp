@@ -117,6 +117,13 @@ TEST_CASE("two files stand side by side: the source on the left is the source al
   CHECK(halfOf(both, true) != halfOf(both, false));
   const Image same = picture(dummy, dummy);
   CHECK(halfOf(same, true) == halfOf(same, false));
+  // Counted twice as fast, the same moment has twice the number.
+  const std::string fast = (folder / "fast.glb").string();
+  REQUIRE(test::runVerb({"exaggerate", dummy, "-o", fast, "--limb", "left-arm", "--range", "42:54", "--scale",
+                         "1", "--fps", "48"})
+              .exitCode == 0);
+  REQUIRE_FALSE(drawn(fast, folder, {"--frame", "54", "--no-trails", "--beside", dummy}).empty());
+  CHECK(halfOf(ui::readPng(folder / "out.png").value(), true) == halfOf(same, true));
 }
 
 TEST_CASE("a video has every frame of the clip at its speed, and leaves nothing when it cannot be made") {
