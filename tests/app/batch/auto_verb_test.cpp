@@ -79,3 +79,17 @@ TEST_CASE("The styles are listed with where they come from") {
   CHECK(list[0]["origin"] == "measured");
   CHECK(report({"styles", "--style", "Heavy", "--json"})["weight"] == 0.5);
 }
+
+TEST_CASE("In a strong style a loop's seam, standing feet and the floor are as the source has them") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const std::string assets = STRETCH_SOURCE_DIR "/assets/";
+  for (const auto& [file, clip] :
+       {std::pair("dummy.glb", "#1"), {"dummy.glb", "#0"}, {"dummy_leap.glb", "#0"}}) {
+    CAPTURE(file, clip);
+    const Json done = report({"exaggerate", assets + file, "-o", out, "--auto", "--clip", clip, "--style",
+                              "Rubber hose", "--strength", "2", "--json"});
+    CHECK_FALSE(done["clips"][0]["trails"].empty());
+    CHECK(done.value("worse", Json::array()).dump() == "[]");
+  }
+}

@@ -180,6 +180,33 @@ TEST_CASE("A parent's scale reaches a bone, or does not where the FBX says so") 
   checkNear(positionOf(worldOf(inherits, "lower", 0.5)), lowerAt(0.5, 2.0), 1e-5);
 }
 
+TEST_CASE("A scale that is not inherited is not, with pivots and without, at rest and while the clip plays") {
+  for (const bool upperPivots : {false, true}) {
+    for (const bool lowerPivots : {false, true}) {
+      CAPTURE(upperPivots, lowerPivots);
+      const gltf::Loaded loaded = loadedText("bones.fbx", test::twoBonesFbx({.childInherits = 2,
+                                                                             .upperScale = 2.0,
+                                                                             .upperPivots = upperPivots,
+                                                                             .lowerPivots = lowerPivots}));
+      for (const double seconds : {0.0, 0.5, 1.0}) {
+        const Mat4 lower = worldOf(loaded, "lower", seconds);
+        for (int axis = 0; axis < 3; ++axis) {
+          CHECK(glm::length(Vec3(lower[axis])) == Approx(1.0).epsilon(1e-4));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("An uneven scale that is not inherited is taken back along the parent's axes") {
+  const gltf::Loaded loaded =
+      loadedText("bones.fbx", test::twoBonesFbx({.childInherits = 2, .upperStretch = 2.0}));
+  const Mat4 across = worldOf(loaded, "lower", 0.75); // turned by 90 degrees
+  for (int axis = 0; axis < 3; ++axis) {
+    CHECK(glm::length(Vec3(across[axis])) == Approx(1.0).epsilon(0.01));
+  }
+}
+
 TEST_CASE("What the library cannot do with an FBX is told where it shows") {
   CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 8})), "bend or step between keys"));
   CHECK(tells(loadedText("bones.fbx", test::twoBonesFbx({.keyFlags = 2})), "bend or step between keys"));

@@ -53,12 +53,17 @@ std::string intProperty(const char* name, int value) {
 }
 
 std::string objects(const FbxText& text) {
-  std::string all = bone(10, "upper",
-                         property("Lcl Translation", 0, 10, 0) + vectorProperty("PreRotation", 0, 0, 90) +
-                             property("Lcl Scaling", text.upperScale, text.upperScale, text.upperScale) +
-                             intProperty("RotationActive", 1));
+  std::string all = bone(
+      10, "upper",
+      property("Lcl Translation", 0, 10, 0) + vectorProperty("PreRotation", 0, 0, 90) +
+          property("Lcl Scaling", text.upperScale, text.upperScale * text.upperStretch, text.upperScale) +
+          (text.upperPivots
+               ? vectorProperty("RotationPivot", 0, 1, 0) + vectorProperty("ScalingPivot", 0, 1, 0)
+               : "") +
+          intProperty("RotationActive", 1));
   all += bone(11, "lower",
-              property("Lcl Translation", 0, 5, 0) + vectorProperty("RotationPivot", 0, 2, 0) +
+              property("Lcl Translation", 0, 5, 0) +
+                  (text.lowerPivots ? vectorProperty("RotationPivot", 0, 2, 0) : "") +
                   intProperty("RotationActive", 1) +
                   fmt::format("      P: \"InheritType\", \"enum\", \"\", \"\",{}\n", text.childInherits));
   all +=
