@@ -201,6 +201,21 @@ TEST_CASE("On a character that faces the other way a pose is turned about the ve
   CHECK(placedAt(session, 5.0, "left-foot").placeWorld.y < turned.y - 0.4);
 }
 
+TEST_CASE("On a character that looks a quarter further round its feet stand a quarter further round") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  const Vec3 foot = placedAt(session, punchFrame, "left-foot").placeWorld -
+                    placedAt(session, punchFrame, "hips").placeWorld;
+  REQUIRE(run(session, command::poseCopy).empty());
+  auto& pose = std::get<SeenPose>(*session.view().copiedPose);
+  pose.of.reset();
+  pose.leftWorld = Vec3(0.0, 0.0, 1.0); // it is (1, 0, 0) here
+  session.view().frame = 5.0;
+  CHECK(run(session, command::posePaste).empty());
+  const Vec3 now = placedAt(session, 5.0, "left-foot").placeWorld - placedAt(session, 5.0, "hips").placeWorld;
+  CHECK(glm::length(now - Vec3(foot.z, foot.y, -foot.x)) < 0.02);
+}
+
 TEST_CASE("Pasting what stands there already says so, and so does a character without these controllers") {
   Session session(bundled());
   session.view().frame = punchFrame;

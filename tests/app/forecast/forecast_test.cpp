@@ -183,6 +183,22 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Before and after: a body that jumps aside at the seam is no loop any more, whatever its travel") {
+  const test::TemporaryFolder folder;
+  const std::string recipe = folder
+                                 .write("aside.json", R"({"version": 1, "adjustments": [{"controller": "body",
+      "keys": [{"frame": 50, "move": [0, 0, 0]}, {"frame": 60, "move": [0.3, 0, 0]}]}]})")
+                                 .string();
+  const std::string out = (folder / "aside.glb").string();
+  REQUIRE(test::runVerb({"pose", punchGlb, "-o", out, "--recipe", recipe}).exitCode == 0);
+  const Json worse = checked({out, "--before", punchGlb})["worse"];
+  const auto seam = std::ranges::find(worse, "loop-seam-place", [](const Json& one) { return one["id"]; });
+  REQUIRE(seam != worse.end());
+  CHECK((*seam)["result"].get<double>() == Approx(100.0 * 0.3 * 0.8 / 1.8).epsilon(0.05)); // legs are 0.8
+                                                                                           // long, the
+                                                                                           // body 1.8
+}
+
 TEST_CASE("Before and after: a file of another character is refused") {
   const test::VerbAnswer answer =
       test::runVerb({"check", punchGlb, "--before", STRETCH_SOURCE_DIR "/assets/dummy.glb.missing"});
