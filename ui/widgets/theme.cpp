@@ -170,7 +170,7 @@ void setColours(ImGuiStyle& style, const ThemeColours& colours) {
        {ImGuiCol_ChildBg, ImGuiCol_BorderShadow, ImGuiCol_ScrollbarBg, ImGuiCol_ResizeGrip}) {
     setColour(style, unseen, IM_COL32_BLACK_TRANS);
   }
-  setColour(style, ImGuiCol_ModalWindowDimBg, IM_COL32(0, 0, 0, 120));
+  style.Colors[ImGuiCol_ModalWindowDimBg] = {0.0F, 0.0F, 0.0F, behindDialogs};
 }
 
 } // namespace

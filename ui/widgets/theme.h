@@ -63,6 +63,9 @@ struct Theme {
 /// changed.
 void applyStyle(const Theme& theme);
 
+/// How much of the window an open dialog darkens, 0..1.
+inline constexpr float behindDialogs = 0.47F;
+
 /// Colour of the original path: sky blue.
 inline constexpr ImU32 originalTrailColour = IM_COL32(0x56, 0xB4, 0xE9, 255);
 /// A mesh sequence and the skinned clip that it was compressed to, one over the other.

@@ -14,6 +14,7 @@ struct DialogSpec {
   float across = 0.5F;  ///< Middle of the dialog as a part of the window's width.
   float height = 0.0F; ///< Design pixels; 0: as high as the content, which scrolls where the window is lower.
   bool closable = true; ///< Esc and the cross close it.
+  bool darkens = true;  ///< What is behind it; not where the dialog is about what is seen there.
 };
 
 /// A dialog in the middle of the window that takes all input while it is open. True when its content is to be

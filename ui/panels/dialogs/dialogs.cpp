@@ -121,6 +121,7 @@ bool beginDialog(PanelContext& context, const DialogSpec& spec, bool& open) {
   if (!ImGui::IsPopupOpen(name.c_str())) {
     ImGui::OpenPopup(name.c_str());
   }
+  ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = spec.darkens ? behindDialogs : 0.0F;
   const Theme& theme = context.theme;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = dialogMargin(theme);

@@ -110,7 +110,8 @@ void drawClipStyleDialog(PanelContext& context) {
                     .icon = icon::magic,
                     .title = "Exaggerate the clip",
                     .width = 360.0F,
-                    .across = 1.0F},
+                    .across = 1.0F,
+                    .darkens = false},
                    shown)) {
     state.open = shown;
     return;
