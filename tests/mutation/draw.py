@@ -11,10 +11,13 @@ def chance(*words):
     return hashlib.sha256("|".join(str(word) for word in words).encode()).digest()
 
 
-def drawn(tree, seed, room, count, without=()):
-    """Mutants of a room, count of them where it has that many lines. Every line that holds code is as likely as any other."""
+def drawn(tree, seed, room, count, without=(), under=()):
+    """Mutants of a room, count of them where it has that many lines. Every line that holds code is as likely as any other; under: only
+    lines of files whose path begins with one of these, where any is given."""
     lines = []
     for file in tree.files(room):
+        if under and not file.startswith(tuple(under)):
+            continue
         seen = {}
         for number, line in enumerate(tree.source(file).lines()):
             text = line.strip()

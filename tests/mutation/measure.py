@@ -36,6 +36,7 @@ def options():
     parser.add_argument("--seed", default="1", help="of the draw")
     parser.add_argument("--try", dest="first", type=int, help="try the first N of each room's drawn ones only")
     parser.add_argument("--room", action="append", choices=ROOMS, help="only mutants of this room; may be repeated")
+    parser.add_argument("--under", action="append", metavar="FOLDER", help="drawn ones only in files whose path begins so; may be repeated")
     parser.add_argument("--written-only", action="store_true", help="none drawn")
     parser.add_argument("--drawn-only", action="store_true", help="none written by hand")
     parser.add_argument("--windows", action="store_true", help="the scripts that drive the window too, minutes each")
@@ -72,7 +73,7 @@ class Measure:
         refused = {tuple(key) for key in read_json(self.folder / "refused.json", [])}
         found = []
         for room in self.rooms:
-            found += draw.drawn(self.tree, self.asked.seed, room, self.asked.drawn // len(ROOMS) * 5 // 4, refused)
+            found += draw.drawn(self.tree, self.asked.seed, room, self.asked.drawn // len(ROOMS) * 5 // 4, refused, self.asked.under or ())
         for mutant in read_mutants(HERE / "written.jsonl"):
             if mutant.room not in self.rooms:
                 continue

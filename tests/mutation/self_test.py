@@ -146,15 +146,20 @@ class WhereItStands(unittest.TestCase):
 
 
 class WhatIsDrawn(unittest.TestCase):
-    def drawn(self, text):
+    def drawn(self, text, under=()):
         with tempfile.TemporaryDirectory() as folder:
-            return [one.key for one in draw.drawn(tree_of(folder, {"core/limb.cpp": text}), "1", "core", 4)]
+            tree = tree_of(folder, {"core/limb.cpp": text, "core/gltf/limb.cpp": text})
+            return [(one.file, *one.key) for one in draw.drawn(tree, "1", "core", 4, under=under)]
 
     def test_the_same_seed_draws_the_same(self):
         self.assertEqual(self.drawn(LIMB), self.drawn(LIMB))
 
     def test_a_line_that_comes_in_front_changes_nothing(self):
         self.assertEqual(self.drawn(LIMB), self.drawn("// one more\n" + LIMB))
+
+    def test_a_folder_alone_is_drawn_from(self):
+        self.assertEqual({file for file, *_ in self.drawn(LIMB, under=["core/gltf"])}, {"core/gltf/limb.cpp"})
+        self.assertEqual({file for file, *_ in self.drawn(LIMB)}, {"core/limb.cpp", "core/gltf/limb.cpp"})
 
 
 class TheWholeWay(unittest.TestCase):
