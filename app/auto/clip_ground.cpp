@@ -98,6 +98,10 @@ std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const F
   return lowest == places.end() ? std::nullopt : std::optional(Vec3(*lowest));
 }
 
+double straightLength(const std::vector<Vec3>& points) {
+  return glm::length(points.back() - points.front());
+}
+
 LimbPlaces placesOf(const std::vector<rig::Limb>& limbs, const FrameState& frame) {
   LimbPlaces places;
   for (const rig::Limb& limb : limbs) {
@@ -125,7 +129,7 @@ ClipGround clipGround(const Document& document, int clip) {
   ground.limbs = allLimbs(document);
   ground.endsMeet = endsMeet(document, clip) || limbsMeet(ground);
   ground.wraps =
-      ground.endsMeet && motion.startSeconds < 0.5 / motion.framesPerSecond && !hasWeight(document, clip);
+      ground.endsMeet && motion.startSeconds < 1.5 / motion.framesPerSecond && !hasWeight(document, clip);
   ground.lowest = std::numeric_limits<double>::infinity();
   ground.lowestVertex = ground.lowest;
   ground.surface = std::make_shared<const skinning::SurfacePart>(

@@ -22,8 +22,8 @@ struct ClipGround {
   double framesPerSecond = 30.0;
   double lastFrame = 0.0; ///< Whole.
   bool endsMeet = false;  ///< Its last pose is its first again.
-  bool wraps = false;     ///< A way back may go on at its start: it has keys from there on, and nothing hangs
-                          ///< on its end.
+  bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first
+                      ///< pose for a frame, and nothing hangs on its end.
   std::vector<rig::Limb> limbs = {};
   std::vector<LimbPlaces> places = {};                       ///< One for each whole frame from 0.
   std::map<std::string, std::vector<Vec2>> stands = {};      ///< By leg: first and last frame of standing,
@@ -42,6 +42,9 @@ struct ClipGround {
 /// The lowest vertex of the mesh in a frame; nothing for a body without one.
 [[nodiscard]] std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface,
                                                  const FrameState& frame);
+
+/// From the place that stays to the one that leads.
+[[nodiscard]] double straightLength(const std::vector<Vec3>& points);
 
 [[nodiscard]] LimbPlaces placesOf(const std::vector<rig::Limb>& limbs, const FrameState& frame);
 

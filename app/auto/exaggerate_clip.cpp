@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/auto/loop_seam.h"
 #include "app/auto/planned_trail.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
@@ -33,7 +34,7 @@ Things thingsOf(const AutoPlan& plan) {
 AutoClip unchanged(const Document& document, const std::vector<rig::Moment>& moments, const char* why) {
   AutoClip clip{document, {}, {}, false, {}};
   for (const rig::Moment& moment : moments) {
-    clip.moments.push_back({moment, 0, 1.0, why});
+    clip.moments.push_back({moment, 0, 1.0, false, why});
   }
   return clip;
 }
@@ -57,8 +58,7 @@ AutoClip withWeights(const AutoSettings& settings, int clip, AutoClip made) {
   return made;
 }
 
-double lowestOf(const ClipGround& ground, const Document& document) {
-  const rig::MotionState motion = prepareMotion(document, ground.clip);
+double lowestOf(const ClipGround& ground, const Document& document, const rig::MotionState& motion) {
   double lowest = std::numeric_limits<double>::infinity();
   for (double frame = 0.0; frame <= ground.lastFrame; frame += 1.0) {
     const FrameState shown = evaluate(document, motion, frame / ground.framesPerSecond);
@@ -68,8 +68,27 @@ double lowestOf(const ClipGround& ground, const Document& document) {
   return lowest;
 }
 
+// Empty where limbs that give way hang no lower and close a loop no worse than without.
+std::string problemOfWeight(const ClipGround& ground, const Document& plain, const Document& weighted) {
+  constexpr double seen = 1e-3; // of the height
+  const rig::MotionState before = prepareMotion(plain, ground.clip);
+  const rig::MotionState after = prepareMotion(weighted, ground.clip);
+  const double lowest = std::min(ground.lowestVertex, lowestOf(ground, plain, before));
+  if (lowestOf(ground, weighted, after) < lowest - seen * ground.document.body.height) {
+    return "it would hang through the floor";
+  }
+  const LoopSeam source = seamOfSource(ground);
+  const LoopSeam now = seamOf(ground, weighted, after);
+  for (std::size_t i = 0; ground.endsMeet && i < ground.limbs.size(); ++i) {
+    if (closesWorse(ground, now, source, i)) {
+      return "the loop would not close";
+    }
+  }
+  return {};
+}
+
 // Weight of a clip that ends as it begins goes on over its seam. None is given where something would hang
-// through the floor.
+// through the floor, or the loop close worse.
 void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip& made) {
   if (settings.style.weight.amount <= 0.0) {
     return;
@@ -82,16 +101,24 @@ void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip
     weighted.document = setLooping(weighted.document, ground.clip, true);
     weighted.madeLoop = true;
   }
-  constexpr double seen = 1e-3; // of the height
-  const double before = std::min(ground.lowestVertex, lowestOf(ground, made.document));
-  if (lowestOf(ground, weighted.document) < before - seen * ground.document.body.height) {
-    made.notes.emplace_back("no limb gives way to its weight: it would hang through the floor");
+  if (const std::string problem = problemOfWeight(ground, made.document, weighted.document);
+      !problem.empty()) {
+    made.notes.push_back("no limb gives way to its weight: " + problem);
     return;
   }
   made = std::move(weighted);
 }
 
 } // namespace
+
+std::string remarkOn(bool isExaggerated, bool isLevel, const std::string& why) {
+  if (!isExaggerated) {
+    return why;
+  }
+  const std::string ground = isLevel ? "along the ground" : "";
+  const std::string more = why.empty() ? "" : "with more " + why;
+  return ground + (ground.empty() || more.empty() ? "" : ", ") + more;
+}
 
 AutoClip exaggerateClip(const Document& document, int clip, const std::vector<rig::Moment>& moments,
                         const AutoSettings& settings) {
@@ -112,7 +139,7 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   }
   AutoClip made{placed->document, {}, placed->trailIds, plan.loops && !isLooping(document, clip), {}};
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    made.moments.push_back({moments[i], 0, 1.0, plan.leftOut[i]});
+    made.moments.push_back({moments[i], 0, 1.0, false, plan.leftOut[i]});
   }
   for (std::size_t i = 0; i < plan.trails.size(); ++i) {
     const PlannedTrail& planned = plan.trails[i];
@@ -121,8 +148,10 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
           fmt::format("the {} goes along with the {}", planned.trail.limb, moments[planned.moment].limb));
       continue;
     }
+    const bool wasLevel = settings.style.axes == rig::AxesRule::level;
     made.moments[planned.moment] = {moments[planned.moment], placed->trailIds[i],
-                                    planned.trail.settings.scale, planned.why};
+                                    planned.trail.settings.scale,
+                                    !wasLevel && !planned.trail.settings.axes[1], planned.why};
   }
   for (const rig::Grip& grip : plan.grips) {
     made.notes.push_back(fmt::format("the hand of {} keeps to that of {}", grip.follower, grip.leader));

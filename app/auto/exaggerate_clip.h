@@ -21,8 +21,13 @@ struct AutoMoment {
   rig::Moment moment;
   int trailId = 0;      ///< Trail that was made for it; 0: none.
   double scale = 1.0;   ///< Scale of that trail.
+  bool isLevel = false; ///< Along the ground alone: up and down it would go through the floor.
   std::string why = {}; ///< Why it was left out, or has less than the style's scale; empty: it has all of it.
 };
+
+/// Remark on an outcome beside its scale, such as "along the ground, with more the mesh would tear"; empty
+/// where all of the style's exaggeration is there.
+[[nodiscard]] std::string remarkOn(bool isExaggerated, bool isLevel, const std::string& why);
 
 /// A clip with a trail for every moment of it that can have one.
 struct AutoClip {

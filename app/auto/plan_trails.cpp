@@ -16,11 +16,10 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double weakShare = 0.15;    // of the clip's strongest: what is weaker is no action beside it
-constexpr double fullStrength = 6.0;  // reaches per second: from here on a moment gets all that the style
-                                      // says
-constexpr double leastShare = 0.2;    // of the style's exaggeration, for the weakest
-constexpr double shortestRange = 2.0; // frames
+constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
+constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
+                                     // says
+constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest
 constexpr double shortestRelease = 2.0;
 constexpr double asStrong = 0.8;  // of a stronger one: both lead
 constexpr double sharedWay = 0.5; // of the next range: until then it has hardly begun
@@ -219,10 +218,7 @@ private:
         release = std::min(room, std::max(shortestRelease, 0.5 * (settings.endFrame - settings.startFrame)));
       }
     }
-    plan_.loops = ground_.wraps && std::ranges::any_of(plan_.trails, [&](const PlannedTrail& planned) {
-                    return windowOf(planned.trail.settings).y > ground_.lastFrame ||
-                           planned.trail.settings.endFrame >= ground_.lastFrame;
-                  });
+    plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }
 
   // Frames after the tip; lastFrame and more: nothing is in the way.

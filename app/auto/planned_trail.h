@@ -9,6 +9,8 @@
 
 namespace stretch::app {
 
+inline constexpr double shortestRange = 2.0; ///< Frames of a trail.
+
 /// A trail that is thought of for a moment.
 struct PlannedTrail {
   std::size_t moment = 0;  ///< Place in the list of moments.

@@ -11,8 +11,10 @@
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/stopped.h"
 #include "app/evaluate/trail_look.h"
 #include "app/evaluate/way_back.h"
+#include "core/anim/frames.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -21,6 +23,9 @@ namespace {
 
 constexpr std::array<double, 5> shares{1.0, 0.75, 0.5, 0.35, 0.2}; // of the exaggeration that is wanted
 constexpr double leastExcess = 0.03;                               // of a scale: less is not seen
+constexpr std::array<bool, 3> allAxes{true, true, true};
+constexpr std::array<bool, 3> levelAxes{true, false, true};
+constexpr double calmRelease = 3.0; // frames, at least
 
 // What an animator would stumble over, in a few words; empty where there is nothing.
 std::string problemOf(const Findings& findings) {
@@ -40,22 +45,22 @@ public:
       : ground_(ground), loops_(loops),
         places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*ground.document.scene))) {}
 
-  // Lowers the trail until it looks right; answers why it cannot be done at all.
+  // Lowers the trail until it looks right; answers why it cannot be done at all. A limb that the ground stops
+  // is as long as it was: better less of it, or along the ground, than that.
   [[nodiscard]] std::string calm(PlannedTrail& planned) {
     const rig::TrailSettings wanted = planned.trail.settings;
     std::string first;
-    for (const double share : shares) {
-      for (const Variant& variant : variantsFor(planned, wanted)) {
-        rig::TrailSettings settings = withShare(wanted, share);
-        settings.space = variant.space;
-        settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
-        planned.trail.settings = settings;
-        const std::string problem = problemWith(planned);
-        first = first.empty() ? problem : first;
-        if (problem.empty()) {
-          planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
-          planned.looked = planned.trail.settings;
-          return {};
+    for (const bool mayBeStopped : {false, true}) {
+      for (const double share : shares) {
+        for (const Variant& variant : variantsFor(planned, wanted)) {
+          planned.trail.settings = settingsOf(wanted, share, variant);
+          const std::string problem = problemWith(planned, mayBeStopped);
+          first = first.empty() ? problem : first;
+          if (problem.empty()) {
+            planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
+            planned.looked = planned.trail.settings;
+            return {};
+          }
         }
       }
     }
@@ -67,24 +72,40 @@ private:
   struct Variant {
     rig::TrailSpace space = rig::TrailSpace::world;
     bool stops = false;
+    std::array<bool, 3> axes = allAxes;
   };
 
-  // A leg stops at the ground where it can; another limb is stopped only where it would go through it.
+  [[nodiscard]] static rig::TrailSettings settingsOf(const rig::TrailSettings& wanted, double share,
+                                                     const Variant& variant) {
+    rig::TrailSettings settings = withShare(wanted, share);
+    settings.space = variant.space;
+    settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
+    settings.axes = variant.axes;
+    return settings;
+  }
+
+  // A leg stops at the ground where it can; another limb is stopped only where it would go through it. What
+  // stays wrong is tried without the way up and down.
   [[nodiscard]] std::vector<Variant> variantsFor(const PlannedTrail& planned,
                                                  const rig::TrailSettings& wanted) const {
     const bool stopsFirst = isLeg(*findLimb(ground_.document, planned.trail.limb));
     std::vector<Variant> variants;
-    for (const bool stops : {stopsFirst, !stopsFirst}) {
-      variants.push_back({wanted.space, stops});
-      if (wanted.space != rig::TrailSpace::base) {
-        variants.push_back({rig::TrailSpace::base, stops});
+    for (const std::array<bool, 3>& axes : {wanted.axes, levelAxes}) {
+      for (const bool stops : {stopsFirst, !stopsFirst}) {
+        variants.push_back({wanted.space, stops, axes});
+        if (wanted.space != rig::TrailSpace::base) {
+          variants.push_back({rig::TrailSpace::base, stops, axes});
+        }
+      }
+      if (wanted.axes != allAxes) {
+        break;
       }
     }
     return variants;
   }
 
   // A path that comes back on itself ends where it is farthest.
-  [[nodiscard]] std::string problemWith(PlannedTrail& planned) {
+  [[nodiscard]] std::string problemWith(PlannedTrail& planned, bool mayBeStopped) {
     rig::MotionState alone = solved(planned.trail);
     if (alone.trails.empty()) {
       return "its range holds no frame";
@@ -103,6 +124,9 @@ private:
     constexpr double largestOfPath = 1.5 * rig::largestScale;
     if (!planned.follows && trail.tip.trailScale && *trail.tip.trailScale > largestOfPath) {
       return "its path is too short for it";
+    }
+    if (!mayBeStopped && isStoppedAtTip(ground_.document, alone, trail)) {
+      return "it would go through the floor";
     }
     if (wayBackProblem(ground_.document, alone, trail)) {
       return "there is no room for the way back";
@@ -158,10 +182,44 @@ double excessOf(const ClipGround& ground, const PlannedTrail& planned) {
   return std::abs(settings.scale - 1.0) + pulled / findLimb(ground.document, planned.trail.limb)->restLength;
 }
 
+// Keeps still what the trail adds from a frame before the seam to a frame after it, where it can: a loop then
+// closes as it did. False where nothing is left to do.
+bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
+  const Clip& clip = clipOf(ground.document, ground.clip);
+  const double end = endInFrames(clip);
+  const rig::TrailSettings before = settings;
+  const double range = settings.endFrame - settings.startFrame;
+  const double first = std::ceil(std::max(0.0, clip.startSeconds * clip.framesPerSecond)) + 1.0;
+  if (settings.startFrame < first && settings.endFrame - first >= shortestRange) {
+    settings.startFrame = first;
+  }
+  const double release = settings.releaseFrames.value_or(0.5 * range);
+  const double wayEnd = settings.endFrame + release;
+  const double room = ground.lastFrame - 1.0 - settings.endFrame;
+  if (room >= calmRelease && wayEnd > ground.lastFrame - 1.0) {
+    settings.releaseFrames = room;
+  } else if (wayEnd > ground.lastFrame - 1.0 && ground.wraps) {
+    settings.endFrame = std::min(settings.endFrame, ground.lastFrame - 1.0);
+    settings.lingerFrames = end + 1.0 - settings.endFrame;
+    settings.releaseFrames = std::max(wayEnd - settings.endFrame, settings.lingerFrames + calmRelease);
+  }
+  return !(settings == before);
+}
+
 // Less of the trail; left out where nothing is to be seen of it any more.
-void lower(const ClipGround& ground, AutoPlan& plan, std::size_t place, const std::string& why) {
+void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   constexpr double step = 0.7;
+  const std::size_t place = fault.trail;
+  const std::string& why = fault.why;
   PlannedTrail& planned = plan.trails[place];
+  rig::TrailSettings& settings = planned.trail.settings;
+  if (fault.at == FaultPlace::floor && settings.axes == allAxes) {
+    settings.axes = levelAxes;
+    return;
+  }
+  if (fault.at == FaultPlace::seam && calmAtSeam(ground, settings)) {
+    return;
+  }
   planned.trail.settings = withShare(planned.trail.settings, step);
   planned.why = planned.why.empty() ? why : planned.why;
   if (excessOf(ground, planned) < leastExcess) {
@@ -169,18 +227,43 @@ void lower(const ClipGround& ground, AutoPlan& plan, std::size_t place, const st
   }
 }
 
-// A step on one side alone limps: each has one on the other side that is about as strong, and no larger one.
+// Way that the limb's end goes in a moment, seen from its base.
+Vec3 wayOf(const ClipGround& ground, const rig::Moment& moment) {
+  const auto limb = std::ranges::find(ground.limbs, moment.limb, &rig::Limb::id) - ground.limbs.begin();
+  const auto reachAt = [&](double frame) {
+    const std::vector<Vec3>& points = ground.placesAt(frame)[static_cast<std::size_t>(limb)];
+    return points.back() - points.front();
+  };
+  return reachAt(moment.tipFrame) - reachAt(moment.startFrame);
+}
+
+// Whether a limb does what that on the other side does, as a mirror shows it.
+bool isMirrored(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
+  constexpr double alike = 0.5; // cosine
+  const auto baseOf = [&](const std::string& limb) {
+    const auto place = std::ranges::find(ground.limbs, limb, &rig::Limb::id) - ground.limbs.begin();
+    return ground.placesAt(one.startFrame)[static_cast<std::size_t>(place)].front();
+  };
+  const Vec3 apart = baseOf(one.limb) - baseOf(other.limb);
+  const Vec3 way = wayOf(ground, one);
+  const Vec3 across = wayOf(ground, other);
+  const double square = glm::dot(apart, apart);
+  const Vec3 mirrored = square > 0.0 ? way - 2.0 * glm::dot(way, apart) / square * apart : way;
+  return glm::dot(mirrored, across) > alike * glm::length(way) * glm::length(across);
+}
+
+// A step on one side alone limps: each has one on the other side that goes the same way, and no larger one.
 void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
-  constexpr double asStrong = 1.35;
+  constexpr double asStrong = 3.0;
   const auto isPartner = [&](const PlannedTrail& one, const PlannedTrail& other) {
     const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
     const rig::Limb* const across = rig::limbAt(ground.document.body.limbs, rig::mirrored(limb));
     const double ratio = moments[one.moment].strength / moments[other.moment].strength;
     return across != nullptr && other.trail.limb == across->id && !other.follows && ratio < asStrong &&
-           asStrong * ratio > 1.0;
+           asStrong * ratio > 1.0 && isMirrored(ground, moments[one.moment], moments[other.moment]);
   };
   for (std::size_t i = plan.trails.size(); i-- > 0;) {
-    const PlannedTrail& one = plan.trails[i];
+    PlannedTrail& one = plan.trails[i];
     const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
     if (one.follows || moments[one.moment].kind != rig::MomentKind::cycle ||
         limb.side == rig::LimbSide::middle ||
@@ -189,13 +272,15 @@ void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moment
     }
     double most = 0.0;
     for (const PlannedTrail& other : plan.trails) {
-      most = isPartner(one, other) ? std::max(most, excessOf(ground, other)) : most;
+      if (isPartner(one, other)) {
+        most = std::max(most, excessOf(ground, other));
+        one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
+      }
     }
     if (most <= 0.0) {
       leaveOut(plan, i, "the limb on the other side cannot do the same");
     } else if (excessOf(ground, one) > most) {
-      rig::TrailSettings& settings = plan.trails[i].trail.settings;
-      settings = withShare(settings, most / excessOf(ground, one));
+      one.trail.settings = withShare(one.trail.settings, most / excessOf(ground, one));
     }
   }
 }
@@ -223,7 +308,7 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
 
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan) {
-  constexpr int mostRounds = 12; // of lowering; then each takes at least one trail out
+  constexpr int mostRounds = 20; // of lowering; then each takes at least one trail out
   Trial trial(ground, plan.loops);
   for (int round = 0; !plan.trails.empty(); ++round) {
     pairCycles(ground, moments, plan);
@@ -244,7 +329,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
       if (round + 1 >= mostRounds) {
         leaveOut(plan, place, fault->why);
       } else {
-        lower(ground, plan, place, fault->why);
+        lower(ground, plan, *fault);
       }
     }
   }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "app/auto/loop_seam.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/things/place.h"
@@ -16,22 +19,23 @@ namespace stretch::app {
 namespace {
 
 constexpr double margin = 0.004;          // of the height: less is not seen
-constexpr double seamMetres = 0.008;      // of a person
-constexpr double seamSpeed = 0.08;        // of a person, m/s
+constexpr double floorMargin = 0.001;     // of the height
 constexpr double shorter = 1.5;           // a limb that turns on its way may come nearer than it is squashed
 constexpr double againstEachOther = -0.3; // cosine between the ways of two limbs of one chain
 
 constexpr const char* throughFloor = "it would go through the floor";
+constexpr const char* wouldNotClose = "the loop would not close";
 
-double lengthOf(const std::vector<Vec3>& points) {
-  return glm::length(points.back() - points.front());
-}
+// The clip with a plan's trails, or with all but one of them.
+struct Attempt {
+  Document document;
+  rig::MotionState motion;
+};
 
 class WholeCheck {
 public:
   WholeCheck(const ClipGround& ground, const AutoSettings& settings, const AutoPlan& plan)
-      : ground_(ground), settings_(settings), plan_(plan), trial_(withPlan()),
-        motion_(prepareMotion(trial_, ground.clip)) {}
+      : ground_(ground), settings_(settings), plan_(plan), whole_(attemptWithout(plan.trails.size())) {}
 
   [[nodiscard]] std::vector<Fault> faults() {
     for (double frame = 0.0; frame <= ground_.lastFrame; frame += 1.0) {
@@ -45,22 +49,31 @@ public:
     }
     std::vector<Fault> faults;
     for (const auto& [trail, why] : faults_) {
-      faults.push_back({trail, why});
+      faults.push_back({trail, why,
+                        why == wouldNotClose  ? FaultPlace::seam
+                        : why == throughFloor ? FaultPlace::floor
+                                              : FaultPlace::anywhere});
     }
     return faults;
   }
 
 private:
-  [[nodiscard]] Document withPlan() const {
+  [[nodiscard]] Attempt attemptWithout(std::size_t left) const {
     Document document = plan_.loops ? setLooping(ground_.document, ground_.clip, true) : ground_.document;
     document.weights.clear();
-    int id = document.nextTrailId;
-    for (const PlannedTrail& planned : plan_.trails) {
-      document.trails.push_back(planned.trail);
-      document.trails.back().id = id++;
+    for (std::size_t i = 0; i < plan_.trails.size(); ++i) {
+      if (i != left) {
+        document.trails.push_back(plan_.trails[i].trail);
+        document.trails.back().id = ground_.document.nextTrailId + static_cast<int>(i);
+      }
     }
     document.holds.grips.insert(document.holds.grips.end(), plan_.grips.begin(), plan_.grips.end());
-    return document;
+    rig::MotionState motion = prepareMotion(document, ground_.clip);
+    return {std::move(document), std::move(motion)};
+  }
+
+  [[nodiscard]] FrameState shown(const Attempt& attempt, double seconds) const {
+    return evaluate(attempt.document, attempt.motion, seconds);
   }
 
   [[nodiscard]] std::vector<std::size_t> actingAt(double frame) const {
@@ -84,79 +97,126 @@ private:
            (own != nullptr && rig::carries(*ground_.document.scene, *own, limb));
   }
 
-  void blame(double frame, const rig::Limb& limb, const char* why) {
-    for (const std::size_t place : actingAt(frame)) {
-      if (moves(plan_.trails[place], limb)) {
-        faults_.emplace(place, why);
+  // Those that move the limb on any of these frames: the last of the plan first, which are its weakest and
+  // what goes along.
+  [[nodiscard]] std::vector<std::size_t> suspects(const std::vector<double>& frames,
+                                                  const rig::Limb& limb) const {
+    std::vector<std::size_t> found;
+    for (std::size_t place = plan_.trails.size(); place-- > 0;) {
+      const bool acts = std::ranges::any_of(frames, [&](double frame) {
+        const std::vector<std::size_t> acting = actingAt(frame);
+        return std::ranges::find(acting, place) != acting.end();
+      });
+      if (acts && moves(plan_.trails[place], limb)) {
+        found.push_back(place);
+      }
+    }
+    return found;
+  }
+
+  // Of several trails it is the weakest without which nothing is wrong; all of them where none does it alone.
+  template <typename IsWrong>
+  void blame(const std::vector<double>& frames, const rig::Limb& limb, const char* why,
+             const IsWrong& isWrong) {
+    const std::vector<std::size_t> asked = suspects(frames, limb);
+    if (!judged_.emplace(limb.id + why, asked).second) {
+      return; // what is wrong on the frames beside has been looked into
+    }
+    const auto guilty =
+        asked.size() < 2
+            ? asked.begin()
+            : std::ranges::find_if(asked, [&](std::size_t place) { return !isWrong(withoutTrail(place)); });
+    for (auto place = asked.begin(); place != asked.end(); ++place) {
+      if (guilty == asked.end() || place == guilty) {
+        faults_.emplace(*place, why);
       }
     }
   }
 
+  [[nodiscard]] const Attempt& withoutTrail(std::size_t place) {
+    const auto found = without_.find(place);
+    return found != without_.end() ? found->second
+                                   : without_.emplace(place, attemptWithout(place)).first->second;
+  }
+
   void lookAt(double frame) {
-    const FrameState shown = evaluate(trial_, motion_, frame / ground_.framesPerSecond);
-    const LimbPlaces now = placesOf(ground_.limbs, shown);
-    lookAtMesh(frame, shown, now);
-    const LimbPlaces& source = ground_.placesAt(frame);
+    const FrameState frameState = shown(whole_, frame / ground_.framesPerSecond);
+    const LimbPlaces now = placesOf(ground_.limbs, frameState);
+    lookAtMesh(frame, frameState, now);
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
-      lookAtLimb(frame, ground_.limbs[i], source[i], now[i]);
+      if (const char* const why = problemOf(frame, i, now)) {
+        blame({frame}, ground_.limbs[i], why, [&](const Attempt& attempt) {
+          const FrameState other = shown(attempt, frame / ground_.framesPerSecond);
+          return problemOf(frame, i, placesOf(ground_.limbs, other)) != nullptr;
+        });
+      }
     }
   }
 
+  [[nodiscard]] bool isBelowFloor(const std::optional<Vec3>& vertex) const {
+    return vertex && vertex->y < ground_.lowestVertex - floorMargin * ground_.document.body.height;
+  }
+
   // What lies below the floor hangs on the limb that it is nearest to.
-  void lookAtMesh(double frame, const FrameState& shown, const LimbPlaces& now) {
-    const std::optional<Vec3> vertex = lowestVertexOf(*ground_.surface, shown);
-    if (!vertex || vertex->y >= ground_.lowestVertex - margin * ground_.document.body.height) {
+  void lookAtMesh(double frame, const FrameState& frameState, const LimbPlaces& now) {
+    const std::optional<Vec3> vertex = lowestVertexOf(*ground_.surface, frameState);
+    if (!isBelowFloor(vertex)) {
       return;
     }
-    std::optional<std::size_t> nearest;
+    const rig::Limb* nearest = nullptr;
     double least = 0.0;
     for (const std::size_t place : actingAt(frame)) {
       const auto limb = std::ranges::find(ground_.limbs, plan_.trails[place].trail.limb, &rig::Limb::id);
       for (const Vec3& point : now[static_cast<std::size_t>(limb - ground_.limbs.begin())]) {
         const double distance = glm::length(point - *vertex);
-        if (!nearest || distance < least) {
-          nearest = place;
+        if (nearest == nullptr || distance < least) {
+          nearest = &*limb;
           least = distance;
         }
       }
     }
-    if (nearest) {
-      faults_.emplace(*nearest, throughFloor);
+    if (nearest != nullptr) {
+      blame({frame}, *nearest, throughFloor, [&](const Attempt& attempt) {
+        return isBelowFloor(
+            lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
+      });
     }
   }
 
-  void lookAtLimb(double frame, const rig::Limb& limb, const std::vector<Vec3>& source,
-                  const std::vector<Vec3>& now) {
+  // Null where the limb looks right.
+  [[nodiscard]] const char* problemOf(double frame, std::size_t place, const LimbPlaces& places) const {
+    const rig::Limb& limb = ground_.limbs[place];
+    const std::vector<Vec3>& source = ground_.placesAt(frame)[place];
+    const std::vector<Vec3>& now = places[place];
     const double height = ground_.document.body.height;
     const rig::ScaleRange& range = rig::scalesOf(settings_.style, limb.kind);
-    const double before = lengthOf(source);
-    const double after = lengthOf(now);
+    const double before = straightLength(source);
+    const double after = straightLength(now);
     const double unseen = margin * height;
     if (after > range.most * std::max(before, limb.restLength) + unseen ||
         after < std::min(1.0, range.least) * before / shorter - unseen) {
-      blame(frame, limb, "it would leave the style's lengths");
+      return "it would leave the style's lengths";
     }
     for (std::size_t k = 0; k < now.size(); ++k) {
       if (now[k].y < std::min(source[k].y, ground_.lowest) - unseen) {
-        blame(frame, limb, throughFloor);
+        return throughFloor;
       }
     }
-    if (glm::length(now.back() - source.back()) > unseen &&
-        std::ranges::any_of(ground_.standsOf(limb.id),
-                            [&](const Vec2& stand) { return stand.x <= frame && frame <= stand.y; })) {
-      blame(frame, limb, "the foot carries the body there");
-    }
+    const bool stands = std::ranges::any_of(
+        ground_.standsOf(limb.id), [&](const Vec2& stand) { return stand.x <= frame && frame <= stand.y; });
+    return stands && glm::length(now.back() - source.back()) > unseen ? "the foot carries the body there"
+                                                                      : nullptr;
   }
 
   // The way of the limb's tip, from where the source has it.
   [[nodiscard]] Vec3 wayOf(std::size_t place) const {
     const int id = ground_.document.nextTrailId + static_cast<int>(place);
     const auto solved = std::ranges::find_if(
-        motion_.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
+        whole_.motion.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
     const std::vector<rig::SphereOffset>& spheres = plan_.trails[place].trail.settings.spheres;
-    return solved == motion_.trails.end() ? Vec3(0.0)
-           : spheres.empty()              ? solved->tip.tip - solved->tip.originalTip
-                                          : spheres.back().offset;
+    return solved == whole_.motion.trails.end() ? Vec3(0.0)
+           : spheres.empty()                    ? solved->tip.tip - solved->tip.originalTip
+                                                : spheres.back().offset;
   }
 
   void lookAtChains() {
@@ -180,41 +240,17 @@ private:
     }
   }
 
-  // Steps from the clip's last pose to its first, and what they change from one turn to the next.
-  struct Seam {
-    LimbPlaces first, afterFirst, beforeLast, last;
-  };
-
-  template <typename At>
-  [[nodiscard]] Seam seamOf(const At& at) const {
-    const Clip& clip = clipOf(ground_.document, ground_.clip);
-    const double step = seamStep();
-    const double start = std::min(0.0, clip.startSeconds);
-    return {at(start), at(start + step), at(clip.endSeconds - step), at(clip.endSeconds)};
-  }
-
-  [[nodiscard]] double seamStep() const { return 1.0 / ground_.framesPerSecond; }
-
   void lookAtSeam() {
-    const Seam now =
-        seamOf([&](double seconds) { return placesOf(ground_.limbs, evaluate(trial_, motion_, seconds)); });
-    const Seam source = seamOf([&](double seconds) {
-      return placesOf(ground_.limbs, evaluateOriginal(ground_.document, ground_.clip, seconds));
-    });
-    const double metre = ground_.document.body.size / characterSizeMetres;
+    const auto seamWith = [&](const Attempt& attempt) {
+      return seamOf(ground_, attempt.document, attempt.motion);
+    };
+    const LoopSeam source = seamOfSource(ground_);
+    const LoopSeam now = seamWith(whole_);
+    const std::vector<double> frames{0.0, 1.0, ground_.lastFrame - 1.0, ground_.lastFrame};
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
-      for (std::size_t k = 0; k < now.first[i].size(); ++k) {
-        const auto gap = [&](const Seam& seam) { return glm::length(seam.last[i][k] - seam.first[i][k]); };
-        const auto turn = [&](const Seam& seam) {
-          return glm::length((seam.last[i][k] - seam.beforeLast[i][k]) -
-                             (seam.afterFirst[i][k] - seam.first[i][k])) /
-                 seamStep();
-        };
-        if (gap(now) - gap(source) > seamMetres * metre || turn(now) - turn(source) > seamSpeed * metre) {
-          for (const double frame : {0.0, 1.0, ground_.lastFrame - 1.0, ground_.lastFrame}) {
-            blame(frame, ground_.limbs[i], "the loop would not close");
-          }
-        }
+      if (closesWorse(ground_, now, source, i)) {
+        blame(frames, ground_.limbs[i], wouldNotClose,
+              [&](const Attempt& attempt) { return closesWorse(ground_, seamWith(attempt), source, i); });
       }
     }
   }
@@ -222,8 +258,9 @@ private:
   const ClipGround& ground_;
   const AutoSettings& settings_;
   const AutoPlan& plan_;
-  Document trial_;
-  rig::MotionState motion_;
+  Attempt whole_;
+  std::map<std::size_t, Attempt> without_;
+  std::set<std::pair<std::string, std::vector<std::size_t>>> judged_;
   std::map<std::size_t, std::string> faults_;
 };
 

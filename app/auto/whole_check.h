@@ -7,15 +7,19 @@
 
 namespace stretch::app {
 
+enum class FaultPlace { anywhere, seam, floor };
+
 /// Something wrong with all trails of a plan together, and one that has a part in it.
 struct Fault {
   std::size_t trail = 0; ///< Place in AutoPlan::trails.
   std::string why;
+  FaultPlace at = FaultPlace::anywhere; ///< Seam: from the clip's last pose to its first.
 };
 
 /// Looks at every frame on which a trail acts: limbs through the floor where the source has them above it,
 /// limbs longer or shorter than the style lets them be, feet that stand and are moved, trails that pull one
-/// chain opposite ways, and a seam that is wider than the source's. At most one for each trail.
+/// chain opposite ways, and a seam that is wider than the source's. At most one for each trail: of
+/// several that move a limb the weakest is meant without which nothing is wrong.
 [[nodiscard]] std::vector<Fault> faultsOf(const ClipGround& ground, const AutoSettings& settings,
                                           const AutoPlan& plan);
 

@@ -73,6 +73,7 @@ Json momentJson(const AutoMoment& made) {
             {"strength", made.moment.strength}, {"exaggerated", made.trailId > 0}};
   if (made.trailId > 0) {
     json["length_scale"] = made.scale;
+    json["along_ground"] = made.isLevel;
   }
   if (!made.why.empty()) {
     json["why"] = made.why;
@@ -101,15 +102,12 @@ Json clipReport(int clip, const AutoSettings& settings, Document& document) {
 
 std::string momentText(const Json& moment) {
   const bool done = moment["exaggerated"].get<bool>();
-  const std::string why = moment.value("why", "");
+  const std::string remark = remarkOn(done, moment.value("along_ground", false), moment.value("why", ""));
   const std::string what =
       done ? fmt::format("scale {:.3g}", moment["length_scale"].get<double>()) : "left out";
   return fmt::format("{}, {} from frame {:g} to {:g}: {}{}", moment["limb"].get<std::string>(),
                      moment["kind"].get<std::string>(), moment["start"].get<double>(),
-                     moment["tip"].get<double>(), what,
-                     why.empty() ? ""
-                     : done      ? ", with more " + why
-                                 : ", " + why);
+                     moment["tip"].get<double>(), what, remark.empty() ? "" : ", " + remark);
 }
 
 void printClip(const Json& clip) {

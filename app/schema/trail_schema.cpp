@@ -90,6 +90,14 @@ Schema<TrailSettings> releaseSettings() {
                    "to the next key, or longer where the limb would go back faster than it came.",
            .row = {.section = "release", .step = 1.0}},
           &TrailSettings::releaseFrames),
+      setting<TrailSettings>(
+          {.name = "linger",
+           .maximum = 100000.0,
+           .unit = "frames",
+           .help =
+               "Frames of the release for which the limb keeps all of its exaggeration before it comes back.",
+           .row = {.section = "release", .step = 1.0}},
+          &TrailSettings::lingerFrames),
       setting<TrailSettings>({.name = "overshoot",
                               .maximum = 1.0,
                               .unit = "of the tip's offset",

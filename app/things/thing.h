@@ -123,10 +123,16 @@ void visitTrail(T& trail, Visitor& visitor) {
     visitor.frame(sphere.frame);
   });
   visitor.list(trail.controlFrames, false, [&](auto& frame) { visitor.frame(frame); });
-  if (settings.releaseFrames && settings.pivot == rig::Pivot::start) {
-    visitor.after(settings.endFrame, *settings.releaseFrames);
-  } else if (settings.releaseFrames) {
-    visitor.before(settings.startFrame, *settings.releaseFrames);
+  const auto visitWayBack = [&](auto& frames) {
+    if (settings.pivot == rig::Pivot::start) {
+      visitor.after(settings.endFrame, frames);
+    } else {
+      visitor.before(settings.startFrame, frames);
+    }
+  };
+  visitWayBack(settings.lingerFrames);
+  if (settings.releaseFrames) {
+    visitWayBack(*settings.releaseFrames);
   }
   visitor.range(settings.startFrame, settings.endFrame);
   visitor.rest(trail.limb);

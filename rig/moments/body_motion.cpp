@@ -82,6 +82,56 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
+// Whether limbs leap from a pose that stands alone at an end of the clip, as the T-pose in front of a
+// capture: far in one frame, and hardly in the next one. `at` counts whole frames from that end.
+template <typename At>
+bool leapsFrom(const std::vector<LimbMotion>& limbs, const At& at) {
+  constexpr double far = 0.2; // Of the limb's longest reach: a capture's limb has no such way in one frame.
+  constexpr double sudden = 5.0;
+  return 2 <= std::ranges::count_if(limbs, [&](const LimbMotion& limb) {
+           const double first = glm::length(at(limb.places, 1) - at(limb.places, 0));
+           const double next = glm::length(at(limb.places, 2) - at(limb.places, 1));
+           double reach = 0.0;
+           for (const Vec3& place : limb.places) {
+             reach = std::max(reach, glm::length(place));
+           }
+           return first > far * reach && first > sudden * next;
+         });
+}
+
+constexpr std::size_t samplesPerFrame = 2;
+
+// The first of them as those a frame later, where they leap; `reversed` looks at the end.
+template <typename Values>
+void hold(Values& values, bool reversed) {
+  const std::size_t count = values.size();
+  for (std::size_t i = 0; i < samplesPerFrame && count > samplesPerFrame; ++i) {
+    if (reversed) {
+      values[count - 1 - i] = values[count - 1 - samplesPerFrame];
+    } else {
+      values[i] = values[samplesPerFrame];
+    }
+  }
+}
+
+// A pose that stands alone in front of a motion or behind it is no part of it.
+void dropLonePoses(BodyMotion& motion) {
+  for (const bool reversed : {false, true}) {
+    const auto at = [&](const std::vector<Vec3>& places, std::size_t frame) -> const Vec3& {
+      const std::size_t sample = std::min(frame * samplesPerFrame, places.size() - 1);
+      return places[reversed ? places.size() - 1 - sample : sample];
+    };
+    if (!motion.forward.empty() && leapsFrom(motion.limbs, at)) {
+      for (LimbMotion& limb : motion.limbs) {
+        hold(limb.places, reversed);
+        hold(limb.ends, reversed);
+      }
+      hold(motion.hips.places, reversed);
+      hold(motion.forward, reversed);
+    }
+  }
+}
+
 void setReaches(BodyMotion& motion) {
   std::vector<double> reaches;
   for (LimbMotion& limb : motion.limbs) {
@@ -122,6 +172,7 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
     }
     motion.forward.push_back(forwardOf(limbs, frame));
   }
+  dropLonePoses(motion);
   const bool hasOuterLimbs = std::ranges::any_of(limbs, [](const Limb& limb) { return reachesOut(limb); });
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     motion.limbs[i].weight = weightOf(limbs[i], hasOuterLimbs);

@@ -37,7 +37,9 @@ struct BodyMotion {
 };
 
 /// Samples the clip. Speeds are taken over a sixtieth of a second where frames are shorter, so that what
-/// trembles between the frames of a capture is no motion. At most `longestFrames` frames are looked at.
+/// trembles between the frames of a capture is no motion. A pose that stands alone at an end of the clip,
+/// from which several limbs leap in one frame (a capture's T-pose), is left out: the one beside it is held.
+/// At most `longestFrames` frames are looked at.
 [[nodiscard]] BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
                                       const std::vector<Limb>& limbs);
 

@@ -37,13 +37,16 @@ bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
          timeSeconds <= solved.windowEndSeconds + rounding;
 }
 
-// On a loop, the time one turn later or earlier where that is what falls into the trail's window.
+// On a loop, the time one turn later or earlier where that is what falls into the trail's window. Before its
+// first key a clip holds its start.
 double wrapped(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
   const double turn = motion.endSeconds - motion.startSeconds;
   if (!motion.loops || insideWindow(solved, timeSeconds)) {
     return timeSeconds;
   }
-  const double other = timeSeconds < solved.windowStartSeconds ? timeSeconds + turn : timeSeconds - turn;
+  const double other = timeSeconds < solved.windowStartSeconds
+                           ? std::max(timeSeconds, motion.startSeconds) + turn
+                           : timeSeconds - turn;
   return insideWindow(solved, other) ? other : timeSeconds;
 }
 

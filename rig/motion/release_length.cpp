@@ -86,7 +86,8 @@ std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
 ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved) {
   const Clip& clip = *input.clip;
   ReleaseLength length;
-  length.calmSeconds = calmSeconds(solved, clip.framesPerSecond);
+  length.calmSeconds =
+      calmSeconds(solved, clip.framesPerSecond) + solved.settings.lingerFrames / clip.framesPerSecond;
   if (solved.settings.releaseFrames) {
     length.wantedSeconds = *solved.settings.releaseFrames / clip.framesPerSecond;
   } else {

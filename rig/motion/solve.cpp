@@ -261,7 +261,8 @@ MotionState solveMotion(const MotionInput& input) {
 
 void setRelease(const MotionInput& input, SolvedTrail& solved) {
   const ReleaseLength length = releaseLength(input, solved);
-  solved.release = Release(length.seconds, solved.settings.overshoot);
+  solved.release = Release(length.seconds, solved.settings.overshoot,
+                           solved.settings.lingerFrames / input.clip->framesPerSecond);
   solved.wantedReleaseSeconds = length.wantedSeconds;
   solved.calmReleaseSeconds = length.calmSeconds;
   setWindow(solved, pullsPivot(solved, input.clip->framesPerSecond) ? length.seconds : 0.0);

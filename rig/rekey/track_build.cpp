@@ -183,8 +183,8 @@ void addBorder(const ChannelKeys& keys, std::size_t index, int outside, Key& bor
   joinOutside(keys, index, cut, outside, out);
   const bool jumps = outside < 0 ? window.jumpsBefore : window.jumpsAfter;
   const bool steps = keys.channel.source->interpolation == Interpolation::step && cut.value != border.value;
-  // Before the clip's first moment nothing is played: no key is needed there.
-  const bool atStart = outside < 0 && border.time <= std::min(0.0F, keys.channel.source->times.front());
+  // Before the clip's first moment nothing is played, and before its first key a track holds that.
+  const bool atStart = outside < 0 && border.time <= std::max(0.0F, keys.channel.source->times.front());
   if (jumps || (steps && outside < 0 && !atStart)) {
     cut.time = outside < 0 ? justBefore(border.time) : justAfter(border.time);
     out.push_back(cut);

@@ -38,14 +38,17 @@ double smoothstep(double u) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-Release::Release(double seconds, double overshoot)
-    : seconds_(std::max(0.0, seconds)), swing_(overshoot > 0.0 ? swingFor(std::min(overshoot, 1.0)) : 0.0) {}
+Release::Release(double seconds, double overshoot, double lingerSeconds)
+    : seconds_(std::max(0.0, seconds)), lingerSeconds_(std::clamp(lingerSeconds, 0.0, seconds_)),
+      swing_(overshoot > 0.0 ? swingFor(std::min(overshoot, 1.0)) : 0.0) {}
 
 double Release::at(double secondsPastTip) const {
-  if (secondsPastTip <= 0.0) {
+  if (secondsPastTip <= lingerSeconds_) {
     return 1.0;
   }
-  return secondsPastTip < seconds_ ? decay(secondsPastTip / seconds_, swing_) : 0.0;
+  return secondsPastTip < seconds_
+             ? decay((secondsPastTip - lingerSeconds_) / (seconds_ - lingerSeconds_), swing_)
+             : 0.0;
 }
 
 } // namespace stretch::rig

@@ -8,7 +8,8 @@ class Release {
 public:
   Release() = default;
   /// `seconds` >= 0. `overshoot` in [0, 1]: the decay swings to -overshoot before it settles.
-  Release(double seconds, double overshoot);
+  /// `lingerSeconds`: of `seconds`, before the decay begins; no more than these.
+  Release(double seconds, double overshoot, double lingerSeconds = 0.0);
 
   /// `secondsPastTip` >= 0. 1 at 0; 0 past the end (and for every positive time when the release has no
   /// length).
@@ -17,6 +18,7 @@ public:
 
 private:
   double seconds_ = 0.0;
+  double lingerSeconds_ = 0.0;
   double swing_ = 0.0; ///< Factor of the overshoot term.
 };
 

@@ -83,6 +83,7 @@ struct TrailSettings {
   double volume = 1.0;                 ///< 0..1: volume preservation.
   std::optional<double> releaseFrames; ///< Empty: to the next key or a third of the range
                                        ///< (docs/exaggeration.md, Release).
+  double lingerFrames = 0.0;           ///< Of the release: the tip keeps its whole offset for so long.
   double overshoot = 0.0;   ///< 0..1: how far past the original the release swings, part of the tip's offset.
   bool pull = true;         ///< Straight to the length that the line of the path misses.
   double blend = 2.0;       ///< 0 original, 1 half-way, 2 exaggerated.

@@ -83,6 +83,7 @@ Status beginClip(Shell& shell) {
   state.moments = moments;
   state.on.assign(moments.size(), true);
   state.made.clear();
+  state.notes.clear();
   state.changed = true;
   state.accepted = false;
   state.open = true;
@@ -122,6 +123,8 @@ void takeWork(Shell& shell) {
   ClipStyleState& state = shell.ui.trails.clipStyle;
   if (made && !state.changed && state.open) {
     state.made = made->moments;
+    state.trails = made->trailIds;
+    state.notes = made->notes;
     shell.open.character()->preview(made->document);
   }
 }
@@ -132,6 +135,7 @@ void endClip(Shell& shell, bool keeps) {
   ClipStyleState& state = shell.ui.trails.clipStyle;
   if (shell.beside.styling.begun && keeps) {
     session.commit();
+    shell.ui.trails.takenStyle = {session.document().scene, state.trails, state.style};
     const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
     tell(shell, ToastKind::success,
          fmt::format("{} of {} moments exaggerated in the style {}", done, state.moments.size(),

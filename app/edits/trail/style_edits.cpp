@@ -20,6 +20,7 @@ rig::TrailSettings styledTrail(const Document& document, const rig::Trail& trail
   const rig::Limb* const limb = findLimb(document, trail.limb);
   plain.overshoot = limb != nullptr ? usualTrail(document, *limb).overshoot : 0.0;
   plain.releaseFrames.reset();
+  plain.lingerFrames = 0.0;
   return rig::styledSettings(plain, style, kindOf(document, trail), 1.0);
 }
 

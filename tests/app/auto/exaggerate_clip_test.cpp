@@ -1,11 +1,17 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/auto/exaggerate_clip.h"
 #include "app/edits/trail/style_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
+#include "rig/trail/release.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
@@ -38,7 +44,144 @@ const AutoMoment& strongest(const AutoClip& made) {
   return made.moments.front();
 }
 
+// Forwards over the first third of a turn, back over the rest: 0 to 1 and 0 again.
+double swing(double turns) {
+  const double phase = turns - std::floor(turns);
+  return phase < 0.3 ? rig::smoothstep(phase / 0.3) : 1.0 - rig::smoothstep((phase - 0.3) / 0.7);
+}
+
+void addKey(Track& track, double frame, const Quat& turn) {
+  track.times.push_back(static_cast<float>(frame / 30.0));
+  for (const double value : {turn.x, turn.y, turn.z, turn.w}) {
+    track.values.push_back(static_cast<float>(value));
+  }
+}
+
+Track turnsOf(const Document& document, const char* limb) {
+  Track track;
+  track.node = findLimb(document, limb)->joints.front();
+  track.channel = Channel::rotation;
+  track.width = 4;
+  return track;
+}
+
+Document withTracks(Document document, std::vector<Track> tracks) {
+  Clip clip = document.clips->front();
+  clip.tracks.clear();
+  for (Track& track : tracks) {
+    clip.endSeconds = static_cast<double>(track.times.back());
+    clip.tracks.emplace_back(std::move(track));
+  }
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  return document;
+}
+
+// The left arm strikes forwards and down to the lowest place that anything has.
+Document lowStriker() {
+  Document document = test::boxer();
+  Track track = turnsOf(document, "left-arm");
+  for (int frame = 0; frame <= 30; ++frame) {
+    const double struck = rig::smoothstep((frame - 6.0) / 6.0) - rig::smoothstep((frame - 18.0) / 12.0);
+    addKey(track, frame,
+           glm::angleAxis(0.1 + 1.2 * struck, Vec3(0.0, -1.0, 0.0)) *
+               glm::angleAxis(0.6 - 1.5 * struck, Vec3(0.0, 0.0, 1.0)));
+  }
+  return withTracks(std::move(document), {track});
+}
+
+// A loop of 24 frames in which both arms swing, the right one half a turn after the left; the left arm is
+// back at the loop's seam.
+Document swinger() {
+  constexpr int frames = 24;
+  const Document document = test::boxer();
+  std::vector<Track> tracks;
+  for (const bool isLeft : {true, false}) {
+    tracks.push_back(turnsOf(document, isLeft ? "left-arm" : "right-arm"));
+    for (int frame = 0; frame <= frames; ++frame) {
+      const double turns = static_cast<double>(frame) / frames + (isLeft ? 0.0 : 0.5);
+      addKey(tracks.back(), frame,
+             glm::angleAxis(0.1 + 1.2 * swing(turns), Vec3(0.0, isLeft ? -1.0 : 1.0, 0.0)));
+    }
+  }
+  return withTracks(document, std::move(tracks));
+}
+
+Vec3 handAt(const Document& document, const rig::MotionState& motion, const char* limb, double frame) {
+  return rig::endPosition(*findLimb(document, limb), evaluate(document, motion, frame / 30.0));
+}
+
+// How sharply a hand turns from the end of the loop to its start, in metres per second.
+double seamTurn(const Document& document, const char* limb) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const auto hand = [&](double frame) { return handAt(document, motion, limb, frame); };
+  return glm::length(hand(24.0) - hand(23.0) - hand(1.0) + hand(0.0)) * 30.0;
+}
+
+const AutoMoment& momentAt(const AutoClip& made, const char* limb, double tip) {
+  const auto found = std::ranges::find_if(made.moments, [&](const AutoMoment& one) {
+    return one.moment.limb == limb && std::abs(one.moment.tipFrame - tip) <= 1.0;
+  });
+  REQUIRE(found != made.moments.end());
+  return *found;
+}
+
 } // namespace
+
+TEST_CASE("In a loop a strong stroke is as long as its style says, whatever a weaker one does at the seam") {
+  const Document before = swinger();
+  const AutoClip made = exaggerated(before, in("Opera"));
+  CHECK(momentAt(made, "left-arm", 7.0).scale == Approx(1.4));
+  CHECK(momentAt(made, "right-arm", 19.0).scale == Approx(1.4));
+  for (const char* limb : {"left-arm", "right-arm"}) {
+    const rig::MotionState motion = prepareMotion(made.document, 0);
+    CHECK(glm::length(handAt(made.document, motion, limb, 24.0) - handAt(made.document, motion, limb, 0.0)) <
+          1e-6);
+    CHECK(seamTurn(made.document, limb) - seamTurn(before, limb) < 0.1);
+  }
+}
+
+TEST_CASE("What is struck at the seam of a loop keeps its exaggeration over it") {
+  const AutoClip made = exaggerated(swinger(), in("Opera"));
+  const AutoMoment& back = momentAt(made, "left-arm", 24.0);
+  REQUIRE(back.trailId > 0);
+  const rig::TrailSettings& settings = findTrail(made.document, back.trailId)->settings;
+  CHECK(settings.endFrame == 23.0);
+  CHECK(settings.lingerFrames == Approx(2.0).margin(1e-4));
+  CHECK(isLooping(made.document, 0));
+  CHECK(made.madeLoop);
+  CHECK(back.scale > 1.1);
+}
+
+TEST_CASE("Left and right get the same in a loop, each for what the other does half a turn later") {
+  const AutoClip made = exaggerated(swinger(), in("Rubber hose"));
+  CHECK(momentAt(made, "left-arm", 7.0).scale == momentAt(made, "right-arm", 19.0).scale);
+  CHECK(momentAt(made, "left-arm", 24.0).scale == momentAt(made, "right-arm", 12.0).scale);
+  CHECK(momentAt(made, "left-arm", 7.0).scale > momentAt(made, "left-arm", 24.0).scale);
+}
+
+TEST_CASE("A strike to the lowest place of a clip is exaggerated along the ground, and goes no lower") {
+  const Document before = lowStriker();
+  const AutoClip made = exaggerated(before, in("Opera"));
+  const AutoMoment& strike = strongest(made);
+  REQUIRE(strike.trailId > 0);
+  CHECK(strike.isLevel);
+  const double tip = findTrail(made.document, strike.trailId)->settings.endFrame;
+  CHECK(armRatio(made.document, tip) == Approx(1.4).epsilon(1e-3));
+  const rig::MotionState motion = prepareMotion(made.document, 0);
+  const Vec3 hand = handAt(made.document, motion, "left-arm", tip);
+  const Vec3 source =
+      rig::endPosition(*findLimb(before, "left-arm"), evaluateOriginal(before, 0, tip / 30.0));
+  CHECK(hand.y == Approx(source.y).margin(1e-5));
+  CHECK_FALSE(strongest(exaggerated(swinger(), in("Opera"))).isLevel);
+}
+
+TEST_CASE("A remark on a moment says what it lacks") {
+  CHECK(remarkOn(true, false, "").empty());
+  CHECK(remarkOn(true, true, "") == "along the ground");
+  CHECK(remarkOn(true, false, "the mesh would tear") == "with more the mesh would tear");
+  CHECK(remarkOn(true, true, "the mesh would tear") == "along the ground, with more the mesh would tear");
+  CHECK(remarkOn(false, false, "the foot carries the body there") == "the foot carries the body there");
+}
 
 TEST_CASE("The punch of a clip gets a trail over its moment with the style's scale, and the arm is as long") {
   const Document before = test::boxer();

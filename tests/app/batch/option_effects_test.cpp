@@ -317,6 +317,7 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                                    {"--volume", "", "--volume 0"},
                                    {"--turn-end", "", "--turn-end"},
                                    {"--release", "", "--release 12"},
+                                   {"--linger", "", "--linger 2"},
                                    {"--overshoot", "", "--overshoot 0.5"},
                                    {"--space", "", "--space base"},
                                    {"--reference", "", "--reference rest"},

@@ -30,6 +30,7 @@ Document exaggerated() {
   wanted.settings.endFrame = 10.0;
   wanted.settings.scale = 2.0;
   wanted.settings.releaseFrames = 4.0;
+  wanted.settings.lingerFrames = 1.0;
   wanted.settings.spheres = {{7.5, Vec3(0.0, 0.1, 0.0), Vec3(0.5, 0.0, 0.0)}};
   wanted.connected = true;
   return createTrail(test::boxer(), wanted)->document;
@@ -94,6 +95,7 @@ TEST_CASE("A clip that is worked on at another rate moves as before, its own rat
   CHECK(at24.trails.front().settings.startFrame == 4.0);
   CHECK(at24.trails.front().settings.endFrame == 8.0);
   CHECK(*at24.trails.front().settings.releaseFrames == Approx(3.2));
+  CHECK(at24.trails.front().settings.lingerFrames == Approx(0.8));
   CHECK(at24.trails.front().settings.spheres.front().frame == 6.0);
   CHECK(clipOf(at24, 0).tracks.front()->times == clipOf(at30, 0).tracks.front()->times);
   CHECK(farthestApart(at30, at24) < 2e-3); // Paths are sampled at the frames.

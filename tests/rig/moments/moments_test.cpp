@@ -172,6 +172,36 @@ TEST_CASE("What trembles between the frames of a dense capture does not part a s
   CHECK(moments.front().tipFrame == Approx(70.0).margin(5.0));
 }
 
+TEST_CASE("A pose that stands alone in front of a motion or behind it makes no moment") {
+  const std::vector<Moment> plain = momentsOf(striker());
+  for (const double lone : {0.0, 40.0}) {
+    MovingBiped captured = stillBiped();
+    const double beside = lone == 0.0 ? 1.0 : 39.0;
+    const auto poses = [&](double usual, double raised, std::vector<Turn> between) {
+      between.push_back({lone, raised});
+      between.push_back({beside, usual});
+      between.push_back({40.0 - lone, usual});
+      std::ranges::sort(between, {}, &Turn::frame);
+      return between;
+    };
+    turn(captured, "upperArm.l", up, poses(30.0, -60.0, {{10, 30}, {14, -80}, {18, -80}, {30, 30}}));
+    turn(captured, "upperArm.r", up, poses(-30.0, 60.0, {}));
+    CAPTURE(lone);
+    CHECK(momentsOf(captured) == plain);
+  }
+}
+
+TEST_CASE("A strike of one arm in the first frame of a clip is one, and so is that of both which goes on") {
+  MovingBiped sudden = stillBiped();
+  turn(sudden, "upperArm.l", up, {{0, 30}, {1, -60}, {24, -60}});
+  CHECK(strengthOf(momentsOf(sudden), "left-arm") > 1.0);
+  MovingBiped both = stillBiped();
+  turn(both, "upperArm.l", up, {{0, 60}, {1, 20}, {3, -60}, {24, -60}});
+  turn(both, "upperArm.r", up, {{0, -60}, {1, -20}, {3, 60}, {24, 60}});
+  CHECK(strengthOf(momentsOf(both), "left-arm") > 1.0);
+  CHECK(strengthOf(momentsOf(both), "right-arm") > 1.0);
+}
+
 TEST_CASE("The arm that strikes forwards is stronger than the one that is drawn back as fast") {
   MovingBiped biped = stillBiped();
   turn(biped, "upperArm.l", up, {{0, 10}, {10, 10}, {15, -80}, {30, -80}});

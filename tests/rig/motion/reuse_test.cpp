@@ -33,8 +33,8 @@ Trail busyTrail() {
 // One change for each member of the settings: this binding has to name them all.
 std::vector<Part> partsOfSettings() {
   [[maybe_unused]] const auto& [start, end, scale, axes, pivot, space, viewAxes, reference, bend, remap,
-                                easeIn, easeOut, stretchSwitch, volume, release, overshoot, pull, blend, stay,
-                                turnEnd, stop, sight, spheres] = TrailSettings{};
+                                easeIn, easeOut, stretchSwitch, volume, release, linger, overshoot, pull,
+                                blend, stay, turnEnd, stop, sight, spheres] = TrailSettings{};
   const std::vector<std::pair<const char*, std::function<void(TrailSettings&)>>> changes{
       {"start", [](TrailSettings& s) { s.startFrame = 2.0; }},
       {"end", [](TrailSettings& s) { s.endFrame = 14.0; }},
@@ -60,6 +60,7 @@ std::vector<Part> partsOfSettings() {
       {"stretch", [](TrailSettings& s) { s.stretchSwitch = 0.5; }},
       {"volume", [](TrailSettings& s) { s.volume = 0.5; }},
       {"release", [](TrailSettings& s) { s.releaseFrames = 3.0; }},
+      {"linger", [](TrailSettings& s) { s.lingerFrames = 2.0; }},
       {"overshoot", [](TrailSettings& s) { s.overshoot = 0.5; }},
       {"pull", [](TrailSettings& s) { s.pull = false; }},
       {"blend", [](TrailSettings& s) { s.blend = 1.0; }},

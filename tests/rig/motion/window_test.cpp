@@ -212,6 +212,36 @@ TEST_CASE("on a loop a release ends where the range begins again, without a jump
   }
 }
 
+TEST_CASE("the hand keeps its offset while the release lingers, on either side of the pivot") {
+  const MovingBiped moving = punchingBiped();
+  for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+    Trail trail = connectedTrail("left-arm", 8, 14, 2.0);
+    trail.settings.pivot = pivot;
+    trail.settings.releaseFrames = 6.0;
+    trail.settings.lingerFrames = 2.0;
+    const MotionState motion = solved(moving, {trail});
+    const double tip = pivot == Pivot::start ? 14.0 : 8.0;
+    const double away = pivot == Pivot::start ? 1.0 : -1.0;
+    const Vec3 offset = handOffset(moving, motion, tip);
+    CAPTURE(pivot == Pivot::start);
+    CHECK(glm::length(handOffset(moving, motion, tip + 2.0 * away) - offset) < 1e-6);
+    CHECK(glm::length(handOffset(moving, motion, tip + 4.0 * away) - 0.5 * offset) < 1e-6);
+    CHECK(miss(moving, motion, tip + 6.0 * away) < 1e-9);
+  }
+}
+
+TEST_CASE("before its first key a clip that loops holds what it has there, the way back as well") {
+  MovingBiped moving = punchingBiped();
+  moving.clip.startSeconds = 1.0 / 24.0;
+  Trail trail = connectedTrail("left-arm", 12, 23, 2.0);
+  trail.settings.releaseFrames = 6.0;
+  const MotionState motion = solved(moving, {trail}, true);
+  CHECK(glm::length(handOffset(moving, motion, 1.0)) > 1e-3);
+  for (const double frame : {0.0, 0.5}) {
+    CHECK(glm::length(handOffset(moving, motion, frame) - handOffset(moving, motion, 1.0)) < 1e-9);
+  }
+}
+
 TEST_CASE("the hand comes as far as the stop plane and not past it") {
   const MovingBiped moving = punchingBiped();
   const Limb& arm = moving.limb("left-arm");

@@ -50,3 +50,21 @@ TEST_CASE("no overshoot never swings past the original") {
     CHECK(release.at(i / 1000.0) >= 0.0);
   }
 }
+
+TEST_CASE("a release that lingers keeps all of the offset, then decays over what is left") {
+  const Release release(0.5, 0.2, 0.1);
+  const Release after(0.4, 0.2);
+  CHECK(release.seconds() == 0.5);
+  CHECK(release.at(0.1) == 1.0);
+  for (const double t : {0.01, 0.1, 0.2, 0.39}) {
+    CHECK(release.at(0.1 + t) == Approx(after.at(t)));
+  }
+  CHECK(release.at(0.5) == 0.0);
+}
+
+TEST_CASE("a release lingers no longer than it lasts") {
+  const Release release(0.5, 0.0, 2.0);
+  CHECK(release.at(0.5) == 1.0);
+  CHECK(release.at(0.5 + 1e-9) == 0.0);
+  CHECK(Release(0.5, 0.0, -1.0).at(0.25) == Approx(0.5));
+}

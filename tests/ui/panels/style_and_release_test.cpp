@@ -68,4 +68,7 @@ TEST_CASE("A style that was taken is named until its settings are changed, and n
   CHECK(ui::shownStyle(panels, before, trails).index == -1);
   CHECK(ui::shownStyle(panels, before, trails).otherwise == panels.styles[1].name + ", changed");
   CHECK(ui::shownStyle(panels, *styled, {1, 2}).otherwise == "none yet");
+  CHECK(ui::shownStyle(panels, *styled, {}).otherwise == "none yet");
+  panels.takenStyle.trails = {4, 1};
+  CHECK(ui::shownStyle(panels, *styled, trails).index == 1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,12 @@ struct TakenStyle {
   std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
   std::vector<int> trails = {};            ///< Ids.
   int style = 0;                           ///< Into TrailPanels::styles.
+
+  /// Whether it was taken for all of these; never where there are none.
+  [[nodiscard]] bool isFor(const std::shared_ptr<const Scene>& shown, const std::vector<int>& asked) const {
+    return scene != nullptr && scene == shown && !asked.empty() &&
+           std::ranges::all_of(asked, [&](int id) { return std::ranges::find(trails, id) != trails.end(); });
+  }
 };
 
 /// The whole clip exaggerated in one style, while it is looked at before it is kept.
@@ -54,6 +61,8 @@ struct ClipStyleState {
   std::vector<rig::Moment> moments = {};  ///< Moments of the clip, strongest first.
   std::vector<bool> on = {};              ///< Moments that are to be exaggerated.
   std::vector<app::AutoMoment> made = {}; ///< Outcome of those that are on, as last worked out.
+  std::vector<int> trails = {};           ///< Trails that were made for them, and what goes along.
+  std::vector<std::string> notes = {};    ///< Further things that were done.
   bool changed = false;                   ///< It is to be worked out anew.
   bool working = false;                   ///< It is being worked out.
   bool accepted = false;                  ///< It is to be kept, as soon as it is worked out.

@@ -14,6 +14,8 @@ namespace stretch::ui {
 
 namespace {
 
+constexpr float remarkIndent = 3.0F; // units: below the text of the moment's toggle
+
 void styleRows(PanelContext& context, ClipStyleState& state) {
   const WidgetContext widgets = widgetsOf(context);
   const Help help{"Style", "How far arms, legs and body are stretched, and how they come back.", {}};
@@ -59,10 +61,8 @@ void momentRow(PanelContext& context, ClipStyleState& state, std::size_t place) 
   const std::string text = fmt::format("{}, {} {:g}\xE2\x80\x93{:g}", limb, rig::momentKindName(moment.kind),
                                        moment.startFrame, moment.tipFrame);
   const app::AutoMoment* const made = outcomeOf(state, moment);
-  const std::string why = made != nullptr && !made->why.empty()
-                              ? (made->trailId > 0 ? "With more " : "Left out: ") + made->why + "."
-                              : "Exaggerates this moment, or not.";
-  if (toggle(widgets, "clip-style/moment-" + std::to_string(place), text, state.on[place], {text, why, {}})) {
+  if (toggle(widgets, "clip-style/moment-" + std::to_string(place), text, state.on[place],
+             {text, "Exaggerates this moment, or not.", {}})) {
     state.on[place] = !state.on[place];
     state.changed = true;
   }
@@ -75,6 +75,13 @@ void momentRow(PanelContext& context, ClipStyleState& state, std::size_t place) 
            {{right - width, corner.y}, {right + 1.0F, corner.y + context.theme.rowHeight()}},
            context.theme.colours.quietText, outcome);
   ImGui::NewLine();
+  const std::string remark =
+      made == nullptr || !state.on[place] ? "" : app::remarkOn(made->trailId > 0, made->isLevel, made->why);
+  if (!remark.empty()) {
+    ImGui::Indent(remarkIndent * context.theme.unit());
+    note(widgets, capitalised(remark));
+    ImGui::Unindent(remarkIndent * context.theme.unit());
+  }
 }
 
 void momentRows(PanelContext& context, ClipStyleState& state) {

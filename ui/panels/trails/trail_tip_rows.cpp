@@ -49,8 +49,7 @@ RowExtras scaleExtras(const PanelContext& context, const rig::Trail& trail) {
   const TrailPanels& panels = context.ui.trails;
   const app::Session& session = context.character();
   const rig::Limb* const limb = app::findLimb(session.document(), trail.limb);
-  if (limb == nullptr || panels.takenStyle.scene != session.document().scene ||
-      panels.takenStyle.trails != app::targetTrails(session)) {
+  if (limb == nullptr || !panels.takenStyle.isFor(session.document().scene, app::targetTrails(session))) {
     return {};
   }
   const rig::ScaleRange& range =
@@ -247,7 +246,7 @@ std::vector<Choice> styleChoices(const std::vector<rig::Style>& styles) {
 ShownStyle shownStyle(const TrailPanels& panels, const app::Document& document,
                       const std::vector<int>& trails) {
   const TakenStyle& taken = panels.takenStyle;
-  if (taken.scene != document.scene || taken.trails != trails) {
+  if (!taken.isFor(document.scene, trails)) {
     return {};
   }
   const rig::Style& style = panels.styles[static_cast<std::size_t>(taken.style)];

@@ -1,0 +1,58 @@
+#include "app/auto/loop_seam.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "app/evaluate/evaluate.h"
+
+namespace stretch::app {
+
+namespace {
+
+template <typename At>
+LoopSeam seamBy(const ClipGround& ground, const At& frameAt) {
+  const Clip& clip = clipOf(ground.document, ground.clip);
+  const double step = 1.0 / ground.framesPerSecond;
+  const double start = std::min(0.0, clip.startSeconds);
+  const auto placesAt = [&](double seconds) { return placesOf(ground.limbs, frameAt(seconds)); };
+  return {placesAt(start), placesAt(start + step), placesAt(clip.endSeconds - step),
+          placesAt(clip.endSeconds)};
+}
+
+} // namespace
+
+LoopSeam seamOf(const ClipGround& ground, const Document& document, const rig::MotionState& motion) {
+  return seamBy(ground, [&](double seconds) { return evaluate(document, motion, seconds); });
+}
+
+LoopSeam seamOfSource(const ClipGround& ground) {
+  return seamBy(ground,
+                [&](double seconds) { return evaluateOriginal(ground.document, ground.clip, seconds); });
+}
+
+bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& source, std::size_t limb) {
+  constexpr double seamMetres = 0.008; // of a person
+  constexpr double seamSpeed = 0.08;   // of a person, m/s
+  constexpr double sharper = 1.5;      // as its own stretch changes, too
+  const double metre = ground.document.body.size / characterSizeMetres;
+  const double ratio = straightLength(now.last[limb]) / straightLength(source.last[limb]);
+  const double longer = 1.0 + sharper * std::max(0.0, ratio - 1.0);
+  for (std::size_t k = 0; k < now.first[limb].size(); ++k) {
+    const bool isEnd = k == 0 || k + 1 == now.first[limb].size();
+    const auto gap = [&](const LoopSeam& seam) {
+      return glm::length(seam.last[limb][k] - seam.first[limb][k]);
+    };
+    const auto turn = [&](const LoopSeam& seam) {
+      return ground.framesPerSecond * glm::length((seam.last[limb][k] - seam.beforeLast[limb][k]) -
+                                                  (seam.afterFirst[limb][k] - seam.first[limb][k]));
+    };
+    if (gap(now) - gap(source) > seamMetres * metre ||
+        turn(now) - (isEnd ? 1.0 : longer) * turn(source) > seamSpeed * metre) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace stretch::app
