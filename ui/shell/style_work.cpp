@@ -83,7 +83,6 @@ Status beginClip(Shell& shell) {
   state.moments = moments;
   state.on.assign(moments.size(), true);
   state.made.clear();
-  state.notes.clear();
   state.changed = true;
   state.accepted = false;
   state.open = true;
@@ -124,7 +123,6 @@ void takeWork(Shell& shell) {
   if (made && !state.changed && state.open) {
     state.made = made->moments;
     state.trails = made->trailIds;
-    state.notes = made->notes;
     shell.open.character()->preview(made->document);
   }
 }

@@ -62,7 +62,6 @@ struct ClipStyleState {
   std::vector<bool> on = {};              ///< Moments that are to be exaggerated.
   std::vector<app::AutoMoment> made = {}; ///< Outcome of those that are on, as last worked out.
   std::vector<int> trails = {};           ///< Trails that were made for them, and what goes along.
-  std::vector<std::string> notes = {};    ///< Further things that were done.
   bool changed = false;                   ///< It is to be worked out anew.
   bool working = false;                   ///< It is being worked out.
   bool accepted = false;                  ///< It is to be kept, as soon as it is worked out.
