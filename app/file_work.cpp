@@ -33,6 +33,14 @@ void tellWarnings(FileUser& user, const std::vector<std::string>& warnings) {
   }
 }
 
+/// Empty where the file plays as it is seen; else how far it is off between the frames that alone got keys.
+std::string missText(double missOfHeight) {
+  return missOfHeight > 0.0
+             ? fmt::format(": between its whole frames the motion is up to {:.2g} % of the height off",
+                           100.0 * missOfHeight)
+             : std::string();
+}
+
 void tellDisconnected(FileUser& user, const Document& document) {
   if (const std::size_t apart = disconnectedTrails(document); apart > 0) {
     const bool one = apart == 1;
@@ -234,12 +242,13 @@ void FileWork::saveIncremental(FileUser& user) {
 
 void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   state_ = Idle{};
-  if (const Status done = user.open().character()->save(path, false, user.form()); !done) {
+  const Result<double> done = user.open().character()->save(path, false, user.form());
+  if (!done) {
     user.tell(Tone::error, done.error().line());
     cancel();
     return;
   }
-  user.tell(Tone::success, "Saved " + path.filename().string());
+  user.tell(Tone::success, "Saved " + path.filename().string() + missText(*done));
   tellDisconnected(user, user.open().character()->document());
   path_ = path; // What is open now: unsaved work from here on is kept aside for it.
   stamp(path, stampOf(path));
@@ -253,11 +262,12 @@ void FileWork::exportClean(FileUser& user, const fs::path& path) {
   if (session == nullptr) {
     return;
   }
-  if (const Status done = session->save(path, true, user.form()); !done) {
+  const Result<double> done = session->save(path, true, user.form());
+  if (!done) {
     user.tell(Tone::error, done.error().line());
     return;
   }
-  user.tell(Tone::success, "Exported " + path.filename().string());
+  user.tell(Tone::success, "Exported " + path.filename().string() + missText(*done));
   tellDisconnected(user, session->document());
 }
 

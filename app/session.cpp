@@ -159,15 +159,16 @@ std::filesystem::path Session::proposedSavePath() const {
   return (besideSource ? source.parent_path() : documentsFolder()) / name;
 }
 
-Status Session::save(const std::filesystem::path& path, bool clean, const SavedForm& form) {
+Result<double> Session::save(const std::filesystem::path& path, bool clean, const SavedForm& form) {
   cancel();
-  Status saved = saveDocument(history().current(), path, {.clean = clean, .form = form});
+  const SavedEdits made = editsOf(history().current(), {.clean = clean, .form = form});
+  const Status saved = saveEdits(history().current(), made.edits, path);
   // A clean export is a copy for others: the work itself is not saved by it.
   if (saved && !clean) {
     savePath_ = path;
     markSaved();
   }
-  return saved;
+  return saved ? Result<double>(made.missOfHeight) : Result<double>(saved.error());
 }
 
 const std::vector<rig::Moment>& Session::moments() const {

@@ -102,7 +102,8 @@ public:
   /// That, or another name beside the source; in the user's documents for a bundled clip and for one whose
   /// folder cannot be written.
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
-  Status save(const std::filesystem::path& path, bool clean, const SavedForm& form = {});
+  /// Returns SavedEdits::missOfHeight.
+  Result<double> save(const std::filesystem::path& path, bool clean, const SavedForm& form = {});
 
   /// The moments of the viewed clip, which exists, strongest first; while something is dragged those before.
   [[nodiscard]] const std::vector<rig::Moment>& moments() const;

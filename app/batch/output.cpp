@@ -22,6 +22,9 @@ Result<SaveOptions> saveOptionsOf(const OutputArguments& arguments) {
   if (arguments.keepsSkeleton) {
     options.form.form = StretchForm::translation;
   }
+  if (arguments.keysEveryFrame) {
+    options.form.keys = rig::KeyPlaces::everyFrame;
+  }
   const Setting<SavedForm>& influences = *findSetting(formSchema(), "influences");
   if (textOf(arguments.form, influences) != nullptr && options.form.form != StretchForm::volume) {
     return Error{"counts with --form volume alone", influences.option, "add --form volume, or leave it out"};
@@ -48,10 +51,11 @@ Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
 
 void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
   addOutputFile(line, arguments.file, "The .glb or .gltf to write");
-  line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
-  addSettingOptions(line, formSchema(), arguments.form, "Form of the stretch");
-  line.flag("--keep-skeleton", arguments.keepsSkeleton, "Another word for --form translation")
-      .group("Form of the stretch");
+  constexpr const char* heading = "What is written";
+  addSettingOptions(line, formSchema(), arguments.form, heading);
+  line.flag("--keep-skeleton", arguments.keepsSkeleton, "Another word for --form translation").group(heading);
+  line.flag("--key-every-frame", arguments.keysEveryFrame, "Another word for --key-frames every")
+      .group(heading);
   line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
 }
 
@@ -62,9 +66,14 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
 
 Status saveReported(const Document& document, const OutputArguments& arguments, Json& report,
                     EvaluationCache& cache) {
-  const Setting<SavedForm>& form = *findSetting(formSchema(), "form");
-  if (arguments.keepsSkeleton && textOf(arguments.form, form) != nullptr) {
+  const auto isGiven = [&](const char* setting) {
+    return textOf(arguments.form, *findSetting(formSchema(), setting)) != nullptr;
+  };
+  if (arguments.keepsSkeleton && isGiven("form")) {
     return Error{"stands beside --form", "--keep-skeleton", "give one of the two"};
+  }
+  if (arguments.keysEveryFrame && isGiven("key_frames")) {
+    return Error{"stands beside --key-frames", "--key-every-frame", "give one of the two"};
   }
   const Result<SaveOptions> options = saveOptionsOf(arguments);
   if (!options) {
@@ -73,6 +82,9 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   const SavedEdits saved = editsOf(document, *options, cache);
   if (options->form.form != StretchForm::scale) {
     report["form"] = formJson(*options, saved.fit);
+  }
+  if (options->form.keys == rig::KeyPlaces::wholeFrames) {
+    report["whole_frames"] = {{"miss_percent_of_height", 100.0 * saved.missOfHeight}};
   }
   std::vector<std::pair<int, std::vector<Track>>> edited;
   for (const gltf::ClipTracks& clip : saved.edits.clips) {
@@ -86,6 +98,10 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
 
 void printSaved(const Json& report) {
   printChanges(report.contains("worse") ? report["worse"] : Json::array());
+  if (report.contains("whole_frames")) {
+    fmt::print("keys   on whole frames: between them the motion is at most {:.3f} % of the height off\n",
+               report["whole_frames"]["miss_percent_of_height"].get<double>());
+  }
   if (!report.contains("form") || !report["form"].contains("vertices")) {
     return;
   }

@@ -13,13 +13,15 @@ struct OutputArguments {
   SaveOptions save; ///< All but the form.
   SettingTexts form;
   bool keepsSkeleton = false;
+  bool keysEveryFrame = false;
 };
 
-/// Declares -o, --in-place, --key-every-frame, --form, --influences, --keep-skeleton and --clean.
+/// Declares -o, --in-place, the options of formSchema, their other words, and --clean.
 void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// Writes the document, and adds to the report of the verb what the form cost, where that is not the scale of
-/// leaves, and what is worse than in the source ("worse", left out where nothing is).
+/// leaves, what keys on whole frames alone miss ("whole_frames"), and what is worse than in the source ("worse", left
+/// out where nothing is).
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report);
 /// Likewise; what `cache` remembers of the document's motion is not worked out again.

@@ -173,10 +173,11 @@ SavedEdits editsOf(const Document& document, const SaveOptions& options, Evaluat
   const Document seen = seenOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions = keyingOptions(document);
-  rekeyOptions.keyEveryFrame = options.keyEveryFrame;
+  rekeyOptions.places = options.form.keys;
   for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =
         rig::rekey(*seen.scene, clipOf(seen, clip), *cache.motion(seen, clip), rekeyOptions);
+    saved.missOfHeight = std::max(saved.missOfHeight, rekeyed.largestMiss / document.body.height);
     std::vector<Track> tracks = joinedTracks(editedTracks(seen, clip), std::move(rekeyed.tracks));
     if (tracks.empty() && rekeyed.stretches.empty()) {
       continue;

@@ -13,15 +13,15 @@ namespace stretch::app {
 class EvaluationCache;
 
 struct SaveOptions {
-  bool clean = false;         ///< Leave the program's own data out.
-  bool keyEveryFrame = false; ///< A key on every frame of range and release, as the thesis does.
+  bool clean = false; ///< Leave the program's own data out.
   SavedForm form = {};
 };
 
 /// Result of saving a document.
 struct SavedEdits {
   gltf::Edits edits;
-  rig::CornerFit fit; ///< All 0 where no corners carry a stretch.
+  rig::CornerFit fit;        ///< All 0 where no corners carry a stretch.
+  double missOfHeight = 0.0; ///< See rig::RekeyedClip::largestMiss; of the body's height.
 };
 
 /// Edits that saving makes in the file: the clips re-keyed with the connected trails and the weight of limbs,

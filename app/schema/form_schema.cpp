@@ -25,7 +25,15 @@ const Schema<SavedForm>& formSchema() {
            .help =
                "With the form volume: most influences of a vertex; fewer are fitted, and the miss is told.",
            .row = {.section = "file", .label = "Influences", .step = 4.0}},
-          &SavedForm::influences)};
+          &SavedForm::influences),
+      setting<SavedForm>(
+          {.name = "key_frames",
+           .choices = {{"needed", "On whole frames, and between them where the motion needs it."},
+                       {"whole", "On whole frames alone; how far the motion is off between them is told."},
+                       {"every", "On every frame, and between them where the motion needs it."}},
+           .help = "Where the changed motion gets keys.",
+           .row = {.section = "file", .label = "Keys"}},
+          &SavedForm::keys)};
   return schema;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rig/rekey/key_places.h"
+
 namespace stretch::app {
 
 /// How a stretch is told in a file (docs/rig.md, Bind leaves and Corners).
@@ -12,6 +14,7 @@ enum class StretchForm {
 struct SavedForm {
   StretchForm form = StretchForm::scale;
   int influences = 8; ///< Most of a vertex, where the form is volume.
+  rig::KeyPlaces keys = rig::KeyPlaces::needed;
 
   friend bool operator==(const SavedForm&, const SavedForm&) = default;
 };

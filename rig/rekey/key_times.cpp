@@ -109,7 +109,7 @@ std::vector<double> withoutLongSpans(const std::vector<double>& times, double fr
 
 // Key times of the source win over times of ours that are almost the same.
 std::vector<double> firstTimes(const Window& window, const PartKeys& keys, double framesPerSecond,
-                               bool everyFrame) {
+                               KeyPlaces places) {
   std::vector<double> times{window.startSeconds, window.endSeconds};
   for (const ChangedChannel& channel : keys.channels) {
     if (channel.source == nullptr) {
@@ -126,7 +126,7 @@ std::vector<double> firstTimes(const Window& window, const PartKeys& keys, doubl
   times.erase(std::unique(times.begin(), times.end()), times.end());
   std::vector<double> wanted = keys.part->keySeconds;
   for (double frame = std::ceil(window.startSeconds * framesPerSecond);
-       everyFrame && frame / framesPerSecond < window.endSeconds; frame += 1.0) {
+       places == KeyPlaces::everyFrame && frame / framesPerSecond < window.endSeconds; frame += 1.0) {
     wanted.push_back(asKeyTime(frame / framesPerSecond));
   }
   for (const double time : wanted) {
@@ -203,38 +203,55 @@ double onWholeFrame(const MissAt& missAt, double framesPerSecond, double start, 
   return best;
 }
 
-// Adds keys where a span is missed by most until all of it is within the tolerance. `missOf(start, end)`
-// answers the miss of the span from start to end as a function of time.
+// What keys are chosen by.
+struct KeyRule {
+  double framesPerSecond = 30.0;
+  double tolerance = 0.0;
+  bool onWholeFrames = false; ///< A key that would lie between whole frames is not made; the miss is noted.
+};
+
+bool isWholeFrame(const KeyRule& rule, double time) {
+  const double frame = time * rule.framesPerSecond;
+  return std::abs(frame - std::round(frame)) < frameTolerance;
+}
+
+// Adds keys where a span is missed by most until all of it is within the tolerance, and answers what is
+// missed all the same. `missOf(start, end)` answers the miss of the span from start to end as a function of
+// time.
 template <typename MissOf>
-void refine(const MissOf& missOf, double framesPerSecond, double tolerance, double start, double end,
-            std::vector<double>& added) {
+double refine(const MissOf& missOf, const KeyRule& rule, double start, double end,
+              std::vector<double>& added) {
   const auto missAt = missOf(start, end);
-  double worstMiss = tolerance;
+  double worstMiss = rule.tolerance;
   double worstTime = 0.0;
-  for (const double time : checkTimes(framesPerSecond, start, end)) {
+  for (const double time : checkTimes(rule.framesPerSecond, start, end)) {
     const double miss = missAt(time);
     if (miss > worstMiss) {
       worstMiss = miss;
       worstTime = time;
     }
   }
-  if (worstMiss > tolerance) {
-    const double key = onWholeFrame(missAt, framesPerSecond, start, end, worstTime);
-    refine(missOf, framesPerSecond, tolerance, start, key, added);
-    added.push_back(key);
-    refine(missOf, framesPerSecond, tolerance, key, end, added);
+  if (worstMiss <= rule.tolerance) {
+    return 0.0;
   }
+  const double key = onWholeFrame(missAt, rule.framesPerSecond, start, end, worstTime);
+  if (rule.onWholeFrames && !isWholeFrame(rule, key)) {
+    return worstMiss;
+  }
+  const double before = refine(missOf, rule, start, key, added);
+  added.push_back(key);
+  return std::max(before, refine(missOf, rule, key, end, added));
 }
 
-// The ascending keys of a span, its end among them, with those added that need the grid of frames this many
-// times shorter; a span of more than so many frames is taken as it is.
+// The ascending keys of a span, its end among them, with those added that need the grid of frames of the
+// rule; a span of more than so many frames is taken as it is.
 template <typename MissOf>
-std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double tolerance, double mostFrames,
-                            double start, const std::vector<double>& keys) {
+std::vector<double> refined(const MissOf& missOf, const KeyRule& rule, double mostFrames, double start,
+                            const std::vector<double>& keys) {
   std::vector<double> all;
   for (const double key : keys) {
-    if ((key - start) * framesPerSecond <= mostFrames) {
-      refine(missOf, framesPerSecond, tolerance, start, key, all);
+    if ((key - start) * rule.framesPerSecond <= mostFrames) {
+      refine(missOf, rule, start, key, all);
     }
     all.push_back(key);
     start = key;
@@ -247,14 +264,15 @@ std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double
 // length turns fast: spans that are off by a few tolerances at eighths of a frame get further keys, and what
 // is cut to eighths is looked at once more in between.
 template <typename MissOf>
-std::vector<double> keysInside(const MissOf& missOf, double framesPerSecond, double tolerance, double start,
-                               double end) {
+std::vector<double> keysInside(const MissOf& missOf, const KeyRule& rule, double start, double end) {
   constexpr double few = 8.0;
   constexpr double anyLength = std::numeric_limits<double>::infinity();
-  const std::vector<double> halves = refined(missOf, framesPerSecond, tolerance, anyLength, start, {end});
-  const std::vector<double> eighths =
-      refined(missOf, 4.0 * framesPerSecond, few * tolerance, anyLength, start, halves);
-  return refined(missOf, 32.0 * framesPerSecond, few * tolerance, 5.0, start, eighths);
+  const auto finer = [&](double parts) {
+    return KeyRule{parts * rule.framesPerSecond, few * rule.tolerance, false};
+  };
+  const std::vector<double> halves = refined(missOf, rule, anyLength, start, {end});
+  const std::vector<double> eighths = refined(missOf, finer(4.0), anyLength, start, halves);
+  return refined(missOf, finer(32.0), 5.0, start, eighths);
 }
 
 // Ascending times of a longer walk at which something is looked at.
@@ -390,6 +408,7 @@ public:
   }
   [[nodiscard]] bool isDone() const { return window_ == keys_.part->windows.size(); }
   [[nodiscard]] PartKeys take() { return std::move(keys_); }
+  [[nodiscard]] double largestMiss() const { return largestMiss_; }
 
   void chooseNext() {
     const auto missOfJoints = [&](double start, double end) {
@@ -420,16 +439,22 @@ private:
   }
 
   template <typename MissOf>
-  void addKeys(const MissOf& missOf, std::vector<double>& times) const {
-    std::ranges::copy(
-        keysInside(missOf, framesPerSecond(), options_.tolerance, first_[next_ - 1], first_[next_]),
-        std::back_inserter(times));
+  void addKeys(const MissOf& missOf, std::vector<double>& times) {
+    const double start = first_[next_ - 1];
+    const double end = first_[next_];
+    const KeyRule rule{framesPerSecond(), options_.tolerance, options_.places == KeyPlaces::wholeFrames};
+    if (!rule.onWholeFrames) {
+      std::ranges::copy(keysInside(missOf, rule, start, end), std::back_inserter(times));
+      return;
+    }
+    largestMiss_ = std::max(largestMiss_, refine(missOf, rule, start, end, times));
+    times.push_back(end);
   }
 
   // The next window that has a span.
   void openWindow() {
     for (; !isDone(); closeWindow()) {
-      first_ = firstTimes(keys_.part->windows[window_], keys_, framesPerSecond(), options_.keyEveryFrame);
+      first_ = firstTimes(keys_.part->windows[window_], keys_, framesPerSecond(), options_.places);
       keys_.times.push_back({first_.front()});
       keys_.stretchTimes.push_back({first_.front()});
       next_ = 1;
@@ -455,6 +480,7 @@ private:
   std::size_t window_ = 0;
   std::vector<double> first_; // ends of the spans of that window
   std::size_t next_ = 1;      // end of the next span
+  double largestMiss_ = 0.0;
 };
 
 } // namespace
@@ -476,6 +502,7 @@ ChosenKeys chooseKeys(ExactMotion& exact, const std::vector<KeyedPart>& parts, c
   }
   chosen.parts.reserve(choosers.size());
   for (PartChooser& chooser : choosers) {
+    chosen.largestMiss = std::max(chosen.largestMiss, chooser.largestMiss());
     chosen.parts.push_back(chooser.take());
   }
   return chosen;

@@ -34,6 +34,7 @@ using FramesOfNodes = std::map<NodeIndex, StretchFrames>;
 struct ChosenKeys {
   std::vector<PartKeys> parts; ///< In the order of the parts, which have to outlive them.
   FramesOfNodes frames;        ///< Of every node that some part stretches.
+  double largestMiss = 0.0;    ///< See RekeyedClip.
 };
 
 /// Chooses the keys of all parts. They are gone through in step with time, so that the frames of a long clip

@@ -112,6 +112,7 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
     }
   }
   rekeyed.stretches = buildStretches(exact, stretched);
+  rekeyed.largestMiss = chosen.largestMiss;
   return rekeyed;
 }
 

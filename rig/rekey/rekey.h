@@ -5,6 +5,7 @@
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
 #include "rig/motion/motion.h"
+#include "rig/rekey/key_places.h"
 
 namespace stretch::rig {
 
@@ -12,7 +13,7 @@ struct RekeyOptions {
   /// How far any joint, and the mesh that turns with it, may be from the exact motion at every frame and half
   /// frame, world units (1e-4 of the height); ten times as far at other times.
   double tolerance = 1e-4;
-  bool keyEveryFrame = false;
+  KeyPlaces places = KeyPlaces::needed;
 };
 
 /// The stretch of one joint over a clip, for its bind leaf: K(t) = A(t) diag(scales) A(t)^T in the joint's
@@ -33,6 +34,8 @@ struct RekeyedClip {
   std::vector<Track> tracks; ///< The tracks that change, whole: keys outside range and release are the
                              ///< source's bit for bit, quaternions perhaps negated after a full turn.
   std::vector<StretchKeys> stretches;
+  double largestMiss = 0.0; ///< World units: how far a joint is from the exact motion between whole frames
+                            ///< that alone could get keys; 0 where the tolerance is kept.
 };
 
 /// Turns the active trails and the weight into keys (docs/exaggeration.md, What saving writes): every key

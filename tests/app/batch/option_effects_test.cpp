@@ -330,6 +330,8 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                                    {"--keep-skeleton", "", "--keep-skeleton"},
                                    {"--form", "", "--form volume"},
                                    {"--influences", "--form volume", "--form volume --influences 4"},
+                                   {"--key-frames", "", "--key-frames whole"},
+                                   {"--key-frames", "--release 30", "--release 30 --key-frames every"},
                                    {"--key-every-frame", "--release 30", "--release 30 --key-every-frame"}},
                                   joinedRows(clipRows, reportRows))))))},
       inputs);
@@ -347,7 +349,9 @@ TEST_CASE("Every option of elastic changes the keys that it writes") {
                       joinedRows({{"--limb", arm, "--limb right-arm --clip Guard"},
                                   {"--clip", "--limb left-arm", arm},
                                   {"--key-every-frame", "--limb left-arm --range 10:30 --amount 0.1",
-                                   "--limb left-arm --range 10:30 --amount 0.1 --key-every-frame"}},
+                                   "--limb left-arm --range 10:30 --amount 0.1 --key-every-frame"},
+                                  {"--key-frames", "--limb left-arm --range 10:30 --amount 0.1",
+                                   "--limb left-arm --range 10:30 --amount 0.1 --key-frames every"}},
                                  rowsBehind(arm, joinedRows({{"--keep-skeleton", "", "--keep-skeleton"},
                                                              {"--form", "", "--form volume"},
                                                              {"--influences", "--form volume",
@@ -392,6 +396,8 @@ TEST_CASE("Every option of pose changes the keys that it writes") {
                     {"--units", "--offsets IN/table.csv", "--offsets IN/table.csv --units metres"},
                     {"--clip", recipe, recipe + " --clip Guard"},
                     {"--key-every-frame", recipe, recipe + " --key-every-frame"},
+                    {"--key-frames", "--recipe IN/low.json --pin-feet",
+                     "--recipe IN/low.json --pin-feet --key-frames whole"},
                     {"--pin-feet", "--recipe IN/low.json", "--recipe IN/low.json --pin-feet"},
                     {"--prop", recipe, recipe + ' ' + prop},
                     {"--prop-hand", prop, prop + " --prop-hand left-arm"},
@@ -427,6 +433,7 @@ TEST_CASE("Every option of import-clip and resave changes the file that they wri
                   {"--keep-skeleton", "", "--keep-skeleton"},
                   {"--form", "", "--form volume"},
                   {"--influences", "--form volume", "--form volume --influences 4"},
+                  {"--key-frames", "", "--key-frames whole"},
                   {"--key-every-frame", "", "--key-every-frame"}});
   checkTable({"import-clip", "--json --clean", joinedRows(ofImport, ofWork)}, inputs);
   checkTable({"resave", "", fileRows("dummy.glb", "copy.glb", "")}, inputs);

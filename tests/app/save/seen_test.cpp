@@ -8,10 +8,13 @@
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
+#include "app/session.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -58,8 +61,8 @@ TEST_CASE("Saving keys every frame where that is asked for, else as few as it ne
   const Result<CreatedTrail> created = createTrail(test::boxer(), slight);
   REQUIRE(created);
   const Document followed = *applyTrail(created->document, created->trailId);
-  const auto mostKeys = [&](bool everyFrame) {
-    const gltf::Edits edits = editsOf(followed, {.keyEveryFrame = everyFrame}).edits;
+  const auto mostKeys = [&](rig::KeyPlaces places) {
+    const gltf::Edits edits = editsOf(followed, {.form = {.keys = places}}).edits;
     REQUIRE(edits.clips.size() == 1);
     std::size_t most = 0;
     for (const Track& track : edits.clips.front().tracks) {
@@ -67,7 +70,25 @@ TEST_CASE("Saving keys every frame where that is asked for, else as few as it ne
     }
     return most;
   };
-  CHECK(mostKeys(true) > mostKeys(false));
+  CHECK(mostKeys(rig::KeyPlaces::everyFrame) > mostKeys(rig::KeyPlaces::needed));
+}
+
+TEST_CASE(
+    "Saving on whole frames alone tells how far the motion is off between them, saving as needed keeps it") {
+  const Document punch = test::withNewTrail(test::boxer(), {"left-arm", 0.0, 10.0, 2.5});
+  CHECK(editsOf(punch, {}).missOfHeight == 0.0);
+  CHECK(editsOf(punch, {.form = {.keys = rig::KeyPlaces::everyFrame}}).missOfHeight == 0.0);
+  const SavedEdits whole = editsOf(punch, {.form = {.keys = rig::KeyPlaces::wholeFrames}});
+  CHECK(whole.missOfHeight > 0.3e-4);
+  CHECK(whole.missOfHeight < 1e-2);
+  Session session(test::withNewTrail(test::openedFile(test::posedCharacter), {"left-arm", 21.0, 27.0, 3.0}));
+  const test::TemporaryFolder folder;
+  const SavedForm form{.keys = rig::KeyPlaces::wholeFrames};
+  const Result<double> saved = session.save(folder / "punch.glb", false, form);
+  REQUIRE(saved);
+  CHECK(*saved > 0.0);
+  CHECK(*saved == editsOf(session.document(), {.form = form}).missOfHeight);
+  CHECK(*session.save(folder / "punch.glb", false) == 0.0);
 }
 
 TEST_CASE("Weights that are no numbers are saved as those that are seen in their place, once for each node "

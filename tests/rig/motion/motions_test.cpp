@@ -242,7 +242,7 @@ std::string motionText(Row& row, const Mover& mover) {
   }
   RekeyOptions options;
   options.tolerance = 1e-3 * moving.body.height;
-  options.keyEveryFrame = row.once(5);
+  options.places = row.once(5) ? KeyPlaces::everyFrame : KeyPlaces::needed;
   return text + keysText(moving, motion, options);
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("frames of a long clip are made once for all limbs that get keys, and 
   const std::vector<KeyedPart> parts = keyedParts(motion);
   REQUIRE(parts.size() >= 4);
   RekeyOptions options;
-  options.keyEveryFrame = true; // short spans between keys
+  options.places = KeyPlaces::everyFrame; // short spans between keys
   options.tolerance = 0.5e-4 * moving.body.height;
   ExactMotion all(moving.scene, moving.clip, motion, endless);
   ExactMotion some(moving.scene, moving.clip, motion, few);

@@ -134,7 +134,7 @@ TEST_CASE("a release of no length jumps back between two neighbouring keys") {
 
 TEST_CASE("a key on every frame is there when it is asked for") {
   const MovingBiped moving = punchingBiped();
-  const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 12, 2.0), {1e-4, true});
+  const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 12, 2.0), {1e-4, KeyPlaces::everyFrame});
   for (const Track& track : rekeyed.keys.tracks) {
     for (double frame = 0.0; frame <= 18.0; frame += 1.0) {
       const bool there =

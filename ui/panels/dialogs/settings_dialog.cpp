@@ -81,8 +81,10 @@ void drawSettingsDialog(PanelContext& context) {
   themeRow(context);
   interfaceScaleRow(context);
   navigationRow(context);
-  viewRow(context, "settings/", windowSetting("form"), context.ui);
-  explain(context, explanationOf(windowSetting("form"), context.ui));
+  for (const char* name : {"form", "key_frames"}) {
+    viewRow(context, "settings/", windowSetting(name), context.ui);
+    explain(context, explanationOf(windowSetting(name), context.ui));
+  }
   for (const char* name : {"snap", "exaggerate_at_tip", "every_frame", "on_twos"}) {
     viewRow(context, "settings/", windowSetting(name), context.ui);
     explain(context, windowSetting(name).help);
