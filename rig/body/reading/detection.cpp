@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
 #include "rig/body/reading/humanoid.h"
 #include "rig/body/reading/limb_assembly.h"
@@ -333,18 +334,26 @@ NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& fou
   return away < farthest * legLength ? centre : found.hips;
 }
 
-void measure(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Finding& finding) {
   Body& result = finding.result;
-  const CharacterExtent extent = characterExtent(scene, bindPose, result.hips, finding.bodyUp);
+  BodyParts parts{result.hips, {}, finding.bodyUp};
+  for (const Limb& limb : result.limbs) {
+    if (limb.kind == LimbKind::arm && limb.endNode.exists()) {
+      parts.hands.push_back(limb.endNode);
+    }
+  }
+  const double start = clip == nullptr ? 0.0 : clip->startSeconds;
+  const Pose pose = clip == nullptr ? restPose(scene) : samplePose(scene, *clip, start);
+  const CharacterExtent extent = characterExtent(scene, bindPose, parts, frameOf(scene, pose, start));
   result.height = extent.height;
-  result.size = result.isBiped ? extent.height : extent.largest;
+  result.size = result.isBiped ? extent.stature : extent.largest;
 }
 
 } // namespace
 
 } // namespace body
 
-Body detectBody(const Scene& scene) {
+Body detectBody(const Scene& scene, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
@@ -358,11 +367,11 @@ Body detectBody(const Scene& scene) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  body::measure(scene, bindPose, finding);
+  body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }
 
-Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   finding.result.warnings.clear();
@@ -388,7 +397,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   }
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};
-  body::measure(scene, bindPose, finding);
+  body::measure(scene, bindPose, clip, finding);
   return std::move(result);
 }
 

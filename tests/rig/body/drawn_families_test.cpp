@@ -140,6 +140,7 @@ TEST_CASE("What is read wrongly of drawn rigs, for looking at", "[.drawn]") {
   const char* const number = std::getenv("EACH");
   const int each = number == nullptr ? drawn : std::atoi(number);
   std::string text = familiesTable(bipedFamilies(each), limbs, &details);
+  text += familiesTable(wholeBipeds(each), limbs, &details);
   text += familiesTable(beastFamilies(each), limbs, &details);
   for (std::size_t band = 0; band < limbs.all.size(); ++band) {
     text += fmt::format("confidence band {}: {} of {}\n", band, limbs.right[band], limbs.all[band]);

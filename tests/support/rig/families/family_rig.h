@@ -56,4 +56,7 @@ void standOn(SyntheticBiped& body, double height);
 [[nodiscard]] std::vector<FamilyRig> bipedFamilies(int each);
 [[nodiscard]] std::vector<FamilyRig> beastFamilies(int each);
 
+/// Rigs as programs and games export them, `each` of every one, in drawn poses and proportions.
+[[nodiscard]] std::vector<FamilyRig> wholeBipeds(int each);
+
 } // namespace stretch::test
