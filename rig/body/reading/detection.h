@@ -20,7 +20,7 @@ struct Body {
   NodeIndex head;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
   double height = 1.0;  ///< Extent along +Y of the shown body at the first frame of the first clip, world
-                       ///< units, > 0: every tolerance is relative to it.
+                        ///< units, > 0: every tolerance is relative to it.
   double size = 1.0; ///< Extent in the bind pose: the height of a biped, else the largest extent, since the
                      ///< height of a creature says little of how large it is. World units, > 0.
   std::vector<std::string> warnings;
