@@ -20,8 +20,8 @@ struct OutputArguments {
 void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// Writes the document, and adds to the report of the verb what the form cost, where that is not the scale of
-/// leaves, what keys on whole frames alone miss ("whole_frames"), and what is worse than in the source ("worse", left
-/// out where nothing is).
+/// leaves, what keys on whole frames alone miss ("whole_frames"), and what is worse than in the source
+/// ("worse", left out where nothing is).
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report);
 /// Likewise; what `cache` remembers of the document's motion is not worked out again.

@@ -87,6 +87,50 @@ std::vector<float> depthsOf(const VoxelBody& body) {
   return {depths.begin(), depths.end()};
 }
 
+// The cubes of a mesh without their depths; `inner`: how many of them no triangle passes.
+struct Filling {
+  VoxelBody body;
+  std::size_t inner = 0;
+};
+
+Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
+                const VoxelGrid& grid) {
+  Filling made{{.grid = grid}, 0};
+  VoxelBody& body = made.body;
+  Cubes surface(grid.cubeCount(), 0);
+  for (const Triangle& triangle : triangles) {
+    markTriangle(grid,
+                 {Vec3(positions[triangle[0]]), Vec3(positions[triangle[1]]), Vec3(positions[triangle[2]])},
+                 surface);
+  }
+  const Cubes reached = reachedFromOutside(grid, surface);
+  const Cubes votes = votesOfLines(grid, positions, triangles);
+  body.cellAt.assign(surface.size(), VoxelBody::outside);
+  for (std::size_t cube = 0; cube < surface.size(); ++cube) {
+    if (surface[cube] != 0 || reached[cube] == 0 || votes[cube] >= 2) {
+      body.cellAt[cube] = static_cast<std::int32_t>(body.cubeOf.size());
+      body.cubeOf.push_back(static_cast<std::uint32_t>(cube));
+      made.inner += surface[cube] == 0 ? 1 : 0;
+    }
+  }
+  return made;
+}
+
+// As many cubes along the longest side as a mesh of so few triangles shows anything by: what it encloses is
+// measured with large ones.
+int cubesThatShow(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
+                  const Vec3& low, const Vec3& high, int cubesAlong) {
+  constexpr int large = 32;
+  const double most = 2e5 + 300.0 * static_cast<double>(triangles.size());
+  const double whole = std::pow(cubesAlong, 3.0);
+  if (cubesAlong <= large || whole <= most) {
+    return cubesAlong;
+  }
+  const double inner = static_cast<double>(filling(positions, triangles, gridAround(low, high, large)).inner);
+  const double finest = inner > 0.0 ? large * std::cbrt(most / inner) : cubesAlong;
+  return std::clamp(static_cast<int>(finest), large, cubesAlong);
+}
+
 } // namespace
 
 std::size_t VoxelGrid::cubeCount() const {
@@ -169,23 +213,8 @@ Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions, const std::vec
   if (!(longest > 0.0) || !std::isfinite(longest)) {
     return Error{"the mesh has no extent", "", "bind a mesh with a body"};
   }
-  VoxelBody body;
-  body.grid = gridAround(low, high, cubesAlong);
-  Cubes surface(body.grid.cubeCount(), 0);
-  for (const Triangle& triangle : triangles) {
-    markTriangle(body.grid,
-                 {Vec3(positions[triangle[0]]), Vec3(positions[triangle[1]]), Vec3(positions[triangle[2]])},
-                 surface);
-  }
-  const Cubes reached = reachedFromOutside(body.grid, surface);
-  const Cubes votes = votesOfLines(body.grid, positions, triangles);
-  body.cellAt.assign(surface.size(), VoxelBody::outside);
-  for (std::size_t cube = 0; cube < surface.size(); ++cube) {
-    if (surface[cube] != 0 || reached[cube] == 0 || votes[cube] >= 2) {
-      body.cellAt[cube] = static_cast<std::int32_t>(body.cubeOf.size());
-      body.cubeOf.push_back(static_cast<std::uint32_t>(cube));
-    }
-  }
+  const int along = cubesThatShow(positions, triangles, low, high, cubesAlong);
+  VoxelBody body = filling(positions, triangles, gridAround(low, high, along)).body;
   body.depths = depthsOf(body);
   return body;
 }

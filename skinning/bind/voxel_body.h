@@ -44,7 +44,8 @@ struct VoxelBody {
   [[nodiscard]] std::int32_t cellNear(const Vec3& point, int cubesAround) const;
 };
 
-/// `cubesAlong`: how many cubes the longest side of the mesh's box takes. Error: no triangle, a mesh without
+/// `cubesAlong`: how many cubes the longest side of the mesh's box takes at most; a mesh of few triangles
+/// that encloses much shows nothing by so many, and takes 32 or more. Error: no triangle, a mesh without
 /// extent or with places that are no numbers.
 [[nodiscard]] Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions,
                                           const std::vector<Triangle>& triangles, int cubesAlong);

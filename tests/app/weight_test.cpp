@@ -182,7 +182,7 @@ TEST_CASE("the unit of the file does not matter") {
   scene.roots = {NodeIndex(scene.nodes.size())};
   scene.nodes.push_back(larger);
   hundredths.scene = std::make_shared<const Scene>(scene);
-  hundredths.body = rig::detectBody(scene);
+  hundredths.body = rig::detectBody(scene, &metres.clips->front());
   REQUIRE(hundredths.body.height == Approx(100.0 * metres.body.height));
   const std::vector<WeightReport> one = weightReports(metres, 0);
   const std::vector<WeightReport> other = weightReports(hundredths, 0);

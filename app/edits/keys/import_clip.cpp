@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/pose/prop_file_edits.h"
 #include "app/named.h"
 #include "core/base/number.h"
 #include "core/gltf/load/load_as_it_stands.h"
@@ -48,7 +49,7 @@ Result<Donor> readDonor(const std::filesystem::path& file) {
   donor.document.scene = loaded->scene;
   donor.document.source = loaded->source;
   donor.document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
-  donor.document.body = rig::detectBody(*donor.document.scene);
+  donor.document.body = bodyOfSource(donor.document);
   if (donor.document.clips->empty()) {
     return Error{"the file holds no clip", file.string(), "give a file with an animation"};
   }

@@ -219,14 +219,20 @@ std::shared_ptr<const Scene> sceneOfSource(const Document& document) {
   return own ? *own : document.scene;
 }
 
+// The file's first clip, as the file has it.
+const Clip* firstClip(const Document& document) {
+  const std::shared_ptr<const std::vector<Clip>>& clips = sourceClipsOf(document);
+  return clips == nullptr || clips->size() <= document.importedClips ? nullptr : &clips->front();
+}
+
 } // namespace
 
 rig::Body bodyOfSource(const Document& document) {
-  return rig::detectBody(*sceneOfSource(document));
+  return rig::detectBody(*sceneOfSource(document), firstClip(document));
 }
 
 rig::Body bodyOfSource(const Document& document, const rig::BodyPlan& plan) {
-  return rig::bodyAsPlan(*sceneOfSource(document), plan);
+  return rig::bodyAsPlan(*sceneOfSource(document), plan, firstClip(document));
 }
 
 } // namespace stretch::app

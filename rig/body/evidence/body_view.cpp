@@ -101,13 +101,21 @@ private:
 
   [[nodiscard]] bool isCandidate(NodeIndex node, const NameEvidence& name) const {
     const auto index = at(node);
-    if (!possible_[index] || name.end) {
+    if (!possible_[index] || (name.end && isTip(node, name))) {
       return false;
     }
     const bool idle = view_.hasVertices && below_[index] == 0;
     const bool handle = name.control && clouds_[index].empty();
     // An ankle or wrist may move nothing itself; a handle beside the body must not pass for one.
     return !handle && (!idle || hangsFromMovingJoint(node));
+  }
+
+  // The last joint of an arm may be called its end as well: a mesh follows it, or fingers hang from it.
+  [[nodiscard]] bool isTip(NodeIndex node, const NameEvidence& name) const {
+    const std::vector<NodeIndex>& children = scene_.nodes[at(node)].children;
+    const bool carries = !clouds_[at(node)].empty() ||
+                         std::ranges::any_of(children, [&](NodeIndex child) { return possible_[at(child)]; });
+    return !carries || std::max(name.role(Role::upperArm), name.role(Role::shin)) <= 0.0;
   }
 
   [[nodiscard]] bool hangsFromMovingJoint(NodeIndex node) const {

@@ -6,16 +6,17 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/math/bounds.h"
+#include "core/math/finite.h"
 #include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig::body {
 
 namespace {
 
-bool hasMesh(const Scene& scene, bool skinned) {
-  return std::ranges::any_of(scene.nodes,
-                             [&](const Node& node) { return node.mesh >= 0 && (node.skin >= 0) == skinned; });
+bool hasSkinnedMesh(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -25,75 +26,144 @@ NodeIndex topmost(const Scene& scene, NodeIndex node) {
   return node;
 }
 
-double extentY(const Bounds& bounds) {
-  return bounds.empty() ? 0.0 : bounds.high.y - bounds.low.y;
+// For each node whether a mesh that hangs on it rigidly is one of the body's.
+std::vector<bool> rigidParts(const Scene& scene, const BodyParts& parts) {
+  std::vector<bool> counts(scene.nodes.size(), !parts.hips.exists() && !hasSkinnedMesh(scene));
+  const auto mark = [&](const std::vector<NodeIndex>& tops, bool isPart) {
+    for (const NodeIndex node : withSubtrees(scene, tops)) {
+      counts[at(node)] = isPart;
+    }
+  };
+  if (parts.hips.exists() && !hasSkinnedMesh(scene)) {
+    mark({topmost(scene, parts.hips)}, true);
+  } else if (parts.hips.exists()) {
+    mark({parts.hips}, true);
+    mark(parts.hands, false);
+  }
+  return counts;
 }
 
-Bounds boundsOf(const Scene& scene, const BindPose& bindPose, NodeIndex root, bool skinned) {
-  const std::vector<std::vector<Vec3>> clouds =
-      vertexClouds(scene, bindPose, skinned ? RigidMeshes::none : RigidMeshes::all);
+void addFinite(Bounds& bounds, const Vec3& point) {
+  if (isFinite(point)) {
+    bounds.add(point);
+  }
+}
+
+Bounds bindBounds(const Scene& scene, const BindPose& bindPose, const std::vector<bool>& rigid) {
   Bounds bounds;
-  for (std::size_t node = 0; node < clouds.size(); ++node) {
-    if (clouds[node].empty() ||
-        (!skinned && root.exists() && !isAncestorOrSelf(scene, root, NodeIndex(node)))) {
-      continue;
-    }
-    for (const Vec3& point : clouds[node]) {
-      bounds.add(point);
+  for (const std::vector<Vec3>& cloud : vertexClouds(scene, bindPose, RigidMeshes::none)) {
+    std::ranges::for_each(cloud, [&](const Vec3& point) { bounds.add(point); });
+  }
+  const std::vector<std::vector<Vec3>> all = vertexClouds(scene, bindPose, RigidMeshes::all);
+  for (std::size_t node = 0; node < all.size(); ++node) {
+    if (rigid[node]) {
+      std::ranges::for_each(all[node], [&](const Vec3& point) { bounds.add(point); });
     }
   }
   return bounds;
 }
 
-Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
+void addSkinned(Bounds& bounds, const Primitive& primitive, const std::vector<Mat4>& joints) {
+  const std::size_t count = std::min(primitive.positions.size(), primitive.influences.size());
+  for (std::size_t vertex = 0; vertex < count; ++vertex) {
+    const VertexInfluences& influences = primitive.influences[vertex];
+    Mat4 moved(0.0);
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      if (influences.weights[i] > 0.0F && influences.joints[i] < joints.size()) {
+        moved += static_cast<double>(influences.weights[i]) * joints[influences.joints[i]];
+      }
+    }
+    if (moved[3][3] > 0.0) {
+      addFinite(bounds, transformPoint(moved / moved[3][3], Vec3(primitive.positions[vertex])));
+    }
+  }
+}
+
+bool isDrawn(const Scene& scene, NodeIndex node) {
+  return std::ranges::find(scene.roots, topmost(scene, node)) != scene.roots.end();
+}
+
+Bounds shownBounds(const Scene& scene, const FrameState& shown, const std::vector<bool>& rigid) {
   Bounds bounds;
-  for (const Skin& skin : scene.skins) {
-    for (const NodeIndex joint : skin.joints) {
-      if (joint.exists() && at(joint) < bindPose.worlds.size()) {
-        bounds.add(positionOf(bindPose.worlds[at(joint)]));
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const Node& holder = scene.nodes[node];
+    const bool isSkinned = holder.skin >= 0;
+    if (holder.mesh < 0 || !(isSkinned || rigid[node]) || !isDrawn(scene, NodeIndex(node))) {
+      continue;
+    }
+    const std::vector<Mat4> joints =
+        isSkinned ? skinMatrices(scene.skins[at(holder.skin)], shown) : std::vector<Mat4>{};
+    const Mat4 carried = meshMatrix(shown, NodeIndex(node));
+    for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
+      if (isSkinned && !primitive.influences.empty()) {
+        addSkinned(bounds, primitive, joints);
+      } else if (rigid[node]) {
+        std::ranges::for_each(primitive.positions, [&](const glm::vec3& position) {
+          addFinite(bounds, transformPoint(carried, Vec3(position)));
+        });
       }
     }
   }
+  return bounds;
+}
+
+Bounds jointBounds(const Scene& scene, const std::vector<Mat4>& worlds) {
+  Bounds bounds;
+  for (const NodeIndex joint : skinJoints(scene)) {
+    addFinite(bounds, positionOf(worlds[at(joint)]));
+  }
   if (bounds.empty()) {
-    for (const Mat4& world : bindPose.worlds) {
-      bounds.add(positionOf(world));
-    }
+    std::ranges::for_each(worlds, [&](const Mat4& world) { addFinite(bounds, positionOf(world)); });
   }
   return bounds;
 }
 
-// Of skinned meshes, and of the rigid ones as well where these are most of the body: gloves alone may be
-// skinned.
-Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex hips) {
-  if (!hasMesh(scene, true)) {
-    return boundsOf(scene, bindPose, topmost(scene, hips), false);
+Vec3 extentOf(const Bounds& bounds) {
+  return bounds.empty() ? Vec3(0.0) : bounds.high - bounds.low;
+}
+
+// How many times as long as in the bind pose the bones of a frame are: the median. Clips that scale the node
+// above the skeleton change it.
+double scaleBeside(const Scene& scene, const std::vector<Mat4>& bind, const std::vector<Mat4>& shown,
+                   double least) {
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  std::vector<double> ratios;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const NodeIndex parent = scene.nodes[node].parent;
+    const bool isBone =
+        parent.exists() && (joints.empty() || (joints.contains(NodeIndex(node)) && joints.contains(parent)));
+    const double before = isBone ? glm::distance(positionOf(bind[node]), positionOf(bind[at(parent)])) : 0.0;
+    if (before > least) {
+      ratios.push_back(glm::distance(positionOf(shown[node]), positionOf(shown[at(parent)])) / before);
+    }
   }
-  const Bounds skinned = boundsOf(scene, bindPose, hips, true);
-  if (!hips.exists() || !hasMesh(scene, false)) {
-    return skinned;
+  if (ratios.empty()) {
+    return 1.0;
   }
-  const Bounds all = boundsOf(scene, bindPose, hips, false);
-  return extentY(all) > 2.0 * extentY(skinned) ? all : skinned;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return std::isfinite(*middle) && *middle > 0.0 ? *middle : 1.0;
 }
 
 } // namespace
 
-CharacterExtent characterExtent(const Scene& scene, const BindPose& bindPose, NodeIndex hips,
-                                const Vec3& bodyUp) {
-  Bounds bounds = vertexBounds(scene, bindPose, hips);
-  if (bounds.empty()) {
-    bounds = jointBounds(scene, bindPose);
-  }
-  if (bounds.empty()) {
+CharacterExtent characterExtent(const Scene& scene, const BindPose& bindPose, const BodyParts& parts,
+                                const FrameState& shown) {
+  const std::vector<bool> rigid = rigidParts(scene, parts);
+  const Bounds vertices = bindBounds(scene, bindPose, rigid);
+  const Vec3 bound = extentOf(vertices.empty() ? jointBounds(scene, bindPose.worlds) : vertices);
+  const double largest = std::max({bound.x, bound.y, bound.z});
+  if (!(largest > 0.0) || !std::isfinite(largest)) {
     return {};
   }
-  const Vec3 extent = bounds.high - bounds.low;
-  const double largest = std::max({extent.x, extent.y, extent.z});
-  const double length = glm::length(bodyUp);
+  const double length = glm::length(parts.up);
   const double leastCosine = std::cos(35.0 * pi / 180.0);
-  const bool stands = length <= 0.0 || std::abs(bodyUp.y) >= leastCosine * length;
-  const double height = stands && extent.y > 1e-6 * largest ? extent.y : largest;
-  return height > 0.0 && std::isfinite(largest) ? CharacterExtent{height, largest} : CharacterExtent{};
+  const bool stands = length <= 0.0 || std::abs(parts.up.y) >= leastCosine * length;
+  const double scale = scaleBeside(scene, bindPose.worlds, shown.worlds, 1e-3 * largest);
+  const double stature = scale * (stands && bound.y > 1e-6 * largest ? bound.y : largest);
+  const Vec3 seen =
+      extentOf(vertices.empty() ? jointBounds(scene, shown.worlds) : shownBounds(scene, shown, rigid));
+  return {std::max(std::isfinite(seen.y) ? seen.y : 0.0, 0.5 * stature), stature, scale * largest};
 }
 
 } // namespace stretch::rig::body

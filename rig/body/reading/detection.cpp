@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
 #include "rig/body/reading/humanoid.h"
 #include "rig/body/reading/limb_assembly.h"
@@ -240,6 +241,34 @@ void takeReading(PlanReading reading, Finding& finding) {
   result.isBiped = false;
 }
 
+// Whether four legs may be the arms and legs of a person who lies: they are called so, no tail is there, and
+// not all of them go down.
+bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
+  constexpr double leastDrop = 0.35; // of the limb
+  bool hasArms = false;
+  bool stands = true;
+  for (const Limb& limb : reading.limbs) {
+    if (limb.kind == LimbKind::leg) {
+      const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
+      hasArms = hasArms || name.role(Role::upperArm) >= 0.5 || name.role(Role::clavicle) >= 0.5;
+      const double drop =
+          positionOf(bindPose.worlds[at(limb.joints.front())]).y - endPosition(limb, bindPose.worlds).y;
+      stands = stands && drop >= leastDrop * limb.restLength;
+    }
+  }
+  return reading.plan->legs == 4 && hasArms && !stands && limbAt(reading.limbs, {LimbKind::tail}) == nullptr;
+}
+
+// Says that the plan and its limbs are a guess.
+void doubt(Body& result, const std::string& why) {
+  constexpr double guessed = 0.4;
+  result.planConfidence = std::min(result.planConfidence, guessed);
+  for (Limb& limb : result.limbs) {
+    limb.confidence = std::min(limb.confidence, guessed);
+  }
+  result.warnings.push_back(why);
+}
+
 void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
   result.plan = "other";
@@ -273,29 +302,41 @@ bool isRather(const PlanReading& reading, const Finding& finding) {
   return reading.plan->legs == 2 || (!rises && (reading.plan->legs > 4 || hasTail));
 }
 
+// An ostrich stands as upright as a person: wings where arms would be tell it.
+bool hasWings(const PlanReading& reading) {
+  return reading.plan->legs == 2 &&
+         std::ranges::any_of(reading.limbs, [](const Limb& limb) { return limb.kind == LimbKind::wing; });
+}
+
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
 void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
-  if (standsUpright(finding)) {
+  const bool upright = standsUpright(finding);
+  const bool armless =
+      limbAt(result.limbs, biped::leftArm) == nullptr && limbAt(result.limbs, biped::rightArm) == nullptr;
+  if (upright && !armless) {
     return;
   }
   constexpr double sure = 0.5;
   std::optional<PlanReading> reading =
       readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
-  const bool fits =
-      reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading, finding));
+  const bool fits = reading && reading->confidence >= sure &&
+                    (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
+    const bool lies = mayLie(scene, bindPose, *reading);
     takeReading(std::move(*reading), finding);
+    if (lies) {
+      doubt(result,
+            "its front legs are called arms and do not all go down: if it is a person who lies, choose the "
+            "plan biped");
+    }
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
     takeChains(scene, bindPose, finding);
     result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
                                                            ", and no other plan fits"
                                                      : "no plan fits");
     if (!result.limbs.empty()) {
-      constexpr double guessed = 0.4;
-      result.planConfidence = guessed;
-      result.warnings.emplace_back(
-          "no body plan fits, so its limbs are rows of joints: choose a plan if it has one");
+      doubt(result, "no body plan fits, so its limbs are rows of joints: choose a plan if it has one");
     }
   }
 }
@@ -309,6 +350,12 @@ void tellBiped(Finding& finding) {
     sum += limb.confidence;
   }
   result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
+  if (result.isBiped && limbAt(result.limbs, biped::leftArm) == nullptr &&
+      limbAt(result.limbs, biped::rightArm) == nullptr) {
+    constexpr double withoutArms = 0.75;
+    result.planConfidence *= withoutArms;
+    result.planReasons.emplace_back("no arms: it may be a bird");
+  }
 }
 
 // The joint that carries trunk and legs. Many rigs call the torso's root hips and hang the legs beside it,
@@ -333,18 +380,26 @@ NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& fou
   return away < farthest * legLength ? centre : found.hips;
 }
 
-void measure(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Finding& finding) {
   Body& result = finding.result;
-  const CharacterExtent extent = characterExtent(scene, bindPose, result.hips, finding.bodyUp);
+  BodyParts parts{result.hips, {}, finding.bodyUp};
+  for (const Limb& limb : result.limbs) {
+    if (limb.kind == LimbKind::arm && limb.endNode.exists()) {
+      parts.hands.push_back(limb.endNode);
+    }
+  }
+  const double start = clip == nullptr ? 0.0 : clip->startSeconds;
+  const Pose pose = clip == nullptr ? restPose(scene) : samplePose(scene, *clip, start);
+  const CharacterExtent extent = characterExtent(scene, bindPose, parts, frameOf(scene, pose, start));
   result.height = extent.height;
-  result.size = result.isBiped ? extent.height : extent.largest;
+  result.size = result.isBiped ? extent.stature : extent.largest;
 }
 
 } // namespace
 
 } // namespace body
 
-Body detectBody(const Scene& scene) {
+Body detectBody(const Scene& scene, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
@@ -358,11 +413,11 @@ Body detectBody(const Scene& scene) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  body::measure(scene, bindPose, finding);
+  body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }
 
-Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   finding.result.warnings.clear();
@@ -388,7 +443,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   }
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};
-  body::measure(scene, bindPose, finding);
+  body::measure(scene, bindPose, clip, finding);
   return std::move(result);
 }
 

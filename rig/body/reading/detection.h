@@ -19,10 +19,10 @@ struct Body {
   NodeIndex hips; ///< Node that carries the body: space "root" is measured from it. -1: none found.
   NodeIndex head;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
-  double height = 1.0;  ///< Height in the bind pose, world units, > 0: every tolerance is
-                        ///< relative to it.
-  double size = 1.0;    ///< Its height where it is a biped, else its largest extent: that of a creature says
-                        ///< little of how large it is. World units, > 0.
+  double height = 1.0;  ///< Extent along +Y of the shown body at the first frame of the first clip, world
+                        ///< units, > 0: every tolerance is relative to it.
+  double size = 1.0; ///< Extent in the bind pose: the height of a biped, else the largest extent, since the
+                     ///< height of a creature says little of how large it is. World units, > 0.
   std::vector<std::string> warnings;
 
   friend bool operator==(const Body&, const Body&) = default;
@@ -35,8 +35,9 @@ struct Body {
 /// joints between branchings. Never fails: a file without joints gives an empty list with a warning. Sides:
 /// names that agree with each other win over a single hint of geometry; what contradicts is told as a
 /// question. A VRM humanoid table is taken as it is. A spine of one joint ends at the neck or head; one
-/// without a joint above the hips starts at the hips.
-[[nodiscard]] Body detectBody(const Scene& scene);
+/// without a joint above the hips starts at the hips. The height is measured at the start of `clip`, without
+/// one at rest; nothing else depends on it.
+[[nodiscard]] Body detectBody(const Scene& scene, const Clip* clip = nullptr);
 
 /// A joint by its name or as "#index"; among several nodes of one name the one that a skin uses. An error
 /// says what is missing or ambiguous.

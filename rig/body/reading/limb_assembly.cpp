@@ -124,6 +124,53 @@ std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, con
   return reasons;
 }
 
+// The joint by which a leg that stands on its toes, as a mech's or a satyr's, goes on from its heel to the
+// ground; -1 for a foot that is on it.
+int jointBeyondHeel(const BodyView& view, const LimbGuess& leg) {
+  constexpr double leastHeel = 0.25; // over the ground, of the height of the leg's base
+  constexpr double leastDrop = 0.2;  // from the heel to the next joint
+  constexpr double steep = 0.6;      // sine
+  constexpr double bentKnee = 0.94;  // cosine: 20 degrees
+  const Vec3 upper = leg.middle < 0 ? Vec3(0.0) : view.at(leg.middle) - view.at(leg.base);
+  const Vec3 lower = leg.middle < 0 ? Vec3(0.0) : leg.endPosition - view.at(leg.middle);
+  const bool isBent = glm::dot(upper, lower) < bentKnee * glm::length(upper) * glm::length(lower);
+  if (leg.end < 0 || leg.endDetached || !isBent) {
+    return -1;
+  }
+  double floor = leg.endPosition.y;
+  for (int joint = 0; joint < view.count(); ++joint) {
+    floor = view.movesMesh(joint) ? std::min(floor, view.at(joint).y) : floor;
+  }
+  const double height = view.at(leg.base).y - floor;
+  const double heel = leg.endPosition.y - floor;
+  const std::vector<int>& children = view.childrenOf(leg.end);
+  const auto lowest = std::ranges::min_element(children, {}, [&](int child) { return view.at(child).y; });
+  if (lowest == children.end() || !view.movesMesh(*lowest) || view.name(*lowest).role(Role::toe) >= 0.8) {
+    return -1;
+  }
+  const double drop = leg.endPosition.y - view.at(*lowest).y;
+  const bool stands = height - heel > steep * glm::distance(view.at(leg.base), leg.endPosition) &&
+                      drop > steep * glm::distance(view.at(*lowest), leg.endPosition);
+  return stands && heel > leastHeel * height && drop > leastDrop * height ? *lowest : -1;
+}
+
+// Legs of which both stand on their toes end at these.
+std::optional<LimbPair> withHeels(const BodyView& view, std::optional<LimbPair> legs) {
+  if (!legs || !legs->negative || !legs->positive) {
+    return legs;
+  }
+  const int negative = jointBeyondHeel(view, *legs->negative);
+  const int positive = jointBeyondHeel(view, *legs->positive);
+  if (negative >= 0 && positive >= 0) {
+    for (const auto& [leg, end] :
+         {std::pair(&*legs->negative, negative), std::pair(&*legs->positive, positive)}) {
+      leg->end = end;
+      leg->endPosition = view.at(end);
+    }
+  }
+  return legs;
+}
+
 LimbPlace placeOf(Region region, bool left) {
   return {region == Region::arm ? LimbKind::arm : LimbKind::leg, left ? LimbSide::left : LimbSide::right};
 }
@@ -224,7 +271,7 @@ std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const
                                  const Sides& sides, const BindPose& bindPose) {
   std::vector<Limb> limbs;
   for (const Region region : {Region::arm, Region::leg}) {
-    const std::optional<LimbPair>& pair = region == Region::arm ? reading.arms : reading.legs;
+    const std::optional<LimbPair> pair = region == Region::arm ? reading.arms : withHeels(view, reading.legs);
     for (const bool left : {true, false}) {
       const bool positive = left == sides.leftIsPositive;
       const std::optional<LimbGuess>* guess = !pair ? nullptr : positive ? &pair->positive : &pair->negative;

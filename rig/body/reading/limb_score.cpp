@@ -104,7 +104,9 @@ double bonesBeforeLeg(const BodyView& view, const MirrorPlane& plane, const Limb
                         glm::length(bone) > 0.15 * glm::length(upper);
     penalty = isHalf ? 0.35 : penalty;
   }
-  return length > 0.5 * glm::length(upper) ? 0.5 : penalty;
+  // The more of a leg lies before it the less it is the leg: a shin and a foot alone are none.
+  const double share = length / guess.length;
+  return length > 0.5 * glm::length(upper) ? 0.5 + std::min(1.0, 0.8 * std::max(0.0, share - 0.5)) : penalty;
 }
 
 // A leg turns at the ankle: what goes on in its line is the rest of the shin.
@@ -177,6 +179,18 @@ double bonesPenalty(const BodyView& view, const LimbGuess& guess, Region region)
   return 0.8 * std::min(1.5, ratio) + (bend > widest ? 0.4 : 0.0);
 }
 
+// Whether a joint is a helper beside the one by which the limb goes on in the same place: beside a hand one
+// may be called its wrist.
+bool isHelperOfEnd(const BodyView& view, const LimbGuess& guess) {
+  constexpr double near = 0.03; // of the limb
+  const int parent = guess.end < 0 ? -1 : view.parentOf(guess.end);
+  return parent >= 0 && view.childrenOf(guess.end).empty() &&
+         std::ranges::any_of(view.childrenOf(parent), [&](int other) {
+           return !view.childrenOf(other).empty() &&
+                  glm::distance(view.at(other), guess.endPosition) < near * guess.length;
+         });
+}
+
 } // namespace
 
 double nameFit(const BodyView& view, const LimbGuess& guess, Region region) {
@@ -187,7 +201,7 @@ double nameFit(const BodyView& view, const LimbGuess& guess, Region region) {
     fit += skippedFit(view, view.path(guess.base, guess.middle), roles);
   }
   if (guess.end >= 0) {
-    fit += jointFit(view.name(guess.end), roles.end);
+    fit += isHelperOfEnd(view, guess) ? -0.3 : jointFit(view.name(guess.end), roles.end);
     fit += skippedFit(view, view.path(guess.middle, guess.end), roles);
   }
   const int before = view.parentOf(guess.base);

@@ -169,9 +169,14 @@ private:
     const bool lies = std::abs(glm::dot(trunk, up_)) < steepest * glm::length(trunk);
     // The legs of a biped that lies go on where its trunk ends.
     const bool across = glm::dot(trunk, reach) > -steepest * glm::length(trunk) * glm::length(reach);
-    const bool hasWings =
-        std::ranges::any_of(parts_.pairs, [](const KindredPair& one) { return one.kind == LimbKind::wing; });
-    return lies && across && (axis.tail || hasWings);
+    bool hasWings = false;
+    bool winged = true; // by its names: an ostrich stands as upright as a person
+    for (const KindredPair& one : parts_.pairs) {
+      hasWings = hasWings || one.kind == LimbKind::wing;
+      winged = winged && (one.kind == LimbKind::leg || one.pair.word(PartWord::wing) > 0.0);
+    }
+    winged = winged && hasWings;
+    return winged || (lies && across && (axis.tail || hasWings));
   }
 
   [[nodiscard]] bool isLong() const {
@@ -211,7 +216,11 @@ private:
 
   [[nodiscard]] const Extremity* longestRow() const {
     const auto& rows = parts_.extremities.middle;
-    const auto longest = std::ranges::max_element(rows, {}, &Extremity::length);
+    const auto trunkLength = [](const Extremity& row) {
+      return (row.word(PartWord::fin) > 0.0 ? 0.5 : 1.0) * row.length; // a fin may be longer than what it
+                                                                       // ends
+    };
+    const auto longest = std::ranges::max_element(rows, {}, trunkLength);
     return longest == rows.end() ? nullptr : &*longest;
   }
 
@@ -404,6 +413,22 @@ private:
     }
   }
 
+  // Whether another joint hangs beside the last one of a row.
+  [[nodiscard]] bool endsInFork(const Extremity& row) const {
+    const int parent = row.path.size() < 3 ? -1 : view_.parentOf(row.path.back());
+    return parent >= 0 && view_.childrenOf(parent).size() > 1;
+  }
+
+  // A row ends where it parts into fins.
+  void endBeforeFins(Extremity& row) const {
+    while (endsInFork(row) &&
+           partWords(scene_.nodes[at(nodeOf(row.path.back()))].name).contains(PartWord::fin)) {
+      row.tip = NodeIndex::none;
+      row.path.pop_back();
+      row.points.resize(row.path.size());
+    }
+  }
+
   // A serpent: the longest row is its trunk; anchors before it, with hardly a bone, are left out.
   void addLongRow(const BodyPlan& plan, std::vector<Limb>& limbs) const {
     const Extremity* const longest = longestRow();
@@ -421,7 +446,12 @@ private:
       row.path.erase(row.path.begin());
       row.points.erase(row.points.begin());
     }
+    endBeforeFins(row);
     addWhole(*spine, row, "one row of joints along the body", limbs);
+    if (endsInFork(row) && !limbs.empty() && !parts_.axis.headIsNamed && row.word(PartWord::tail) <= 0.0) {
+      limbs.back().confidence = std::min(limbs.back().confidence, 0.45);
+      limbs.back().reasons.emplace_back("it ends where joints part, which may be fins");
+    }
     const Axis& axis = parts_.axis;
     const PlannedLimb* const neck = plannedLimb(plan, biped::neck);
     if (neck == nullptr || row.path.empty() || axis.row.empty() || axis.row.back() == row.path.back()) {

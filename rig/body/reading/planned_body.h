@@ -12,8 +12,8 @@ namespace stretch::rig {
 [[nodiscard]] const BodyPlan& planOf(const Body& body);
 
 /// The limbs of a plan that the user chose: what of it the character has. `other`: every chain between
-/// branchings.
-[[nodiscard]] Body bodyAsPlan(const Scene& scene, const BodyPlan& plan);
+/// branchings. Its height as detectBody has it.
+[[nodiscard]] Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip = nullptr);
 
 /// Says of limbs that their plan has led by the head whether that is at their first joint. `bindWorlds`: of
 /// all nodes in the bind pose. Without a known head they are led by their ends, as all others are.

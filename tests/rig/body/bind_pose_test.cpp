@@ -162,7 +162,7 @@ TEST_CASE("rest length and estimated ends are in world units, whatever the armat
   }
 }
 
-TEST_CASE("a character that lies down is as high as it is long") {
+TEST_CASE("a character that lies down is as large as it is long, and at least half as high") {
   SyntheticBiped body = makeBody();
   for (SyntheticJoint& joint : body.joints) {
     joint.position = Vec3(joint.position.x, -joint.position.z, joint.position.y);
@@ -171,5 +171,6 @@ TEST_CASE("a character that lies down is as high as it is long") {
   const BuiltBiped built = build(body);
   const Body biped = detectBody(built.scene);
   CHECK(biped.isBiped);
-  CHECK(biped.height > 1.5);
+  CHECK(biped.size > 1.5);
+  CHECK(biped.height == Approx(0.5 * biped.size));
 }

@@ -4,70 +4,12 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "tests/support/rig/families/family_rig.h"
+#include "tests/support/rig/families/beast.h"
 
 namespace stretch::test {
 
-namespace {
+namespace {} // namespace
 
-struct Beast {
-  std::string plan;
-  SyntheticBiped body;
-  std::map<std::string, WantedLimb> wanted;
-  Row& row;
-
-  void add(const std::string& key, const std::string& parent, const Vec3& place,
-           const Vec3& flesh = Vec3(0.0)) {
-    body.joints.push_back({key, parent, place, true, true, flesh});
-  }
-  // On both bothSides; "%" in the parent stands for the side.
-  void both(const std::string& key, const std::string& parent, const Vec3& place,
-            const Vec3& flesh = Vec3(0.0)) {
-    for (const std::string& side : bothSides) {
-      std::string above = parent;
-      if (const std::size_t mark = above.find('%'); mark != std::string::npos) {
-        above.replace(mark, 1, side);
-      }
-      const double sign = side == ".l" ? 1.0 : -1.0;
-      add(key + side, above, {sign * place.x, place.y, place.z}, {sign * flesh.x, flesh.y, flesh.z});
-    }
-  }
-  void rowOf(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step, int count) {
-    std::string above = parent;
-    for (int i = 0; i < count; ++i) {
-      add(fmt::format("{}{}", stem, i + 1), above, place);
-      above = fmt::format("{}{}", stem, i + 1);
-      place += step;
-    }
-  }
-  void rowsOfBoth(const std::string& stem, const std::string& parent, Vec3 place, const Vec3& step,
-                  int count) {
-    std::string above = parent;
-    for (int i = 0; i < count; ++i) {
-      both(fmt::format("{}{}", stem, i + 1), above, place);
-      above = fmt::format("{}{}%", stem, i + 1);
-      place += step;
-    }
-  }
-  [[nodiscard]] bool has(const std::string& key) const {
-    return std::ranges::find(body.joints, key, &SyntheticJoint::key) != body.joints.end();
-  }
-  void wantBoth(const std::string& id, const WantedLimb& limb) {
-    for (const std::string& side : bothSides) {
-      WantedLimb one = limb;
-      for (std::string* const text : {&one.first, &one.through, &one.end}) {
-        for (std::size_t mark = 0; (mark = text->find('%')) != std::string::npos;) {
-          text->replace(mark, 1, side);
-        }
-      }
-      std::string name = id;
-      name.replace(name.find('%'), 1, side == ".l" ? "left" : "right");
-      wanted[name] = one;
-    }
-  }
-};
-
-// Trunk of a body that lies along Z: hips behind, spine, neck, head.
 void addLyingTrunk(Beast& beast, double height, double length, int spine, int neck, double rise) {
   const bool rooted = beast.row.once(2);
   if (rooted) {
@@ -83,6 +25,8 @@ void addLyingTrunk(Beast& beast, double height, double length, int spine, int ne
   beast.add("head", neck > 0 ? fmt::format("neck{}", neck) : chest, {0, height + rise, length / 2 + 0.4},
             {0, -0.03, 0.25});
 }
+
+namespace {
 
 void addHead(Beast& beast) {
   const Vec3 head = std::ranges::find(beast.body.joints, std::string("head"), &SyntheticJoint::key)->position;
@@ -127,6 +71,8 @@ void addLeg(Beast& beast, const LegShape& leg) {
     beast.both(stem + "Toe", above, {x, 0.01 * top, z + 0.14 * top}, {0, 0, 0.06 * top});
   }
 }
+
+} // namespace
 
 std::string ends(const std::string& stem) {
   return stem + "Foot%|" + stem + "Toe%|" + stem + "Ankle%";
@@ -173,6 +119,8 @@ Beast quadruped(Row& row) {
   return beast;
 }
 
+namespace {
+
 Beast lizard(Row& row) {
   Beast beast{"quadruped", {}, {}, row};
   const double height = row.between(0.14, 0.25);
@@ -191,6 +139,8 @@ Beast lizard(Row& row) {
   beast.wanted["tail"] = {"tail1", "", "tail5|estimated"};
   return beast;
 }
+
+} // namespace
 
 void addBirdLegs(Beast& beast, double height, double z) {
   const bool backwards = beast.row.once(2);
@@ -220,6 +170,8 @@ Beast bird(Row& row) {
   return beast;
 }
 
+namespace {
+
 Beast dinosaur(Row& row) {
   Beast beast{"bird", {}, {}, row};
   const double height = row.between(0.7, 1.2);
@@ -237,6 +189,8 @@ Beast dinosaur(Row& row) {
   beast.wantBoth("%-arm", {"armUpper%", "armLower%", "armHand%"});
   return beast;
 }
+
+} // namespace
 
 Beast manyLegged(Row& row, int rows, bool flies) {
   Beast beast{rows == 3 ? "insect" : "spider", {}, {}, row};
@@ -278,6 +232,8 @@ Beast manyLegged(Row& row, int rows, bool flies) {
   return beast;
 }
 
+namespace {
+
 Beast insect(Row& row) {
   return manyLegged(row, 3, false);
 }
@@ -310,6 +266,8 @@ Beast snake(Row& row) {
   return beast;
 }
 
+} // namespace
+
 Beast fish(Row& row) {
   Beast beast{"serpent", {}, {}, row};
   const int count = 5 + static_cast<int>(row.below(5));
@@ -328,30 +286,28 @@ Beast fish(Row& row) {
   return beast;
 }
 
-struct Kind {
-  const char* title;
-  Beast (*make)(Row& row);
-};
+namespace {
 
-const std::vector<Kind> kinds{{"quadruped", quadruped},
-                              {"lizard", lizard},
-                              {"bird", bird},
-                              {"two-legged dinosaur", dinosaur},
-                              {"insect", insect},
-                              {"flying insect", flyingInsect},
-                              {"spider", spider},
-                              {"snake", snake},
-                              {"fish", fish}};
+const std::vector<BeastKind> kinds{{"quadruped", quadruped},
+                                   {"lizard", lizard},
+                                   {"bird", bird},
+                                   {"two-legged dinosaur", dinosaur},
+                                   {"insect", insect},
+                                   {"flying insect", flyingInsect},
+                                   {"spider", spider},
+                                   {"snake", snake},
+                                   {"fish", fish}};
 
-FamilyRig drawBeast(const Kind& kind, Row& row) {
+FamilyRig drawBeast(const BeastKind& kind, Row& row) {
   Beast beast = kind.make(row);
   SyntheticBiped& body = beast.body;
   body.tubes = true;
   DrawnNames names{"names by parts", true};
+  const std::map<std::string, std::string> given = body.names;
   if (row.once(3)) {
     names = drawNames(body, row);
     if (names.tell) {
-      body.names.clear();
+      body.names = given;
       names.title = "names by parts";
     }
   }
@@ -368,18 +324,25 @@ FamilyRig drawBeast(const Kind& kind, Row& row) {
   return {kind.title, title, beast.plan, std::move(body), std::move(beast.wanted), {}};
 }
 
-} // namespace
-
-std::vector<FamilyRig> beastFamilies(int each) {
+std::vector<FamilyRig> drawAll(const std::vector<BeastKind>& of, std::uint32_t seed, int each) {
   std::vector<FamilyRig> rigs;
-  std::uint32_t seed = 101;
-  for (const Kind& kind : kinds) {
+  for (const BeastKind& kind : of) {
     Row row(seed++);
     for (int i = 0; i < each; ++i) {
       rigs.push_back(drawBeast(kind, row));
     }
   }
   return rigs;
+}
+
+} // namespace
+
+std::vector<FamilyRig> beastFamilies(int each) {
+  return drawAll(kinds, 101, each);
+}
+
+std::vector<FamilyRig> rareBeasts(int each) {
+  return drawAll(rareKinds(), 501, each);
 }
 
 } // namespace stretch::test

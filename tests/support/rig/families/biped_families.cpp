@@ -5,6 +5,7 @@
 
 #include "core/math/rotation.h"
 #include "tests/support/rig/families/family_rig.h"
+#include "tests/support/rig/families/whole_rigs.h"
 
 namespace stretch::test {
 
@@ -537,7 +538,44 @@ FamilyRig drawRig(const Family& family, Row& row) {
   return {family.title, title, "biped", std::move(body), std::move(draft.wanted), std::move(draft.absent)};
 }
 
+// A rig with its program's own names and helpers, of any proportions in any pose.
+FamilyRig drawWhole(const WholeRig& rig, Row& row) {
+  BodyOptions options = optionsOf(rig);
+  options.toes = options.toes && !row.once(5);
+  Draft draft{makeBody(options), row};
+  wantLimbs(draft, options);
+  giveFlesh(draft, options);
+  drawProportions(draft);
+  const std::string pose = drawPose(draft);
+  standOn(draft.body, 0.0);
+  addHelpers(draft.body, rig);
+  SyntheticBiped& body = draft.body;
+  body.tubes = true;
+  body.shuffled = row.once(3);
+  body.armatureScale = row.once(3) ? row.oneOf(std::vector<double>{0.01, 100.0}) : 1.0;
+  body.withMesh = !row.once(8);
+  const bool facesBack = row.once(6);
+  body.facesBackwards = facesBack;
+  const bool lies = row.once(8);
+  body.turn = lies ? axisAngle(Vec3(1, 0, 0), -pi / 2.0) : Quat(1, 0, 0, 0);
+  const std::string title = fmt::format("{}, {}{}{}{}", rig.scheme.title, pose, facesBack ? ", faces -Z" : "",
+                                        lies ? ", lies" : "", body.withMesh ? "" : ", no mesh");
+  return {"whole rigs of programs", title, "biped", std::move(body), std::move(draft.wanted),
+          std::move(draft.absent)};
+}
+
 } // namespace
+
+std::vector<FamilyRig> wholeBipeds(int each) {
+  std::vector<FamilyRig> rigs;
+  Row row(4711);
+  for (const WholeRig& rig : wholeRigs()) {
+    for (int i = 0; i < each; ++i) {
+      rigs.push_back(drawWhole(rig, row));
+    }
+  }
+  return rigs;
+}
 
 std::vector<FamilyRig> bipedFamilies(int each) {
   std::vector<FamilyRig> rigs;

@@ -25,7 +25,7 @@ struct WantedLimb {
 struct FamilyRig {
   std::string family;
   std::string title; ///< Everything that was drawn for it.
-  std::string plan;
+  std::string plan;  ///< Alternatives apart by "|".
   SyntheticBiped body;
   std::map<std::string, WantedLimb> wanted; ///< By the limb's id.
   std::vector<std::string> absent;          ///< Ids of limbs that the character lacks.
@@ -55,5 +55,11 @@ void standOn(SyntheticBiped& body, double height);
 /// Rigs of every family of bipeds and of other bodies, `each` of every family, all drawn from a fixed row.
 [[nodiscard]] std::vector<FamilyRig> bipedFamilies(int each);
 [[nodiscard]] std::vector<FamilyRig> beastFamilies(int each);
+
+/// Beasts that are rarer, or named as programs name them.
+[[nodiscard]] std::vector<FamilyRig> rareBeasts(int each);
+
+/// Rigs as programs and games export them, `each` of every one, in drawn poses and proportions.
+[[nodiscard]] std::vector<FamilyRig> wholeBipeds(int each);
 
 } // namespace stretch::test
