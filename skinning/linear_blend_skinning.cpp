@@ -160,6 +160,19 @@ std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) 
   return positions;
 }
 
+FrameState turningFrame(const Scene& scene, FrameState frame, bool newToo) {
+  std::vector<bool> turns(frame.stretch.size(), !newToo);
+  for (const BindChain& chain : scene.bindChains) {
+    if (at(chain.joint) < turns.size()) {
+      turns[at(chain.joint)] = chain.corners.empty();
+    }
+  }
+  for (std::size_t node = 0; node < turns.size(); ++node) {
+    frame.stretch[node] = turns[node] ? frame.stretch[node] : Mat3(1.0);
+  }
+  return frame;
+}
+
 std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame, NormalMatrix by) {
   std::vector<Vec3> normals;
   eachDrawnVertex(scene, frame,

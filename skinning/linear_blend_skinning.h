@@ -18,6 +18,10 @@ namespace stretch::skinning {
 /// meshes have the right one either way.
 enum class NormalMatrix { inverseTranspose, plain };
 
+/// The frame that engines turn normals by: a stretch that is told by translations moves vertices and turns
+/// nothing. So are chains of corners, and with `newToo` what joints without a chain are stretched by.
+[[nodiscard]] FrameState turningFrame(const Scene& scene, FrameState frame, bool newToo = false);
+
 /// Normals of the same vertices in the same order, unit length.
 [[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame,
                                                NormalMatrix by = NormalMatrix::inverseTranspose);

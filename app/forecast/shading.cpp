@@ -18,15 +18,6 @@ namespace {
 constexpr double wrongDegrees = 20.0;
 constexpr double mostVertices = 2e7; // looked at in one clip
 
-// Corners move without scaling: normals turn with the joint alone.
-void forgetCorners(const Scene& scene, FrameState& frame) {
-  for (const BindChain& chain : scene.bindChains) {
-    if (!chain.corners.empty()) {
-      frame.stretch[at(chain.joint)] = Mat3(1.0);
-    }
-  }
-}
-
 struct WrongShading {
   std::vector<std::size_t> vertices;
   std::size_t moved = 0;
@@ -85,8 +76,8 @@ std::vector<bool> movedVertices(const Scene& scene, const std::vector<bool>& str
   return moved;
 }
 
-WrongShading wrongShadingOf(const Scene& scene, FrameState frame) {
-  forgetCorners(scene, frame);
+WrongShading wrongShadingOf(const Scene& scene, const FrameState& shown) {
+  const FrameState frame = skinning::turningFrame(scene, shown);
   const std::vector<bool> stretched = stretchedNodes(scene, frame);
   if (std::ranges::find(stretched, true) == stretched.end()) {
     return {};

@@ -37,6 +37,7 @@ struct RenderArguments {
   std::vector<std::string> files;
   app::FileArguments input;
   app::SettingTexts look;
+  app::SettingTexts overlays;
   std::string output;
   std::string frame;
   std::string frames;
@@ -280,7 +281,14 @@ Result<app::SequenceView> viewOf(const RenderArguments& arguments) {
   return view;
 }
 
+const app::Setting<ViewportOverlays>& shadeAsSetting() {
+  return *app::findSetting(overlaySchema(), "shade_as");
+}
+
 Status renderSequence(const RenderArguments& arguments) {
+  if (app::textOf(arguments.overlays, shadeAsSetting()) != nullptr) {
+    return Error{"a mesh sequence has no joints that turn normals", "--shade-as", "leave it out"};
+  }
   if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 ||
       !arguments.camera.empty() || !arguments.beside.empty() || arguments.view == bestViewName) {
     return Error{"a mesh sequence has no clips, trails, ghosts or cameras, and nothing to stand beside",
@@ -423,11 +431,16 @@ Status renderCharacter(const RenderArguments& arguments) {
     return joint ? camera.error() : joint.error();
   }
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
+  ViewportOverlays overlays;
+  if (Status set = app::setFromTexts(overlaySchema(), arguments.overlays, overlays); !set) {
+    return set;
+  }
   const CharacterLook look{.skeleton = arguments.skeleton,
                            .trails = !arguments.withoutTrails,
                            .ghosts = arguments.ghosts,
                            .weightsOf = *joint,
                            .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet),
+                           .shadeAs = overlays.shadeAs,
                            .camera = *camera};
   if (Status best = takeBestView(arguments, *document, *motion, *options); !best) {
     return best;
@@ -537,6 +550,7 @@ app::Verb renderVerb() {
             line.option(
                 "--weights", arguments->weights,
                 "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
+            app::addSettingOption(line, shadeAsSetting(), arguments->overlays, "");
             addSequenceOptions(line, *arguments);
             return [arguments] { return runRender(*arguments); };
           }};

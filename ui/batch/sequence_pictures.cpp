@@ -152,6 +152,7 @@ std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,
                                               const std::vector<double>& frames, const CharacterLook& look) {
   ViewportOverlays overlays;
   overlays.skeleton = look.skeleton;
+  overlays.shadeAs = look.shadeAs;
   overlays.ghosts = look.ghosts > 0;
   overlays.ghostsBefore = look.ghosts;
   overlays.ghostsAfter = look.ghosts;

@@ -6,6 +6,7 @@
 #include "app/document.h"
 #include "core/base/result.h"
 #include "rig/motion/motion.h"
+#include "ui/panels/state/overlays.h"
 #include "ui/render/picture/picture.h"
 #include "ui/viewport/sequence_picture.h"
 
@@ -44,7 +45,8 @@ struct CharacterLook {
   int ghosts = 0;                        ///< Before and after.
   NodeIndex weightsOf = NodeIndex::none; ///< Joint whose weights colour the mesh.
   bool labelled = false;
-  const SceneCamera* camera = nullptr; ///< Of the file, looked through; null: none.
+  ShadeAs shadeAs = ShadeAs::exact;
+  const SceneCamera* camera = nullptr; ///< One of the file, looked through; null: none.
 };
 
 /// Pictures of the window at these frames, every trail as if it were selected.

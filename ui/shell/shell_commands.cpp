@@ -407,6 +407,19 @@ std::vector<ShellCommand> toolCommands() {
   };
 }
 
+ShellCommand shadeAsCommand() {
+  ShellCommand command = entry(
+      command::viewShadeAs, "Shade as three.js and Godot",
+      "Turns normals as these engines do, by the joints' own matrices: a stretch told by scale is shaded "
+      "wrongly there.",
+      {}, nothingNeeded, doing([](Shell& shell) {
+        ShadeAs& shown = shell.ui.overlays.shadeAs;
+        shown = shown == ShadeAs::exact ? ShadeAs::three : ShadeAs::exact;
+      }));
+  command.checked = [](const Shell& shell) { return shell.ui.overlays.shadeAs != ShadeAs::exact; };
+  return command;
+}
+
 std::vector<ShellCommand> viewCommands() {
   return {
       switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", {"H"}),
@@ -417,6 +430,7 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),
       switchCommand(command::viewHeatMap, "Stretch colours", "Colours the mesh by how much it is stretched.",
                     {}),
+      shadeAsCommand(),
       switchCommand(
           command::viewWeights, "Weights",
           "Colours the mesh by how much it follows one joint: the one that is clicked, or chosen in "

@@ -49,6 +49,8 @@ SceneStyle sceneStyleOf(const PictureSubject& subject, const PictureSelection& s
   SceneStyle style;
   style.palette = palette;
   style.shading = overlays.heatMap ? SurfaceShading::stretchHeat : SurfaceShading::material;
+  style.normals = overlays.shadeAs == ShadeAs::exact ? skinning::NormalMatrix::inverseTranspose
+                                                     : skinning::NormalMatrix::plain;
   style.wireframe = overlays.wire;
   style.floor = overlays.grid;
   style.measures = subject.measures;

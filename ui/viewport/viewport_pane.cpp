@@ -69,6 +69,8 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const View
   }
   addOverlay(key, picture.overlay);
   key.mix(picture.style.shading);
+  key.mix(picture.style.normals);
+  key.mix(picture.style.newStretchTurns);
   key.mix(picture.style.wireframe);
   key.mix(picture.style.floor);
   key.mix(picture.style.quality);
@@ -94,6 +96,7 @@ Rect workBox(const Rect& picture, bool sideBySide) {
 
 void drawContent(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn, PictureContent content) {
   content.style.quality = qualityOf(gpu.governor.level());
+  content.style.newStretchTurns = context.ui.savedForm.form == app::StretchForm::scale;
   const Overlay overlay = overlayOf(*gpu.uploaded, context.viewport.view, content);
   drawPicture(context, gpu, drawn, {content.frame, content.ghosts, overlay, content.style});
 }

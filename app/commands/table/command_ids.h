@@ -100,6 +100,7 @@ inline constexpr const char* viewSkeleton = "view.skeleton";
 inline constexpr const char* viewWire = "view.wire";
 inline constexpr const char* viewJointNames = "view.joint-names";
 inline constexpr const char* viewHeatMap = "view.heat-map";
+inline constexpr const char* viewShadeAs = "view.shade-as";
 inline constexpr const char* viewWeights = "view.weights";
 inline constexpr const char* viewGrid = "view.grid";
 inline constexpr const char* viewFrameNumbers = "view.frame-numbers";

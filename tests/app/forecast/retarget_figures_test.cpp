@@ -40,9 +40,8 @@ void addBox(MovingBiped& moving, const std::string& node, const Vec3& middle, co
 
 const Vec3 chest(0.0, 1.2, 0.0);
 
-// A biped of which a chest and the hands are shown: the left one as far in front of the chest as is said, the
-// right one far from anything.
-MovingBiped showing(double gap) {
+// A biped of which a chest and the hands are shown, without these.
+MovingBiped bare() {
   MovingBiped moving = test::still(test::namedBody({.toes = false, .fingers = false}));
   moving.scene.meshes.clear();
   for (Node& node : moving.scene.nodes) {
@@ -50,8 +49,22 @@ MovingBiped showing(double gap) {
     node.skin = -1;
   }
   addBox(moving, "spine0", chest, Vec3(0.2));
-  addBox(moving, "hand.l", chest + Vec3(0.0, 0.0, 0.25 + gap), Vec3(0.05));
-  addBox(moving, "hand.r", Vec3(-3.0, 1.0, 0.0), Vec3(0.05));
+  return moving;
+}
+
+// One hand is as far in front of the chest as is said, the other one far from anything.
+MovingBiped showing(double gap, bool isLeft = true) {
+  MovingBiped moving = bare();
+  addBox(moving, isLeft ? "hand.l" : "hand.r", chest + Vec3(0.0, 0.0, 0.25 + gap), Vec3(0.05));
+  addBox(moving, isLeft ? "hand.r" : "hand.l", Vec3(isLeft ? -3.0 : 3.0, 1.0, 0.0), Vec3(0.05));
+  return moving;
+}
+
+// The hands are so far from each other, and far from the chest.
+MovingBiped clapping(double gap) {
+  MovingBiped moving = bare();
+  addBox(moving, "hand.l", Vec3(0.05 + 0.5 * gap, 1.2, 2.0), Vec3(0.05));
+  addBox(moving, "hand.r", Vec3(-0.05 - 0.5 * gap, 1.2, 2.0), Vec3(0.05));
   return moving;
 }
 
@@ -74,6 +87,13 @@ Clip standingClip(const MovingBiped& moving, double metresPerSecond) {
                                              {{0.0, place}, {1.0, place + Vec3(metresPerSecond, 0.0, 0.0)}}));
   setEndsFromKeys(clip);
   return clip;
+}
+
+RetargetReport reportOf(const MovingBiped& source, const MovingBiped& result) {
+  const rig::Skeleton from = skeletonOf(source);
+  const rig::Skeleton onto = skeletonOf(result);
+  const Clip still = standingClip(source, 0.0);
+  return retargetReport({from, still}, {onto, still}, {onto, still});
 }
 
 } // namespace
@@ -132,4 +152,47 @@ TEST_CASE("Contact is the distance of the result's hand where the source's touch
   const std::string told = fmt::format("hands that touch are off by {:.2f} cm at 1.7 m (as mapped {:.2f},",
                                        170.0 * *report.result.contact, 170.0 * *report.mapped.contact);
   CHECK(std::ranges::any_of(lines, [&](const std::string& line) { return line.starts_with(told); }));
+}
+
+TEST_CASE("Either hand that touches the chest counts, and both that touch each other") {
+  for (const bool isLeft : {true, false}) {
+    CAPTURE(isLeft);
+    const RetargetReport report = reportOf(showing(0.005, isLeft), showing(0.2, isLeft));
+    REQUIRE(report.result.contact);
+    CHECK(*report.result.contact == Approx(0.2 / skeletonOf(showing(0.2)).height).epsilon(1e-3));
+    // The hand that touches in the source is looked at, not the other one.
+    const RetargetReport other = reportOf(showing(0.005, isLeft), showing(0.2, !isLeft));
+    REQUIRE(other.result.contact);
+    CHECK(*other.result.contact > 1.0);
+  }
+  const RetargetReport hands = reportOf(clapping(0.004), clapping(0.3));
+  REQUIRE(hands.result.contact);
+  CHECK(*hands.result.contact == Approx(0.3 / skeletonOf(clapping(0.3)).height).epsilon(1e-3));
+  CHECK_FALSE(reportOf(clapping(0.3), clapping(0.004)).result.contact);
+}
+
+TEST_CASE(
+    "What is within the trunk is told as a share of the limbs' vertices over the frames, and the deepest") {
+  const RetargetReport report = reportOf(showing(0.3), showing(-0.08));
+  const double height = skeletonOf(showing(0.0)).height;
+  REQUIRE((report.source.inside && report.result.inside && report.result.deepest));
+  CHECK(*report.source.inside == 0.0);
+  CHECK(*report.result.inside == Approx(0.25));
+  CHECK(*report.result.deepest == Approx(0.08 / height).epsilon(1e-3));
+}
+
+TEST_CASE("One foot that slides is told, whichever it is") {
+  for (const char* leg : {"thigh.l", "thigh.r"}) {
+    const MovingBiped moving = test::still(test::namedBody());
+    const rig::Skeleton skeleton = skeletonOf(moving);
+    const Clip still = standingClip(moving, 0.0);
+    Clip swung = still;
+    const NodeIndex node = moving.node.at(leg);
+    const Quat rest = moving.scene.nodes[at(node)].rest.rotation;
+    swung.tracks.emplace_back(test::rotationTrack(
+        node, Interpolation::linear, {{0.0, rest}, {1.0, axisAngle({1.0, 0.0, 0.0}, 0.05) * rest}}));
+    const RetargetReport report = retargetReport({skeleton, still}, {skeleton, still}, {skeleton, swung});
+    REQUIRE(report.result.slide);
+    CHECK(*report.result.slide > 0.01);
+  }
 }

@@ -54,6 +54,30 @@ TEST_CASE("a picture through the file's camera is another one, and follows the c
         drawn(file, folder, {"--camera", "Front", "--frame", "27"}));
 }
 
+TEST_CASE(
+    "shaded as an engine that turns normals by plain matrices, a stretch told by scale looks otherwise") {
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const auto punch = [&](const std::string& form) {
+    const std::string file = (folder / (form + ".glb")).string();
+    REQUIRE(test::runVerb({"exaggerate", dummy, "-o", file, "--limb", "left-arm", "--range", "21:27",
+                           "--scale", "3", "--form", form})
+                .exitCode == 0);
+    return file;
+  };
+  const auto shaded = [&](const std::string& file, const std::string& engine) {
+    return drawn(file, folder, {"--frame", "27", "--no-trails", "--shade-as", engine});
+  };
+  const std::string scaled = punch("scale");
+  const Bytes exact = drawn(scaled, folder, {"--frame", "27", "--no-trails"});
+  CHECK(shaded(scaled, "exact") == exact);
+  CHECK(shaded(scaled, "three") != exact);
+  CHECK(shaded(scaled, "godot") == shaded(scaled, "three"));
+  const std::string out = (folder / "no.png").string();
+  CHECK(render({scaled, "-o", out, "--shade-as", "unity"}).exitCode == 2);
+  CHECK_FALSE(fs::exists(out));
+}
+
 TEST_CASE("a camera or a best view that is not there is refused, and so are a camera and a view at once") {
   const test::TemporaryFolder folder;
   const std::string file = test::boxerWithCameras(folder);

@@ -148,6 +148,9 @@ TEST_CASE("looks that a clip from a file cannot show are refused in one line") {
     CHECK_THAT(answer.told, Catch::Contains("--over"));
   }
   CHECK(files.answerTo({files.frames(), "--look", "pretty"}).exitCode == 2);
+  const test::VerbAnswer shaded = files.answerTo({files.frames(), "--shade-as", "three"});
+  CHECK(shaded.exitCode == 1);
+  CHECK_THAT(shaded.told, Catch::Contains("--shade-as: a mesh sequence has no joints"));
   CHECK(files.answerTo({files.frames(), "--clip", "walk"}).exitCode == 1);
 }
 

@@ -288,6 +288,40 @@ TEST_CASE("The graphics card poses a skin as the CPU formula does") {
   CHECK(mostTurned <= 2e-3);
 }
 
+TEST_CASE("Normals by the joints' own matrices are turned on the graphics card as on the CPU") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = SceneRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = manyJointsScene();
+  FrameState frame = frameOf(scene, restPose(scene), 0.0);
+  frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
+  for (const NodeIndex joint : scene.skins[0].joints) {
+    frame.stretch[at(joint)] = Mat3(2.0, 0.0, 0.0, 0.3, 0.6, 0.0, 0.0, 0.0, 0.7);
+  }
+  renderer->setScene(scene);
+  SceneStyle style;
+  style.normals = skinning::NormalMatrix::plain;
+  const auto mostApart = [&](const std::vector<glm::vec3>& a, const std::vector<Vec3>& b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      most = std::max(most, glm::length(Vec3(a[i]) - b[i]));
+    }
+    return most;
+  };
+  const std::vector<glm::vec3> plain = renderer->posedNormals(frame, 0, style);
+  REQUIRE(plain.size() == scene.meshes[0].primitives[0].positions.size());
+  CHECK(mostApart(plain, skinning::skinnedNormals(scene, frame, skinning::NormalMatrix::plain)) < 2e-3);
+  CHECK(mostApart(plain, skinning::skinnedNormals(scene, frame)) > 0.1);
+  // Told by translations, the stretch moves vertices and turns nothing.
+  style.newStretchTurns = false;
+  FrameState unstretched = frame;
+  unstretched.stretch.assign(scene.nodes.size(), Mat3(1.0));
+  CHECK(mostApart(renderer->posedNormals(frame, 0, style), skinning::skinnedNormals(scene, unstretched)) <
+        2e-3);
+  CHECK(mostApart(renderer->posedNormals(frame, 0), skinning::skinnedNormals(scene, frame)) < 2e-3);
+}
+
 TEST_CASE("Morph weights of one frame do not linger in the next") {
   const auto context = OffscreenContext::create();
   REQUIRE(context);

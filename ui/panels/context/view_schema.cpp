@@ -18,6 +18,14 @@ app::Schema<ViewportOverlays> shownThings() {
       setting<V>({.name = "joint_names", .help = "The name of each joint."}, &V::jointNames),
       setting<V>({.name = "heat_map", .help = "Stretch of the mesh as colour."}, &V::heatMap),
       setting<V>({.name = "weights", .help = "How much the mesh follows one joint, as colour."}, &V::weights),
+      setting<V>(
+          {.name = "shade_as",
+           .choices = {{"exact", "Normals upright on what is stretched, as bevy, Filament and Blender have "
+                                 "them."},
+                       {"three", "Normals by the joints' own matrices, as in three.js."},
+                       {"godot", "The same: Godot 4 turns them as three.js does."}},
+           .help = "Engine whose shading of a stretch is shown."},
+          &V::shadeAs),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
       setting<V>({.name = "safe_frame", .help = "The part of the picture that every screen shows."},

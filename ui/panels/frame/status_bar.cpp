@@ -200,6 +200,15 @@ void busyPart(PanelContext& context) {
   ImGui::SameLine(0.0F, theme.px(20.0F));
 }
 
+void shadingPart(PanelContext& context) {
+  if (context.ui.overlays.shadeAs != ShadeAs::exact) {
+    statusText(context, "status/shade-as", "Shaded as in three.js and Godot", context.theme.colours.accent,
+               {"Shaded as in three.js and Godot",
+                "They turn normals by the joints' own matrices; View, Shade as three.js and Godot ends it.",
+                {}});
+  }
+}
+
 void sequencePart(PanelContext& context) {
   const app::SequenceSession& session = context.sequence();
   statusText(context, "status/selection",
@@ -219,6 +228,7 @@ void drawStatusBar(PanelContext& context) {
   if (context.open.sequence() != nullptr) {
     sequencePart(context);
   } else if (hasCharacter(context)) {
+    shadingPart(context);
     selectionPart(context);
   } else {
     statusText(context, "status/selection", "No file is open", context.theme.colours.quietText,

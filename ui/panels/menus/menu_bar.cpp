@@ -239,6 +239,7 @@ void viewMenu(PanelContext& context) {
                               viewJointNames,
                               viewWeights,
                               viewHeatMap,
+                              viewShadeAs,
                               viewGhosts,
                               viewFrameNumbers,
                               viewGrid,

@@ -2,6 +2,9 @@
 
 namespace stretch::ui {
 
+/// Engine whose shading the mesh has: exact, or normals by the plain joint matrix (docs/engines.md).
+enum class ShadeAs { exact, three, godot };
+
 /// Switches of what the viewport draws over the character.
 struct ViewportOverlays {
   bool controllers = false; ///< Else only while one is selected.
@@ -9,6 +12,7 @@ struct ViewportOverlays {
   bool wire = false;
   bool jointNames = false;
   bool heatMap = false; ///< Stretch of the mesh as colour.
+  ShadeAs shadeAs = ShadeAs::exact;
   bool weights = false; ///< Weights of one joint (WeightView), as colour.
   bool ghosts = false;
   bool grid = true;

@@ -8,58 +8,64 @@ namespace stretch::ui {
 
 namespace {
 
-// Four texels for each slot, as skin.vert reads them.
-struct MatrixSlot {
-  glm::vec4 rows[3];
-  glm::vec4 attributes;
-};
-
+// The matrices as skin.vert reads them.
 class SlotTable {
 public:
-  SlotTable(const Scene& scene, const FrameState& frame, const JointAttributes& attributes)
-      : scene_(scene), frame_(frame), attributes_(attributes) {}
+  SlotTable(const Scene& scene, const FrameState& frame, const JointAttributes& attributes,
+            const FrameState* turning)
+      : scene_(scene), frame_(frame), attributes_(attributes), turning_(turning) {}
 
   int firstSlotOf(const DrawItem& item) {
     const std::pair key(item.skin, item.skin >= 0 ? NodeIndex::none : item.node);
-    const auto [place, isNew] = first_.try_emplace(key, static_cast<int>(slots_.size()));
+    const auto [place, isNew] = first_.try_emplace(key, slotCount_);
     if (isNew) {
       addSlots(item);
     }
     return place->second;
   }
 
-  [[nodiscard]] const std::vector<MatrixSlot>& slots() const { return slots_; }
+  [[nodiscard]] const std::vector<glm::vec4>& texels() const { return texels_; }
 
 private:
   void addSlots(const DrawItem& item) {
     if (item.skin < 0) {
-      add(meshMatrix(frame_, item.node), item.node);
+      const Mat4 matrix = meshMatrix(frame_, item.node);
+      add(matrix, turning_ != nullptr ? meshMatrix(*turning_, item.node) : matrix, item.node);
       return;
     }
     const Skin& skin = scene_.skins[static_cast<std::size_t>(item.skin)];
     const std::vector<Mat4> matrices = skinMatrices(skin, frame_);
+    const std::vector<Mat4> turns = turning_ != nullptr ? skinMatrices(skin, *turning_) : matrices;
     for (std::size_t joint = 0; joint < matrices.size(); ++joint) {
-      add(matrices[joint], skin.joints[joint]);
+      add(matrices[joint], turns[joint], skin.joints[joint]);
     }
   }
 
-  void add(const Mat4& matrix, NodeIndex node) {
+  void add(const Mat4& matrix, const Mat4& turn, NodeIndex node) {
     const auto index = at(node);
-    MatrixSlot slot;
-    for (glm::length_t row = 0; row < 3; ++row) {
-      slot.rows[row] = glm::vec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
-    }
+    addRows(matrix);
     const double ratio = index < attributes_.stretchRatio.size() ? attributes_.stretchRatio[index] : 1.0;
     const float highlight = index < attributes_.highlight.size() ? attributes_.highlight[index] : 0.0F;
-    slot.attributes = glm::vec4(static_cast<float>(ratio), highlight, 0.0F, 0.0F);
-    slots_.push_back(slot);
+    texels_.emplace_back(static_cast<float>(ratio), highlight, 0.0F, 0.0F);
+    if (turning_ != nullptr) {
+      addRows(turn);
+    }
+    ++slotCount_;
+  }
+
+  void addRows(const Mat4& matrix) {
+    for (glm::length_t row = 0; row < 3; ++row) {
+      texels_.emplace_back(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
+    }
   }
 
   const Scene& scene_;
   const FrameState& frame_;
   const JointAttributes& attributes_;
+  const FrameState* turning_;
   std::map<std::pair<int, NodeIndex>, int> first_;
-  std::vector<MatrixSlot> slots_;
+  std::vector<glm::vec4> texels_;
+  int slotCount_ = 0;
 };
 
 const std::vector<float>& weightsOf(const Scene& scene, const FrameState& frame, const DrawItem& item,
@@ -101,18 +107,19 @@ PosingPass::PosingPass(ShaderProgram program)
       unseen_(makeMaskTarget(1)) {}
 
 void PosingPass::pose(const Scene& scene, UploadedScene& uploaded, const FrameState& frame,
-                      const JointAttributes& attributes) const {
-  SlotTable table(scene, frame, attributes);
+                      const JointAttributes& attributes, const FrameState* turning) const {
+  SlotTable table(scene, frame, attributes, turning);
   std::vector<int> firstSlots;
   for (const DrawItem& item : uploaded.items) {
     firstSlots.push_back(table.firstSlotOf(item));
   }
-  replaceBuffer(matrices_, bytesOf(table.slots()));
+  replaceBuffer(matrices_, bytesOf(table.texels()));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_BUFFER, matrixTexture_.name());
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, matrices_.name());
   program_.use();
   program_.set("matrices", 0);
+  program_.set("plainNormals", turning != nullptr);
   GLint boundBefore = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &boundBefore);
   glBindFramebuffer(GL_FRAMEBUFFER, unseen_.framebuffer.name());

@@ -22,8 +22,10 @@ class PosingPass {
 public:
   [[nodiscard]] static Result<PosingPass> create();
 
+  /// `turning`: the frame whose joints' own matrices turn normals (skinning::NormalMatrix::plain); null: they
+  /// stay upright on the surface.
   void pose(const Scene& scene, UploadedScene& uploaded, const FrameState& frame,
-            const JointAttributes& attributes) const;
+            const JointAttributes& attributes, const FrameState* turning = nullptr) const;
 
 private:
   explicit PosingPass(ShaderProgram program);

@@ -49,6 +49,15 @@ SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
 
 namespace {
 
+template <typename Parts>
+void poseParts(Parts& parts, const FrameState& frame, const SceneStyle& style) {
+  const bool plain = style.normals == skinning::NormalMatrix::plain;
+  const FrameState turning =
+      plain ? skinning::turningFrame(*parts.scene, frame, !style.newStretchTurns) : FrameState{};
+  parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style),
+                    plain ? &turning : nullptr);
+}
+
 // Ghosts lie behind the character wherever they stand, so that it stays clear, and leave no depth behind.
 template <typename Parts>
 void drawGhosts(Parts& parts, const View& view, std::span<const Ghost> ghosts) {
@@ -119,7 +128,7 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   const bool drawsMesh = parts.scene != nullptr && style.mesh;
   ShadowMaps shadows;
   if (drawsMesh) {
-    parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style));
+    poseParts(parts, frame, style);
     const ShadowScene shadowScene{parts.bounds->boxOf(*parts.scene, frame), style.measures.floorHeight,
                                   style.measures.characterHeight, lights.key};
     shadows = parts.shadows.draw(parts.uploaded, shadowScene, style.quality);
@@ -136,7 +145,7 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   if (drawsMesh) {
     drawGhosts(parts, view, ghosts);
     if (!ghosts.empty()) {
-      parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style));
+      poseParts(parts, frame, style);
     }
     const SurfaceLook look = lookOf(style, shadows);
     parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
@@ -153,9 +162,10 @@ std::vector<glm::vec3> SceneRenderer::posedPositions(const FrameState& frame, st
   return readPosedPositions(parts_->uploaded, primitive);
 }
 
-std::vector<glm::vec3> SceneRenderer::posedNormals(const FrameState& frame, std::size_t primitive) {
+std::vector<glm::vec3> SceneRenderer::posedNormals(const FrameState& frame, std::size_t primitive,
+                                                   const SceneStyle& style) {
   const GlStateGuard guard;
-  parts_->posing.pose(*parts_->scene, parts_->uploaded, frame, {});
+  poseParts(*parts_, frame, style);
   return readPosedNormals(parts_->uploaded, primitive);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "skinning/linear_blend_skinning.h"
 #include "ui/render/scene/bounds.h"
 #include "ui/render/scene/scene_shape.h"
 #include "ui/render/view/camera.h"
@@ -31,6 +32,9 @@ struct SceneStyle {
   Palette palette = darkPalette();
   Quality quality;
   SurfaceShading shading = SurfaceShading::material;
+  skinning::NormalMatrix normals = skinning::NormalMatrix::inverseTranspose;
+  bool newStretchTurns = true; ///< What is stretched here turns normals, where these are plain: false where
+                               ///< the file will tell it by translations.
   bool mesh = true;
   bool floor = true;
   bool wireframe = false;
@@ -63,7 +67,8 @@ public:
   /// World positions that the graphics card poses for the k-th drawn primitive, in the order of nodes and
   /// primitives.
   [[nodiscard]] std::vector<glm::vec3> posedPositions(const FrameState& frame, std::size_t primitive);
-  [[nodiscard]] std::vector<glm::vec3> posedNormals(const FrameState& frame, std::size_t primitive);
+  [[nodiscard]] std::vector<glm::vec3> posedNormals(const FrameState& frame, std::size_t primitive,
+                                                    const SceneStyle& style = {});
 
 private:
   struct Parts;
