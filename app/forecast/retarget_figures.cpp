@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -225,18 +227,21 @@ struct ToldFigure {
   const char* unit;
   std::optional<double> RetargetFigures::*value;
   double factor;
+  double seen; ///< What is less than this above the source's is not seen.
 };
 
 constexpr double percent = 100.0;
 constexpr double tallCentimetres = 170.0;
 constexpr std::array<ToldFigure, 6> toldFigures{
-    {{"slide_percent", "feet that stand slide", "% of the height", &RetargetFigures::slide, percent},
-     {"contact_cm", "hands that touch are off by", "cm at 1.7 m", &RetargetFigures::contact, tallCentimetres},
-     {"inside_percent", "inside trunk and head", "% of forearms to feet", &RetargetFigures::inside, percent},
-     {"deepest_percent", "deepest inside", "% of the height", &RetargetFigures::deepest, percent},
-     {"floor_percent", "below the floor", "% of the height", &RetargetFigures::floor, percent},
+    {{"slide_percent", "feet that stand slide", "% of the height", &RetargetFigures::slide, percent, 0.005},
+     {"contact_cm", "hands that touch are off by", "cm at 1.7 m", &RetargetFigures::contact, tallCentimetres,
+      0.021},
+     {"inside_percent", "inside trunk and head", "% of forearms to feet", &RetargetFigures::inside, percent,
+      0.02},
+     {"deepest_percent", "deepest inside", "% of the height", &RetargetFigures::deepest, percent, 0.01},
+     {"floor_percent", "below the floor", "% of the height", &RetargetFigures::floor, percent, 0.005},
      {"hands_widths", "hands that work together are off by", "widths of the shoulders",
-      &RetargetFigures::hands, 1.0}}};
+      &RetargetFigures::hands, 1.0, 0.05}}};
 
 gltf::Json figuresToJson(const RetargetFigures& figures) {
   gltf::Json json;
@@ -272,6 +277,25 @@ std::vector<std::string> reportLines(const RetargetReport& report) {
       lines.push_back(fmt::format("{} {} {} (as mapped {}, source {})", told.words, textOf(report.result),
                                   told.unit, textOf(report.mapped), textOf(report.source)));
     }
+  }
+  return lines;
+}
+
+std::vector<std::string> worseLines(const RetargetReport& report) {
+  std::vector<std::pair<double, std::string>> found;
+  for (const ToldFigure& told : toldFigures) {
+    const double result = (report.result.*told.value).value_or(0.0);
+    const double source = (report.source.*told.value).value_or(0.0);
+    if (result > source + told.seen) {
+      found.emplace_back((result - source) / told.seen,
+                         fmt::format("{} {:.2g} {} (source {:.2g})", told.words, told.factor * result,
+                                     told.unit, told.factor * source));
+    }
+  }
+  std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, std::string>::first);
+  std::vector<std::string> lines;
+  for (auto& [excess, line] : found) {
+    lines.push_back(std::move(line));
   }
   return lines;
 }

@@ -48,4 +48,7 @@ struct RetargetReport {
 /// 0.1)".
 [[nodiscard]] std::vector<std::string> reportLines(const RetargetReport& report);
 
+/// Those in which the result is seen to be worse than its source, worst first; none where all is well.
+[[nodiscard]] std::vector<std::string> worseLines(const RetargetReport& report);
+
 } // namespace stretch::app

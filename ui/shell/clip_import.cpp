@@ -1,6 +1,10 @@
 #include "ui/shell/clip_import.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,11 +23,14 @@ void tellImported(Shell& shell, const app::Document& document, const app::NewCli
        : brought.clips.front().isRetargeted
            ? fmt::format("{} is brought to this character", name)
            : fmt::format("{} is imported: its keys are as in its file", name));
-  if (!brought.warnings.empty()) {
-    const std::string more = brought.warnings.size() > 1
-                                 ? fmt::format(" (and {} more)", brought.warnings.size() - 1)
-                                 : std::string();
-    tell(shell, ToastKind::warning, brought.warnings.front() + more);
+  std::vector<std::string> worse = brought.warnings;
+  if (count == 1 && brought.clips.front().report) {
+    std::ranges::copy(app::worseLines(*brought.clips.front().report), std::back_inserter(worse));
+  }
+  if (!worse.empty()) {
+    const std::string more =
+        worse.size() > 1 ? fmt::format(" (and {} more)", worse.size() - 1) : std::string();
+    tell(shell, ToastKind::warning, worse.front() + more);
   }
 }
 

@@ -196,3 +196,17 @@ TEST_CASE("One foot that slides is told, whichever it is") {
     CHECK(*report.result.slide > 0.01);
   }
 }
+
+TEST_CASE("What is worse than in the source is told with both figures, worst first, and nothing else") {
+  RetargetReport report;
+  report.source.slide = 0.001;
+  report.result.slide = 0.021;
+  report.source.floor = 0.02;
+  report.result.floor = 0.022;
+  report.result.contact = 0.05;
+  const std::vector<std::string> lines = worseLines(report);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0] == "feet that stand slide 2.1 % of the height (source 0.1)");
+  CHECK(lines[1] == "hands that touch are off by 8.5 cm at 1.7 m (source 0)");
+  CHECK(worseLines({report.source, report.source, report.source}).empty());
+}
