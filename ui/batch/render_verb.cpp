@@ -550,7 +550,7 @@ app::Verb renderVerb() {
             line.option(
                 "--weights", arguments->weights,
                 "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
-            app::addSettingOption(line, shadeAsSetting(), arguments->overlays, "");
+            app::addSettingOption(line, shadeAsSetting(), arguments->overlays, "Options");
             addSequenceOptions(line, *arguments);
             return [arguments] { return runRender(*arguments); };
           }};

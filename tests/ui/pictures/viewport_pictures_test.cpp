@@ -80,6 +80,12 @@ const Overlays overlays[] = {
     {"wire", [](GuiStage& stage) { stage.ui.overlays.wire = true; }},
     {"joint-names", [](GuiStage& stage) { stage.ui.overlays.jointNames = true; }},
     {"heat-map", [](GuiStage& stage) { stage.ui.overlays.heatMap = true; }},
+    {"shade-as",
+     [](GuiStage& stage) {
+       changeTrail(stage, [](rig::Trail& trail) { trail.settings.scale = 3.0; });
+       stage.ui.overlays.shadeAs = ShadeAs::three;
+     },
+     true},
     {"weights",
      [](GuiStage& stage) {
        stage.ui.overlays.weights = true;
@@ -287,6 +293,7 @@ std::string drawnText(GuiStage& stage, const ViewportGpu& gpu) {
   std::string text =
       fmt::format("  {} ghosts , shading {} , wire {} , floor {}\n", content.ghosts.size(),
                   static_cast<int>(content.style.shading), content.style.wireframe, content.style.floor);
+  text += content.style.normals == skinning::NormalMatrix::plain ? "  normals by the joints' matrices\n" : "";
   for (const Ghost& ghost : content.ghosts) {
     text += "  ghost" + numbersText({ghost.frame.timeSeconds}) + colourText(ghost.tint) + "\n";
   }

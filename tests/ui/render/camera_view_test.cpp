@@ -13,7 +13,7 @@ using namespace stretch::ui;
 
 namespace {
 
-constexpr Viewport wide{1600.0, 900.0, 1.0};
+constexpr Viewport wideWindow{1600.0, 900.0, 1.0};
 
 ThroughCamera looking(CameraKind kind, double aspect) {
   ThroughCamera through;
@@ -42,8 +42,8 @@ TEST_CASE("through the file's camera a point lies in the picture where the camer
     for (const double aspect : {0.5, 16.0 / 9.0, 3.0}) {
       CAPTURE(static_cast<int>(kind), aspect);
       const ThroughCamera through = looking(kind, aspect);
-      const View view = viewThrough(through, wide);
-      const PixelBox frame = frameIn(wide, aspect);
+      const View view = viewThrough(through, wideWindow);
+      const PixelBox frame = frameIn(wideWindow, aspect);
       const Vec3 point = through.place.position + 4.0 * through.place.forward + 0.3 * through.place.right +
                          0.2 * through.place.up;
       const Vec2 own = inOwnPicture(through, point);
@@ -62,21 +62,21 @@ TEST_CASE("through the file's camera a point lies in the picture where the camer
 }
 
 TEST_CASE("the safe frame is the middle of the picture, and all of the window's where there is no camera") {
-  const PixelBox safe = frameIn(wide, std::nullopt, 0.9);
+  const PixelBox safe = frameIn(wideWindow, std::nullopt, 0.9);
   CHECK(glm::length(safe.low - Vec2(80.0, 45.0)) < 1e-9);
   CHECK(glm::length(safe.high - Vec2(1520.0, 855.0)) < 1e-9);
 }
 
 TEST_CASE("taking the hand to a file's camera begins where it stands, as far as one without roll can") {
   const ThroughCamera through = looking(CameraKind::perspective, 1.0);
-  const View free = makeView(orbitingFrom(through), wide);
+  const View free = makeView(orbitingFrom(through), wideWindow);
   CHECK(glm::length(free.eye - through.place.position) < 1e-9);
   CHECK(glm::length(free.forward - through.place.forward) < 1e-9);
   CHECK(orbitingFrom(through).fieldOfViewRadians == 0.6);
   const ThroughCamera flat = looking(CameraKind::orthographic, 1.0);
   const Vec3 above = flat.place.position + flat.place.up;
-  CHECK(projectToPixels(makeView(orbitingFrom(flat), wide), above)->pixels.y ==
-        Approx(projectToPixels(viewThrough(flat, wide), above)->pixels.y));
+  CHECK(projectToPixels(makeView(orbitingFrom(flat), wideWindow), above)->pixels.y ==
+        Approx(projectToPixels(viewThrough(flat, wideWindow), above)->pixels.y));
 }
 
 TEST_CASE("a rectangle is outlined inside the picture, one pixel thick, and cut off outside") {
