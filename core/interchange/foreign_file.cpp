@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <new>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -22,6 +24,7 @@
 #include "core/interchange/figure_clips.h"
 #include "core/interchange/figure_meshes.h"
 #include "core/interchange/glb_parts.h"
+#include "core/interchange/one_name.h"
 
 namespace stretch::interchange {
 
@@ -135,9 +138,9 @@ bool hasNoRate(const aiScene& scene) {
   });
 }
 
-Json nodeJson(const FigureNode& node, const Mat4& local) {
+Json nodeJson(const std::string& name, const Mat4& local) {
   const Transform parts = toTransform(local);
-  Json json{{"name", node.name}};
+  Json json{{"name", name}};
   if (parts.translation != Vec3(0.0)) {
     json["translation"] = {parts.translation.x, parts.translation.y, parts.translation.z};
   }
@@ -179,8 +182,39 @@ void addNodes(std::vector<gltf::JsonDocument>& nodes, const Figure& figure, GlbP
   parts.add("scenes", {{"nodes", std::move(roots)}});
 }
 
+// Joints that share their name with another one and that a channel or a bone means: the library takes the
+// first for all of them.
+std::vector<std::string> ambiguousJoints(const aiScene& scene, const Figure& figure,
+                                         const NamesApart& names) {
+  std::map<std::string, int> counts;
+  for (const FigureNode& node : figure.nodes) {
+    ++counts[node.name];
+  }
+  std::set<std::string> meant;
+  for (const aiAnimation* const clip : std::span(scene.mAnimations, scene.mNumAnimations)) {
+    for (const aiNodeAnim* const channel : std::span(clip->mChannels, clip->mNumChannels)) {
+      meant.insert(channel->mNodeName.C_Str());
+    }
+  }
+  for (const aiMesh* const mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiBone* const bone : std::span(mesh->mBones, mesh->mNumBones)) {
+      meant.insert(bone->mName.C_Str());
+    }
+  }
+  std::vector<std::string> told;
+  for (const auto& [name, count] : counts) {
+    if (count > 1 && meant.contains(name)) {
+      told.push_back(
+          fmt::format("{} joints are called '{}': what moves one of them moves the first; give each "
+                      "a name of its own where it was made",
+                      count, names.nameOf(name)));
+    }
+  }
+  return told;
+}
+
 Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::path& file, Format format,
-                                 const Bytes& bytes, const FbxHead& head) {
+                                 const NamesApart& names, const FbxHead& head) {
   const Figure figure = figureOf(scene, format);
   Converted made;
   GlbParts parts;
@@ -188,13 +222,16 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   for (const FigureNode& node : figure.nodes) {
     Mat4 local = localOf(figure, node, restOf);
     local[3].y += node.restLift;
-    nodes.emplace_back(nodeJson(node, local));
+    nodes.emplace_back(nodeJson(names.nameOf(node.name), local));
   }
   const std::vector<int> materials = addMaterials(scene, file, parts, made.warnings);
   const MeshNotes meshes = addMeshes(scene, figure, materials, nodes, parts);
   const ClipNotes clips = addClips(scene, figure, meshes.nodeOfMesh, parts);
   addNodes(nodes, figure, parts);
-  for (std::string& told : warningsOfBytes(bytes, format, clips, head)) {
+  for (std::string& told : warningsOfBytes(names.bytes, format, clips, head)) {
+    made.warnings.push_back(std::move(told));
+  }
+  for (std::string& told : ambiguousJoints(scene, figure, names)) {
     made.warnings.push_back(std::move(told));
   }
   if (!figure.unitNote.empty()) {
@@ -242,7 +279,8 @@ Result<Converted> converted(const std::filesystem::path& file) {
   Assimp::Importer importer;
   LeftOut leftOut;
   const Listening listening(leftOut);
-  const aiScene* const scene = readScene(importer, *bytes, *format);
+  const NamesApart names = withNamesApart(*bytes, *format);
+  const aiScene* const scene = readScene(importer, names.bytes, *format);
   if (leftOut.isOutOfMemory ||
       std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos) {
     throw std::bad_alloc();
@@ -260,7 +298,7 @@ Result<Converted> converted(const std::filesystem::path& file) {
     return Error{"says of a frame that it takes no time, or is no number", "Frame Time",
                  "write the seconds of a frame there, such as 0.0333333"};
   }
-  Result<Converted> made = convertedScene(*scene, file, *format, *bytes, head);
+  Result<Converted> made = convertedScene(*scene, file, *format, names, head);
   if (made && leftOut.count > 0) {
     made.value().warnings.push_back(fmt::format(
         "what the reader calls faulty is left out ({} times, first: {})", leftOut.count, leftOut.first));
