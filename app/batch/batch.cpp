@@ -1,16 +1,20 @@
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
-#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include "app/batch/command_words.h"
 #include "app/batch/verb.h"
@@ -36,45 +40,76 @@ struct BatchArguments {
 struct ListedCommand {
   std::size_t line = 0; // From 1.
   std::string text;
-  std::vector<std::string> words;
-  std::string problem; // Why it is no command; empty for one.
+  std::string problem = {}; // Why it is no command; empty for one.
 };
 
-Result<std::string> listText(const std::string& list) {
-  if (list != "-") {
-    return readText(list);
-  }
-  return std::string(std::istreambuf_iterator<char>(std::cin), {});
-}
-
-// The program's own name may stand before the verb, as in a script.
-std::vector<ListedCommand> listedCommands(const std::string& text) {
-  std::vector<ListedCommand> commands;
-  std::istringstream lines(text);
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    Result<std::vector<std::string>> words = commandWords(line);
-    if (words && words->empty()) {
-      continue;
+// The lines of a list as they come: all of a file's at once, those of standard input one after the other.
+class Lines {
+public:
+  // Error: a file that cannot be read.
+  static Result<Lines> of(const std::string& list) {
+    Lines lines;
+    lines.input_ = list == "-" ? STDIN_FILENO : -1;
+    if (list != "-") {
+      Result<std::string> text = readText(list);
+      if (!text) {
+        return text.error();
+      }
+      lines.text_ = std::move(text).value();
     }
-    ListedCommand command{number, line, {}, words ? std::string() : words.error().line()};
-    if (words) {
-      command.words = std::move(words).value();
-      const std::string& first = command.words.front();
-      if (command.words.size() > 1 && first.substr(first.find_last_of('/') + 1) == "stretch-engine") {
-        command.words.erase(command.words.begin());
+    return lines;
+  }
+
+  // -1: nothing more comes.
+  [[nodiscard]] int input() const { return input_; }
+
+  // Takes what has come; waits where nothing has.
+  void read() {
+    std::array<char, 1U << 16U> part{};
+    const ssize_t got = ::read(input_, part.data(), part.size());
+    if (got > 0) {
+      text_.append(part.data(), static_cast<std::size_t>(got));
+    } else if (got == 0 || (errno != EINTR && errno != EAGAIN)) {
+      input_ = -1;
+    }
+  }
+
+  // The next line that is there whole and holds a command.
+  std::optional<ListedCommand> next() {
+    for (;;) {
+      const std::size_t end = text_.find('\n', at_);
+      if (at_ == text_.size() || (end == std::string::npos && input_ >= 0)) {
+        text_.erase(0, std::exchange(at_, 0));
+        return std::nullopt;
+      }
+      const std::size_t stop = std::min(end, text_.size());
+      ListedCommand command{++number_, text_.substr(at_, stop - at_)};
+      at_ = std::min(stop + 1, text_.size());
+      const Result<std::vector<std::string>> words = commandWords(command.text);
+      command.problem = words ? std::string() : words.error().line();
+      if (!words || !words->empty()) {
+        return command;
       }
     }
-    commands.push_back(std::move(command));
   }
-  return commands;
+
+private:
+  int input_ = -1;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::size_t number_ = 0;
+};
+
+// A device has nothing to read, or no end.
+bool holdsAnswers(const std::string& log) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(log, none);
 }
 
 // Commands that a log says are done. A line that was cut off by a kill says nothing.
 std::set<std::string> doneBefore(const std::string& log) {
   std::set<std::string> done;
-  std::ifstream file(log);
+  std::ifstream file(holdsAnswers(log) ? log : std::string());
   for (std::string line; std::getline(file, line);) {
     const Json answer = gltf::parseAnyJson(line);
     if (answer.is_object() && answer.contains("command") && answer["command"].is_string() &&
@@ -126,7 +161,8 @@ class Answers {
 public:
   explicit Answers(const BatchArguments& arguments) : jsonLines_(arguments.jsonLines) {
     if (!arguments.log.empty()) {
-      const Result<std::string> before = readText(arguments.log);
+      const Result<std::string> before =
+          holdsAnswers(arguments.log) ? readText(arguments.log) : Result<std::string>(std::string());
       log_.open(arguments.log, std::ios::app);
       log_ << (before && !before->empty() && before->back() != '\n' ? "\n" : "");
       hasLog_ = true;
@@ -162,62 +198,102 @@ private:
   std::size_t failed_ = 0;
 };
 
-int runCommand(const std::vector<Verb>& verbs, const ListedCommand& command) {
+// The program's own name may stand before the verb, as in a script.
+int runCommand(const std::vector<Verb>& verbs, const std::string& text) {
+  const std::vector<std::string> given = commandWords(text).value();
+  const std::string& first = given.front();
+  const bool isNamed = given.size() > 1 && first.substr(first.find_last_of('/') + 1) == "stretch-engine";
   std::vector<const char*> words{"stretch-engine"};
-  for (const std::string& word : command.words) {
-    words.push_back(word.c_str());
+  for (std::size_t i = isNamed ? 1 : 0; i < given.size(); ++i) {
+    words.push_back(given[i].c_str());
   }
   return runVerbs(verbs, "stretch-engine", static_cast<int>(words.size()), words.data());
 }
 
-// Gives commands to workers as they become free; a worker that a command brought down is replaced.
+// Gives commands, as they come, to workers as they become free; a worker that a command brought down is
+// replaced.
 class Dispatch {
 public:
-  Dispatch(const std::vector<ListedCommand>& commands, const std::vector<Verb>& verbs, Answers& answers)
-      : commands_(commands), answers_(answers),
-        run_([&commands, &verbs](std::size_t i) { return runCommand(verbs, commands[i]); }) {}
+  Dispatch(Lines& lines, std::set<std::string> done, const std::vector<Verb>& verbs, Answers& answers)
+      : lines_(lines), done_(std::move(done)), answers_(answers),
+        run_([&verbs](const std::string& text) { return runCommand(verbs, text); }) {}
 
   Status all(std::size_t jobs) {
-    jobs = std::min(jobs, commands_.size());
-    for (std::size_t i = 0; i < jobs; ++i) {
-      workers_.push_back(std::make_unique<Worker>(run_));
-    }
-    while (feed()) {
-      if (std::ranges::none_of(workers_, [](const auto& worker) { return worker->isBusy(); })) {
+    jobs_ = jobs;
+    for (;;) {
+      const bool isFed = feed();
+      if (!isFed && lines_.input() < 0) {
+        return Success{};
+      }
+      if (isFed && !isAnyBusy()) {
         return Error{"no process could be started for the commands", "", "close other programs"};
       }
       collect();
     }
-    return Success{};
   }
+
+  // Commands that were listed so far.
+  [[nodiscard]] std::size_t listed() const { return listed_; }
 
 private:
-  // Whether something is under way or left to do.
-  bool feed() {
-    for (std::unique_ptr<Worker>& worker : workers_) {
-      while (next_ < commands_.size() && !commands_[next_].problem.empty()) {
-        answers_.put(commands_[next_], {2, {}, commands_[next_].problem});
-        ++next_;
-      }
-      if (next_ < commands_.size() && !worker->isAlive()) {
-        worker = std::make_unique<Worker>(run_);
-      }
-      if (next_ < commands_.size() && worker->isAlive() && !worker->isBusy()) {
-        worker->give(next_++);
-      }
-    }
-    return next_ < commands_.size() ||
-           std::ranges::any_of(workers_, [](const auto& worker) { return worker->isBusy(); });
+  struct Place {
+    std::unique_ptr<Worker> worker;
+    ListedCommand command;
+  };
+
+  [[nodiscard]] bool isAnyBusy() const {
+    return std::ranges::any_of(places_, [](const Place& place) { return place.worker->isBusy(); });
   }
 
+  // The next command that a worker has to do; those that are none are answered.
+  bool hasNext() {
+    while (!next_) {
+      next_ = lines_.next();
+      if (!next_) {
+        return false;
+      }
+      ++listed_;
+      const bool isDone = done_.contains(asLogged(next_->text));
+      if (!isDone && !next_->problem.empty()) {
+        answers_.put(*next_, {2, {}, next_->problem});
+      }
+      if (isDone || !next_->problem.empty()) {
+        next_.reset();
+      }
+    }
+    return true;
+  }
+
+  // Whether something is under way or waits.
+  bool feed() {
+    for (std::size_t i = 0; hasNext() && i < jobs_; ++i) {
+      if (i == places_.size()) {
+        places_.push_back({std::make_unique<Worker>(run_), {}});
+      }
+      Place& place = places_[i];
+      if (!place.worker->isAlive()) {
+        place.worker = std::make_unique<Worker>(run_);
+      }
+      if (place.worker->isAlive() && !place.worker->isBusy()) {
+        place.command = *std::exchange(next_, std::nullopt);
+        place.worker->give(place.command.text);
+      }
+    }
+    return next_.has_value() || isAnyBusy();
+  }
+
+  // Waits for an answer, or for more of the list where a command that came would be begun.
   void collect() {
     std::vector<pollfd> waited;
-    std::vector<Worker*> busy;
-    for (const std::unique_ptr<Worker>& worker : workers_) {
-      if (worker->isBusy()) {
-        waited.push_back({worker->readyDescriptor(), POLLIN, 0});
-        busy.push_back(worker.get());
+    std::vector<Place*> busy;
+    for (Place& place : places_) {
+      if (place.worker->isBusy()) {
+        waited.push_back({place.worker->readyDescriptor(), POLLIN, 0});
+        busy.push_back(&place);
       }
+    }
+    if (!next_ && lines_.input() >= 0) {
+      waited.push_back({lines_.input(), POLLIN, 0});
     }
     if (poll(waited.data(), waited.size(), -1) <= 0) {
       return;
@@ -226,53 +302,60 @@ private:
       if (waited[i].revents == 0) {
         continue;
       }
-      const std::size_t command = busy[i]->command();
-      if (const std::optional<CommandAnswer> answer = busy[i]->take()) {
-        answers_.put(commands_[command], *answer);
+      if (const std::optional<CommandAnswer> answer = busy[i]->worker->take()) {
+        answers_.put(busy[i]->command, *answer);
       }
+    }
+    if (waited.size() > busy.size() && waited.back().revents != 0) {
+      lines_.read();
     }
   }
 
-  const std::vector<ListedCommand>& commands_;
+  Lines& lines_;
+  std::set<std::string> done_;
   Answers& answers_;
   Worker::Run run_;
-  std::vector<std::unique_ptr<Worker>> workers_;
-  std::size_t next_ = 0;
+  std::size_t jobs_ = 1;
+  std::size_t listed_ = 0;
+  std::vector<Place> places_;
+  std::optional<ListedCommand> next_;
 };
 
+Error holdsNothing(const std::string& list) {
+  return {"holds no command", list, "write one in each line, as behind the program's name"};
+}
+
 Status runBatch(const BatchArguments& arguments, const std::vector<Verb>& verbs) {
-  const Result<std::string> text = listText(arguments.list);
-  if (!text) {
-    return text.error();
+  Result<Lines> lines = Lines::of(arguments.list);
+  if (!lines) {
+    return lines.error();
   }
-  std::vector<ListedCommand> commands = listedCommands(*text);
-  const std::size_t listed = commands.size();
-  if (listed == 0) {
-    return Error{"holds no command", arguments.list, "write one in each line, as behind the program's name"};
+  if (Lines all = *lines; all.input() < 0 && !all.next()) {
+    return holdsNothing(arguments.list);
   }
   if (Status log = checkLog(arguments); !log) {
     return log;
   }
-  if (!arguments.log.empty()) {
-    const std::set<std::string> done = doneBefore(arguments.log);
-    std::erase_if(commands,
-                  [&](const ListedCommand& command) { return done.contains(asLogged(command.text)); });
-  }
+  std::set<std::string> done = arguments.log.empty() ? std::set<std::string>() : doneBefore(arguments.log);
   Answers answers(arguments);
   if (!answers.canBeWritten()) {
     return Error{"cannot be written", arguments.log, "name a file in a folder that can be written"};
   }
   std::signal(SIGPIPE, SIG_IGN); // A worker that died is found by its answer.
-  if (Status done = Dispatch(commands, verbs, answers).all(static_cast<std::size_t>(arguments.jobs)); !done) {
-    return done;
+  Dispatch dispatch(*lines, std::move(done), verbs, answers);
+  if (Status did = dispatch.all(static_cast<std::size_t>(arguments.jobs)); !did) {
+    return did;
+  }
+  if (dispatch.listed() == 0) {
+    return holdsNothing(arguments.list);
   }
   if (!answers.canBeWritten()) {
     return Error{"could not be written to the end", arguments.log,
                  "check that the disk has room, and resume"};
   }
   if (answers.failed() > 0) {
-    return Error{fmt::format("{} of {} commands could not be done", answers.failed(), listed), arguments.list,
-                 "each says why; the others are done"};
+    return Error{fmt::format("{} of {} commands could not be done", answers.failed(), dispatch.listed()),
+                 arguments.list, "each says why; the others are done"};
   }
   return Success{};
 }
@@ -289,7 +372,7 @@ Verb batchVerb(const std::vector<Verb>& verbs) {
         line.examples({"commands.txt --jobs 4 --json-lines", "commands.txt --resume done.jsonl"});
         line.option("LIST", arguments->list,
                     "A file with one command in each line, written as behind the program's name; -: standard "
-                    "input")
+                    "input, each line as it comes")
             .required();
         line.option("--jobs", arguments->jobs, "How many commands at a time").between(1, 256).showDefault();
         line.flag("--json-lines", arguments->jsonLines,

@@ -72,7 +72,12 @@ std::string takeCaptured(int stream) {
   dup2(nothing.number(), STDIN_FILENO);
   captureStream(STDOUT_FILENO);
   captureStream(STDERR_FILENO);
-  for (std::uint64_t command = 0; readWhole(commands, &command, sizeof(command));) {
+  std::string command;
+  for (std::uint64_t length = 0; readWhole(commands, &length, sizeof(length));) {
+    command.resize(length);
+    if (!readWhole(commands, command.data(), command.size())) {
+      break;
+    }
     AnswerHead head;
     head.exitCode = run(command);
     std::cout.flush();
@@ -121,19 +126,20 @@ Worker::~Worker() {
   }
 }
 
-void Worker::give(std::size_t command) {
-  const std::uint64_t number = command;
-  command_ = command;
+void Worker::give(const std::string& command) {
+  const std::uint64_t length = command.size();
+  isBusy_ = true;
   received_.clear();
-  (void)writeWhole(commands_.number(), &number, sizeof(number)); // One that is dead is found when its answer
-                                                                 // is taken.
+  // One that is dead is found when its answer is taken.
+  (void)(writeWhole(commands_.number(), &length, sizeof(length)) &&
+         writeWhole(commands_.number(), command.data(), command.size()));
 }
 
 CommandAnswer Worker::ended() {
   int status = 0;
   waitpid(process_, &status, 0);
   process_ = -1;
-  command_.reset();
+  isBusy_ = false;
   return {1,
           {},
           WIFSIGNALED(status) ? fmt::format("the command was ended by signal {}", WTERMSIG(status))
@@ -159,7 +165,7 @@ std::optional<CommandAnswer> Worker::take() {
     return std::nullopt;
   }
   const auto* const texts = reinterpret_cast<const char*>(received_.data()) + sizeof(head);
-  command_.reset();
+  isBusy_ = false;
   return CommandAnswer{
       static_cast<int>(head.exitCode), {texts, head.output}, {texts + head.output, head.told}};
 }

@@ -24,8 +24,8 @@ struct CommandAnswer {
 /// command that brings it down costs no other. It ends with this one, and when it is destroyed.
 class Worker {
 public:
-  /// Runs the command of a number; called in the process of the worker alone.
-  using Run = std::function<int(std::size_t command)>;
+  /// Runs a command; called in the process of the worker alone.
+  using Run = std::function<int(const std::string& command)>;
 
   /// Starts the process; isAlive tells whether it could be. This process must not have threads yet.
   explicit Worker(const Run& run);
@@ -34,11 +34,10 @@ public:
   ~Worker();
 
   [[nodiscard]] bool isAlive() const { return process_ > 0; }
-  [[nodiscard]] bool isBusy() const { return command_.has_value(); }
-  [[nodiscard]] std::size_t command() const { return *command_; }
+  [[nodiscard]] bool isBusy() const { return isBusy_; }
   [[nodiscard]] int readyDescriptor() const { return answers_.number(); }
 
-  void give(std::size_t command);
+  void give(const std::string& command);
   /// Takes what the process has written. An answer once it is whole; where the process ended before, one that
   /// says so, and the worker is not alive any more.
   [[nodiscard]] std::optional<CommandAnswer> take();
@@ -61,7 +60,7 @@ private:
   ProcessId process_;
   Descriptor commands_;
   Descriptor answers_;
-  std::optional<std::size_t> command_;
+  bool isBusy_ = false;
   Bytes received_;
 };
 

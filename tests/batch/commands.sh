@@ -65,6 +65,36 @@ for scale in 2 2.5 3 3.5 4; do cmp "single/$scale.glb" "killed/$scale.glb" || fa
 grep -q "done:" again.out && fail "a third call does something again"
 grep -q "line 13: broken.glb" again.err || fail "what failed is not tried again"
 
+# A command is done when its line has come, not when the list ends: two at a time, the third waits for a free process.
+mkdir slow
+mkfifo slowly
+timeout 60 "$program" batch - --jobs 2 --json-lines --resume slow.log <slowly >slow.out 2>slow.err &
+running=$!
+exec 9>slowly
+given=0
+while read -r line; do
+  given=$((given + 1))
+  printf '%s' "${line%???}" >&9 # in two parts
+  sleep 0.05
+  printf '%s\n' "${line: -3}" >&9
+  case $given in 1 | 3 | 9)
+    for _ in $(seq 200); do [ "$(wc -l <slow.out)" -ge "$given" ] || sleep 0.05; done
+    [ "$(wc -l <slow.out)" = "$given" ] || fail "of $given commands that came $(wc -l <slow.out) are answered"
+    ;;
+  esac
+done < <(list slow | sed '/^#/d; /^$/d')
+exec 9>&-
+wait "$running" && fail "the failures of a pipe are forgotten"
+[ "$(wc -l <slow.out)" = 12 ] || fail "not every line of a pipe is answered"
+cmp slow.out slow.log || fail "the log of a pipe is another one"
+for scale in 2 2.5 3 3.5 4; do cmp "single/$scale.glb" "slow/$scale.glb" || fail "$scale differs by a pipe"; done
+list slow | "$program" batch - --resume slow.log >slow-again.out 2>/dev/null && fail "a pipe forgets what failed"
+grep -q "done:" slow-again.out && fail "a pipe that is resumed does something again"
+printf 'info "the boxer.glb" --json-line' | "$program" batch - >last.out || fail "a last line without an end is left out"
+grep -q "^done: info" last.out || fail "a last line without an end is not answered"
+"$program" batch - </dev/null 2>nothing.err && fail "an empty pipe is accepted"
+grep -q "holds no command" nothing.err || fail "it is not told that the pipe is empty"
+
 : >empty
 "$program" batch empty 2>empty.err && fail "an empty list is accepted"
 grep -q "holds no command" empty.err || fail "it is not told that the list is empty"

@@ -14,7 +14,7 @@ using namespace stretch::app;
 
 namespace {
 
-CommandAnswer answerOf(Worker& worker, std::size_t command) {
+CommandAnswer answerOf(Worker& worker, const std::string& command) {
   worker.give(command);
   for (;;) {
     if (std::optional<CommandAnswer> answer = worker.take()) {
@@ -39,38 +39,38 @@ TEST_CASE("A command is taken apart as a shell does") {
 }
 
 TEST_CASE("A worker answers one command after another") {
-  Worker worker([](std::size_t command) {
-    std::printf("out %zu", command);
-    std::fprintf(stderr, "told %zu", command);
-    return static_cast<int>(command) + 1;
+  Worker worker([](const std::string& command) {
+    std::printf("out %s", command.c_str());
+    std::fprintf(stderr, "told %s", command.c_str());
+    return static_cast<int>(command.size());
   });
   REQUIRE(worker.isAlive());
-  for (const std::size_t command : {std::size_t{0}, std::size_t{7}}) {
+  for (const std::string command : {"info", "resave", ""}) {
     const CommandAnswer answer = answerOf(worker, command);
-    CHECK(answer.exitCode == static_cast<int>(command) + 1);
-    CHECK(answer.output == "out " + std::to_string(command));
-    CHECK(answer.told == "told " + std::to_string(command));
+    CHECK(answer.exitCode == static_cast<int>(command.size()));
+    CHECK(answer.output == "out " + command);
+    CHECK(answer.told == "told " + command);
     CHECK_FALSE(worker.isBusy());
   }
 }
 
 TEST_CASE("A long answer comes whole") {
-  Worker worker([](std::size_t) {
+  Worker worker([](const std::string&) {
     std::fputs(std::string(3000000, 'x').c_str(), stdout);
     return 0;
   });
-  CHECK(answerOf(worker, 0).output == std::string(3000000, 'x'));
+  CHECK(answerOf(worker, "info").output == std::string(3000000, 'x'));
 }
 
 TEST_CASE("A command that brings its worker down is answered, and costs nothing else") {
-  Worker worker([](std::size_t command) {
-    if (command == 1) {
+  Worker worker([](const std::string& command) {
+    if (command == "fall") {
       std::raise(SIGKILL);
     }
     return 0;
   });
-  CHECK(answerOf(worker, 0).exitCode == 0);
-  const CommandAnswer answer = answerOf(worker, 1);
+  CHECK(answerOf(worker, "info").exitCode == 0);
+  const CommandAnswer answer = answerOf(worker, "fall");
   CHECK(answer.exitCode == 1);
   CHECK(answer.told == "the command was ended by signal 9");
   CHECK_FALSE(worker.isAlive());
