@@ -10,10 +10,14 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "core/base/descriptor.h"
 
 extern char** environ; // NOLINT(readability-redundant-declaration): not declared by every C library
 
@@ -74,6 +78,43 @@ std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, 
   return words;
 }
 
+constexpr const char* partName = ".stretch-engine-video-"; // and the number of a process
+
+// Whoever writes a part holds its lock, here or on another machine: one that can be locked belongs to nobody,
+// since its process was killed.
+bool lock(int file) {
+  return flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
+void removeLeftParts(const fs::path& folder) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const fs::path& path = entry->path();
+    if (!path.filename().string().starts_with(partName) || path.extension() != ".tmp") {
+      continue;
+    }
+    const Descriptor part(open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (part.number() >= 0 && lock(part.number())) {
+      unlink(path.c_str());
+    }
+  }
+}
+
+// The part, empty and locked; where the folder takes none ffmpeg says so.
+Descriptor lockedPart(const fs::path& part) {
+  constexpr mode_t withoutMask = 0666;
+  for (;;) {
+    Descriptor file(open(part.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, withoutMask));
+    struct stat found {};
+    // Another program may have taken it for left over before it was locked.
+    if (file.number() < 0 || !lock(file.number()) || fstat(file.number(), &found) != 0 ||
+        found.st_nlink > 0) {
+      return file;
+    }
+  }
+}
+
 Error cannotStart(const fs::path& path, int reason) {
   return reason == ENOENT
              ? Error{"a video needs ffmpeg, which is not installed", path.string(),
@@ -87,6 +128,7 @@ Error cannotStart(const fs::path& path, int reason) {
 struct VideoWriter::Process {
   fs::path path;
   fs::path part;         ///< Where ffmpeg writes until the video is whole.
+  Descriptor lock;       ///< Of the part.
   std::size_t bytes = 0; ///< Of a picture.
   pid_t child = -1;
   int input = -1;
@@ -181,7 +223,9 @@ Result<VideoWriter> VideoWriter::open(const VideoPlan& plan) {
   process->bytes =
       4 * static_cast<std::size_t>(plan.widthPixels) * static_cast<std::size_t>(plan.heightPixels);
   process->part = plan.path;
-  process->part.replace_filename(fmt::format(".stretch-engine-{}.tmp", getpid()));
+  process->part.replace_filename(fmt::format("{}{}.tmp", partName, getpid()));
+  removeLeftParts(plan.path.parent_path());
+  process->lock = lockedPart(process->part);
   if (Status started = process->start(wordsFor(plan, *kind, process->part)); !started) {
     return started.error();
   }

@@ -4,7 +4,12 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include "core/base/descriptor.h"
 #include "core/base/file.h"
 #include "tests/support/app/camera_file.h"
 #include "tests/support/app/run_verb.h"
@@ -200,4 +205,33 @@ TEST_CASE("a video that is not finished leaves nothing, and without ffmpeg the r
   REQUIRE_FALSE(none);
   CHECK_THAT(none.error().line(),
              Catch::Contains("ffmpeg, which is not installed") && Catch::Contains("-o picture.png"));
+}
+
+TEST_CASE("A video removes what a killed one left in its folder, and nothing that is still written") {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder programs;
+  const fs::path ffmpeg =
+      programs.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\nexec cat >\"${last#file:}\"\n");
+  fs::permissions(ffmpeg, fs::perms::owner_all);
+  folder.write(".stretch-engine-video-1.tmp", "left");
+  folder.write(".stretch-engine-video-own.txt", "the user's");
+  const Descriptor other(open(folder.write(".stretch-engine-video-2.tmp", "under way").c_str(), O_RDONLY));
+  REQUIRE(flock(other.number(), LOCK_EX) == 0);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (programs.path().string() + ":" + path).c_str(), 1);
+  {
+    Result<ui::VideoWriter> video = ui::VideoWriter::open({folder / "a.mp4", 16, 16, 24.0});
+    REQUIRE(video);
+    CHECK_FALSE(fs::exists(folder / ".stretch-engine-video-1.tmp"));
+    // One that another program opens there leaves this one alone.
+    const fs::path own = folder / fmt::format(".stretch-engine-video-{}.tmp", getpid());
+    const Descriptor seen(open(own.c_str(), O_RDONLY));
+    CHECK(flock(seen.number(), LOCK_EX | LOCK_NB) != 0);
+    REQUIRE(video->add(ui::filled(16, 16, glm::vec3(0.5F))));
+    REQUIRE(video->finish());
+  }
+  setenv("PATH", path.c_str(), 1);
+  CHECK(fs::file_size(folder / "a.mp4") == 4 * 16 * 16);
+  CHECK(fs::exists(folder / ".stretch-engine-video-2.tmp"));
+  CHECK(folder.fileCount() == 3);
 }
