@@ -19,12 +19,14 @@
 #include <fmt/core.h>
 
 #include "core/gltf/json/json.h"
+#include "core/interchange/assimp_values.h"
 #include "core/interchange/fbx_head.h"
 #include "core/interchange/figure.h"
 #include "core/interchange/figure_clips.h"
 #include "core/interchange/figure_meshes.h"
 #include "core/interchange/glb_parts.h"
 #include "core/interchange/one_name.h"
+#include "core/math/finite.h"
 
 namespace stretch::interchange {
 
@@ -153,6 +155,13 @@ Json nodeJson(const std::string& name, const Mat4& local) {
   return json;
 }
 
+std::size_t placelessNodes(const Figure& figure) {
+  return static_cast<std::size_t>(std::ranges::count_if(figure.nodes, [](const FigureNode& node) {
+    return std::ranges::any_of(
+        node.chain, [](const aiNode* element) { return !isFinite(matrixOf(element->mTransformation)); });
+  }));
+}
+
 // Nodes whose matrix is no translation, turn and scale: an uneven scale above a turn, collapsed into one.
 std::size_t shearedNodes(const Figure& figure) {
   return static_cast<std::size_t>(std::ranges::count_if(figure.nodes, [&](const FigureNode& node) {
@@ -237,6 +246,10 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   if (!figure.unitNote.empty()) {
     made.warnings.push_back(figure.unitNote);
   }
+  if (const std::size_t lost = placelessNodes(figure); lost > 0) {
+    made.warnings.push_back(fmt::format(
+        "nodes that rest at no place, since it is no number, are where their parents are: {}", lost));
+  }
   if (const std::size_t sheared = shearedNodes(figure); sheared > 0) {
     made.warnings.push_back(
         fmt::format("{} nodes are sheared, which glTF cannot say: they are as near as can be", sheared));
@@ -293,6 +306,10 @@ Result<Converted> converted(const std::filesystem::path& file) {
   }
   if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0 && scene->mRootNode->mNumChildren == 0) {
     return Error{"holds neither a skeleton nor a mesh nor a clip", "", exportAgain};
+  }
+  if (*format == Format::collada && toTransform(restOf(*scene->mRootNode)).scale == Vec3(0.0)) {
+    return Error{"says that its unit has no length", "unit meter",
+                 "write the metres of a unit there, such as 0.01"};
   }
   if (*format == Format::bvh && hasNoRate(*scene)) {
     return Error{"says of a frame that it takes no time, or is no number", "Frame Time",

@@ -1,7 +1,5 @@
 #include "ui/shell/clip_import.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +21,10 @@ void tellImported(Shell& shell, const app::Document& document, const app::NewCli
        : brought.clips.front().isRetargeted
            ? fmt::format("{} is brought to this character", name)
            : fmt::format("{} is imported: its keys are as in its file", name));
-  std::vector<std::string> worse = brought.warnings;
-  if (count == 1 && brought.clips.front().report) {
-    std::ranges::copy(app::worseLines(*brought.clips.front().report), std::back_inserter(worse));
-  }
-  if (!worse.empty()) {
-    const std::string more =
-        worse.size() > 1 ? fmt::format(" (and {} more)", worse.size() - 1) : std::string();
-    tell(shell, ToastKind::warning, worse.front() + more);
+  const std::vector<std::string> news = app::newsOf(brought);
+  if (!news.empty()) {
+    const std::string more = news.size() > 1 ? fmt::format(" (and {} more)", news.size() - 1) : std::string();
+    tell(shell, ToastKind::warning, news.front() + more);
   }
 }
 

@@ -274,6 +274,22 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
   return brought;
 }
 
+std::vector<std::string> newsOf(const NewClips& brought) {
+  std::vector<std::string> news;
+  std::vector<std::string> others;
+  for (const NewClip& clip : brought.clips) {
+    const std::vector<std::string> lines =
+        clip.report ? worseLines(*clip.report) : std::vector<std::string>();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      (i == 0 ? news : others)
+          .push_back(brought.clips.size() > 1 ? fmt::format("{}: {}", clip.clip.name, lines[i]) : lines[i]);
+    }
+  }
+  news.insert(news.end(), others.begin(), others.end());
+  news.insert(news.end(), brought.warnings.begin(), brought.warnings.end());
+  return news;
+}
+
 Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips) {
   std::vector<Clip> added = clips;
   std::vector<Clip> all = *document.clips;

@@ -41,6 +41,10 @@ struct NewClips {
 [[nodiscard]] Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request,
                                              const std::function<bool(double)>& proceed = {});
 
+/// Lines that tell of them, the gravest first: in what they are worse than their sources (of
+/// several clips with the name, the worst of each before the others), then the warnings.
+[[nodiscard]] std::vector<std::string> newsOf(const NewClips& brought);
+
 /// The document with the clips behind its own, under names that no other clip has.
 [[nodiscard]] Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips);
 

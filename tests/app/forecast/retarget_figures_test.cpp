@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "app/edits/keys/import_clip.h"
 #include "app/forecast/body_touch.h"
 #include "app/forecast/retarget_figures.h"
 #include "core/gltf/json/json.h"
@@ -209,4 +210,31 @@ TEST_CASE("What is worse than in the source is told with both figures, worst fir
   CHECK(lines[0] == "feet that stand slide 2.1 % of the height (source 0.1)");
   CHECK(lines[1] == "hands that touch are off by 8.5 cm at 1.7 m (source 0)");
   CHECK(worseLines({report.source, report.source, report.source}).empty());
+}
+
+TEST_CASE("Of imported clips what is worse is told before the warnings, the worst of each clip first, by its "
+          "name") {
+  RetargetReport report;
+  report.result.slide = 0.021;
+  report.result.contact = 0.05;
+  NewClips brought;
+  brought.warnings = {"names no unit"};
+  CHECK(newsOf(brought) == brought.warnings);
+  for (const std::string name : {"Walk", "Run"}) {
+    NewClip clip;
+    clip.clip.name = name;
+    clip.report = report;
+    brought.clips.push_back(clip);
+  }
+  NewClip copied;
+  copied.clip.name = "Idle";
+  brought.clips.push_back(copied);
+  const std::vector<std::string> both = newsOf(brought);
+  REQUIRE(both.size() == 5);
+  CHECK(both[0] == "Walk: feet that stand slide 2.1 % of the height (source 0)");
+  CHECK(both[1] == "Run: feet that stand slide 2.1 % of the height (source 0)");
+  CHECK(both[2].starts_with("Walk: hands"));
+  CHECK(both[4] == "names no unit");
+  brought.clips.resize(1);
+  CHECK(newsOf(brought).front() == "feet that stand slide 2.1 % of the height (source 0)");
 }

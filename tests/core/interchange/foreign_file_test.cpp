@@ -124,6 +124,20 @@ TEST_CASE("A BVH whose frames take no time, or none that is a number, is refused
   }
 }
 
+TEST_CASE(
+    "A Collada whose unit has no length is refused in one line, and a place that is no number is told") {
+  const TemporaryFolder folder;
+  std::string text = test::postCollada();
+  text.replace(text.find("0.0254"), 6, "0");
+  const std::string line = test::refusal(gltf::load(folder.write("flat.dae", text)));
+  CHECK(line.find("its unit has no length") != std::string::npos);
+  CHECK(line.find('\n') == std::string::npos);
+  std::string person = test::personBvh();
+  person.replace(person.find("OFFSET 0 -40"), 12, "OFFSET 0 nan");
+  CHECK(tells(loadedText("odd.bvh", person), "it is no number, are where their parents are: 1"));
+  CHECK_FALSE(tells(loadedText("person.bvh", test::personBvh()), "it is no number"));
+}
+
 TEST_CASE("A file without a byte is called empty") {
   const TemporaryFolder folder;
   for (const char* const name : {"a.fbx", "a.glb", "a.gltf"}) {

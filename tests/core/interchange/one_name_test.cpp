@@ -133,8 +133,9 @@ TEST_CASE("Where no name is free two joints keep theirs, and one line tells of i
   std::string text = "HIERARCHY\nROOT -\n{\n OFFSET 0 0 0\n CHANNELS 3 Xposition Yposition Zposition\n";
   std::string row = "0 1 0";
   for (const char c : std::string("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyzz")) {
-    text += std::string(" JOINT ") + c +
-            "\n {\n OFFSET 0 1 0\n CHANNELS 1 Xrotation\n End Site\n {\n OFFSET 0 1 0\n }\n }\n";
+    text += " JOINT ";
+    text += c;
+    text += "\n {\n OFFSET 0 1 0\n CHANNELS 1 Xrotation\n End Site\n {\n OFFSET 0 1 0\n }\n }\n";
     row += " 5";
   }
   text += "}\nMOTION\nFrames: 2\nFrame Time: 0.1\n" + row + "\n" + row + "\n";
