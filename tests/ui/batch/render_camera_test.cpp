@@ -226,6 +226,7 @@ TEST_CASE("A video removes what a killed one left in its folder, and nothing tha
     // One that another program opens there leaves this one alone.
     const fs::path own = folder / fmt::format(".stretch-engine-video-{}.tmp", getpid());
     const Descriptor seen(open(own.c_str(), O_RDONLY));
+    REQUIRE(seen.number() >= 0);
     CHECK(flock(seen.number(), LOCK_EX | LOCK_NB) != 0);
     REQUIRE(video->add(ui::filled(16, 16, glm::vec3(0.5F))));
     REQUIRE(video->finish());
