@@ -164,7 +164,7 @@ void partCollada(Renamer& renamer) {
   std::ranges::for_each(ids, [&](const std::string& id) { renamer.take(id); });
   std::ranges::for_each(named, [&](const auto& one) { renamer.take(renamer.at(one.first)); });
   for (const auto& [name, id] : named) {
-    if (const std::string text = renamer.at(name); !id.empty() && text != id && ids.contains(text)) {
+    if (const std::string called = renamer.at(name); !id.empty() && called != id && ids.contains(called)) {
       renamer.rename(name);
     }
   }
