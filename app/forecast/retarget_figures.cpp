@@ -294,6 +294,7 @@ std::vector<std::string> worseLines(const RetargetReport& report) {
   }
   std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, std::string>::first);
   std::vector<std::string> lines;
+  lines.reserve(found.size());
   for (auto& [excess, line] : found) {
     lines.push_back(std::move(line));
   }

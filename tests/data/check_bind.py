@@ -22,6 +22,7 @@ import time
 
 from bind_files import character_file, cut, refined, without_weights
 from check_exaggeration import READERS, Reader, run
+from rest_height import rest_height
 
 # Files and the most that the mean and the 99th percentile may be, in percent of the height.
 GOALS = {"human-addon-animations": (0.4, 1.6), "mannequiny-0.3.0": (0.5, 2.0), "CesiumMan": (0.6, 2.0), "dummy": (0.5, 1.8),
@@ -56,7 +57,7 @@ class Check:
     def one(self, name, source, label, room=1.0):
         bare, bound = self.folder / "bare.glb", self.folder / "bound.glb"
         without_weights(source, bare)
-        height = json.loads(run(self.program, "info", source, "--json"))["height"]
+        height = rest_height(self.program, source)
         report = json.loads(run(self.program, "bind", bare, "-o", bound, "--keep-joints", "--json"))
         seen = difference(bound, source, height)
         rms, p99 = (room * goal for goal in GOALS[name])
@@ -92,8 +93,7 @@ def main():
             source = character_file(check.data, character)
             check.one(character, source, character)
             if character in CUT:
-                height = json.loads(run(check.program, "info", source, "--json"))["height"]
-                check.one(character, cut(source, check.folder / "cut.glb", height), f"{character}, holes and slices", CUT_ROOM)
+                check.one(character, cut(source, check.folder / "cut.glb", rest_height(check.program, source)), f"{character}, holes and slices", CUT_ROOM)
         if not wanted:
             check.sizes()
     print("all goals met" if check.failed == 0 else f"{check.failed} failed")

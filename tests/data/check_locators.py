@@ -22,6 +22,7 @@ import tempfile
 import time
 
 from check_corpus import read_gltf, run
+from rest_height import rest_height
 from unskinned import placed_skins, rest_worlds, unskinned
 
 EACH, MEAN = 5.0, 2.5  # percent of the height
@@ -37,9 +38,9 @@ OTHER_BODIES = ["bodies/bird-animations.glb", "bodies/model-spider.glb", "bodies
 LOOSER = {"rpg-lowpoly-skeleton": (6.0, MEAN), "character": (5.5, MEAN), "robot": (6.0, MEAN)}
 
 
-def artists_joints(program, file, places):
+def artists_joints(program, skeleton, places):
     """Places by the names of locators, of the limbs that the program finds in the character as it came."""
-    status, output, told = run(program, "info", file, "--json", "--tolerant")
+    status, output, told = run(program, "info", skeleton, "--json", "--tolerant")
     if status != 0:
         raise RuntimeError(told)
     info = json.loads(output)
@@ -55,7 +56,7 @@ def artists_joints(program, file, places):
     controllers = {c["controller"]: c for c in info["controllers"] if "controller" in c}
     if "joint" in controllers.get("hips", {}):
         joints["hips"] = places.get(controllers["hips"]["joint"]["node"])
-    return {name: place for name, place in joints.items() if place is not None and any(place)}, info["height"]
+    return {name: place for name, place in joints.items() if place is not None and any(place)}, rest_height(program, skeleton)
 
 
 def mesh_and_joints(program, data, name, folder):

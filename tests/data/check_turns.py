@@ -25,7 +25,7 @@ from posed_character import bipeds
 OFFSET = 0.08  # of the height
 ALLOWED_FACTOR, ALLOWED_DEGREES = 2.0, 5.0
 # Turns too far that are known: short legs whose length an offset of 8 % of the height halves, knees that the clip bends backwards, thighs that spin.
-KNOWN = {"CesiumMan": 2, "Knight": 1020, "boxman": 34, "mannequiny-0.3.0": 15, "robot": 18, "rpg-lowpoly-skeleton": 2}
+KNOWN = {"CesiumMan": 2, "Knight": 1237, "boxman": 16, "mannequiny-0.3.0": 15, "robot": 18}
 SIZES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 FORMATS = {5120: ("b", 127.0), 5121: ("B", 255.0), 5122: ("h", 32767.0), 5123: ("H", 65535.0), 5126: ("f", None)}
 

@@ -19,7 +19,6 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr int punchClip = 0;
 constexpr int guardClip = 1; // a loop
 
 NodeIndex nodeNamed(const Document& document, const char* name) {

@@ -114,7 +114,7 @@ TEST_CASE("Two joints of one name in an FBX move each by its own curves, and kee
 TEST_CASE("Names of a binary FBX are parted in place, the first keeps its own") {
   const std::string file = "Kaydara FBX Binary  " + binaryModel("Arm") + binaryModel("Leg") +
                            binaryModel("Arm") + binaryModel("Arm") + binaryModel("A") + binaryModel("A") +
-                           "Arm\0\1Geometry";
+                           "Arm" + '\0' + '\1' + "Geometry";
   const interchange::NamesApart names = apart(file, Format::fbx);
   REQUIRE(names.bytes.size() == file.size());
   CHECK(textOf(names).starts_with("Kaydara FBX Binary  " + binaryModel("Arm") + binaryModel("Leg")));

@@ -5,6 +5,7 @@
 #include "rig/body/reading/planned_body.h"
 #include "rig/plan/body_plan.h"
 #include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/naming_schemes.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -17,7 +18,7 @@ const Vec3 alongZ(0, 0, 1);
 
 Clip turning(NodeIndex node, const Quat& first, const Quat& later) {
   Clip clip;
-  clip.tracks.push_back(rotationTrack(node, Interpolation::linear, {{1.0, first}, {2.0, later}}));
+  clip.tracks.emplace_back(rotationTrack(node, Interpolation::linear, {{1.0, first}, {2.0, later}}));
   setEndsFromKeys(clip);
   return clip;
 }
@@ -61,8 +62,8 @@ TEST_CASE("A clip that scales what carries the skeleton scales height and size o
   const BuiltBiped built = build(makeNamedBody("Mixamo"));
   const Body atRest = detectBody(built.scene);
   Clip grown;
-  grown.tracks.push_back(vectorTrack(NodeIndex(0), Channel::scale, Interpolation::linear,
-                                     {{0.0, Vec3(100.0)}, {1.0, Vec3(100.0)}}));
+  grown.tracks.emplace_back(vectorTrack(NodeIndex(0), Channel::scale, Interpolation::linear,
+                                        {{0.0, Vec3(100.0)}, {1.0, Vec3(100.0)}}));
   setEndsFromKeys(grown);
   const Body found = detectBody(built.scene, &grown);
   CHECK(found.height == Approx(100.0 * atRest.height));

@@ -64,7 +64,7 @@ TEST_CASE(
   const test::TemporaryFolder folder;
   const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
   const auto punch = [&](const std::string& form) {
-    const std::string file = (folder / (form + ".glb")).string();
+    std::string file = (folder / (form + ".glb")).string();
     REQUIRE(test::runVerb({"exaggerate", dummy, "-o", file, "--limb", "left-arm", "--range", "21:27",
                            "--scale", "3", "--form", form})
                 .exitCode == 0);

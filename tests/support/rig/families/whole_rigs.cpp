@@ -8,7 +8,6 @@ namespace {
 
 using How = HelperJoint::How;
 
-constexpr How beside = How::beside;
 constexpr How inRow = How::inRow;
 constexpr How handle = How::handle;
 
