@@ -115,6 +115,16 @@ const LimbPlaces& ClipGround::placesAt(double frame) const {
   return places[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))];
 }
 
+const std::vector<Vec3>& ClipGround::pointsOf(const std::string& limb, double frame) const {
+  const auto place = std::ranges::find(limbs, limb, &rig::Limb::id) - limbs.begin();
+  return placesAt(frame)[static_cast<std::size_t>(place)];
+}
+
+Vec3 ClipGround::reachOf(const std::string& limb, double frame) const {
+  const std::vector<Vec3>& points = pointsOf(limb, frame);
+  return points.back() - points.front();
+}
+
 const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg) const {
   static const std::vector<Vec2> none;
   const auto found = stands.find(leg);

@@ -34,6 +34,10 @@ struct ClipGround {
   std::optional<double> floor = {}; ///< Floor on which feet stand.
 
   [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
+  /// Points of the limb of this id, which is there.
+  [[nodiscard]] const std::vector<Vec3>& pointsOf(const std::string& limb, double frame) const;
+  /// From the limb's place that stays to the one that leads.
+  [[nodiscard]] Vec3 reachOf(const std::string& limb, double frame) const;
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg) const;
 };
 

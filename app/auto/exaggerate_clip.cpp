@@ -9,6 +9,7 @@
 
 #include "app/auto/loop_seam.h"
 #include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
@@ -81,7 +82,7 @@ std::string problemOfWeight(const ClipGround& ground, const Document& plain, con
   const LoopSeam now = seamOf(ground, weighted, after);
   for (std::size_t i = 0; ground.endsMeet && i < ground.limbs.size(); ++i) {
     if (closesWorse(ground, now, source, i)) {
-      return "the loop would not close";
+      return textOf(FaultKind::seam);
     }
   }
   return {};

@@ -36,8 +36,9 @@ bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& 
   constexpr double seamSpeed = 0.08;   // of a person, m/s
   constexpr double sharper = 1.5;      // as its own stretch changes, too
   const double metre = ground.document.body.size / characterSizeMetres;
-  const double ratio = straightLength(now.last[limb]) / straightLength(source.last[limb]);
-  const double longer = 1.0 + sharper * std::max(0.0, ratio - 1.0);
+  const double before = straightLength(source.last[limb]);
+  const double excess = before > 0.0 ? straightLength(now.last[limb]) / before - 1.0 : 0.0;
+  const double longer = 1.0 + sharper * std::max(0.0, excess);
   for (std::size_t k = 0; k < now.first[limb].size(); ++k) {
     const bool isEnd = k == 0 || k + 1 == now.first[limb].size();
     const auto gap = [&](const LoopSeam& seam) {

@@ -6,6 +6,7 @@
 
 #include "app/auto/held_together.h"
 #include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/starting_settings.h"
 #include "app/standing_floor.h"
@@ -72,7 +73,7 @@ private:
     }
     const std::optional<Vec2> range = rangeOf(moment, *limb);
     if (!range) {
-      return "the foot carries the body there";
+      return textOf(FaultKind::stand);
     }
     if (carriesStandingLeg(*limb, *range)) {
       return "it carries a leg that stands";
@@ -167,11 +168,8 @@ private:
   [[nodiscard]] PlannedTrail followerOf(const PlannedTrail& lead, const rig::Limb& limb,
                                         const rig::Limb& spine, const Vec2& range) const {
     constexpr int spheres = 4;
-    const auto reachAt = [&](double frame) {
-      const std::vector<Vec3>& points = ground_.placesAt(frame)[static_cast<std::size_t>(placeOf(limb))];
-      return points.back() - points.front();
-    };
-    const Vec3 way = reachAt(lead.trail.settings.endFrame) - reachAt(lead.trail.settings.startFrame);
+    const Vec3 way = ground_.reachOf(limb.id, lead.trail.settings.endFrame) -
+                     ground_.reachOf(limb.id, lead.trail.settings.startFrame);
     const double strength = settings_.strength * settings_.style.spread.trunk;
     const double pull = (rig::styledScale(settings_.style, spine.kind, strength) - 1.0) * spine.restLength;
     PlannedTrail follower = lead;
@@ -189,10 +187,6 @@ private:
       follower.trail.controlFrames.push_back(settings.spheres.back().frame);
     }
     return follower;
-  }
-
-  [[nodiscard]] std::ptrdiff_t placeOf(const rig::Limb& limb) const {
-    return std::ranges::find(ground_.limbs, limb.id, &rig::Limb::id) - ground_.limbs.begin();
   }
 
   void stopAtGround(const rig::Limb& limb, rig::TrailSettings& settings) const {

@@ -29,7 +29,7 @@ constexpr double calmRelease = 3.0; // frames, at least
 
 // What an animator would stumble over, in a few words; empty where there is nothing.
 std::string problemOf(const Findings& findings) {
-  return findings.lengths.any()                            ? "it would leave the style's lengths"
+  return findings.lengths.any()                            ? textOf(FaultKind::lengths)
          : findings.turns.any()                            ? "it would point away from where it goes"
          : findings.vertices.any() || findings.edges.any() ? "the mesh would tear"
          : findings.swings.any() || findings.jumps.any()   ? "it would be carried away where it stops"
@@ -126,7 +126,7 @@ private:
       return "its path is too short for it";
     }
     if (!mayBeStopped && isStoppedAtTip(ground_.document, alone, trail)) {
-      return "it would go through the floor";
+      return textOf(FaultKind::floor);
     }
     if (wayBackProblem(ground_.document, alone, trail)) {
       return "there is no room for the way back";
@@ -209,42 +209,33 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
 // Less of the trail; left out where nothing is to be seen of it any more.
 void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   constexpr double step = 0.7;
-  const std::size_t place = fault.trail;
-  const std::string& why = fault.why;
-  PlannedTrail& planned = plan.trails[place];
+  const std::string why = textOf(fault.kind);
+  PlannedTrail& planned = plan.trails[fault.trail];
   rig::TrailSettings& settings = planned.trail.settings;
-  if (fault.at == FaultPlace::floor && settings.axes == allAxes) {
+  if (fault.kind == FaultKind::floor && settings.axes == allAxes) {
     settings.axes = levelAxes;
     return;
   }
-  if (fault.at == FaultPlace::seam && calmAtSeam(ground, settings)) {
+  if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
     return;
   }
-  planned.trail.settings = withShare(planned.trail.settings, step);
+  settings = withShare(settings, step);
   planned.why = planned.why.empty() ? why : planned.why;
   if (excessOf(ground, planned) < leastExcess) {
-    leaveOut(plan, place, why);
+    leaveOut(plan, fault.trail, why);
   }
 }
 
 // Way that the limb's end goes in a moment, seen from its base.
 Vec3 wayOf(const ClipGround& ground, const rig::Moment& moment) {
-  const auto limb = std::ranges::find(ground.limbs, moment.limb, &rig::Limb::id) - ground.limbs.begin();
-  const auto reachAt = [&](double frame) {
-    const std::vector<Vec3>& points = ground.placesAt(frame)[static_cast<std::size_t>(limb)];
-    return points.back() - points.front();
-  };
-  return reachAt(moment.tipFrame) - reachAt(moment.startFrame);
+  return ground.reachOf(moment.limb, moment.tipFrame) - ground.reachOf(moment.limb, moment.startFrame);
 }
 
 // Whether a limb does what that on the other side does, as a mirror shows it.
 bool isMirrored(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
   constexpr double alike = 0.5; // cosine
-  const auto baseOf = [&](const std::string& limb) {
-    const auto place = std::ranges::find(ground.limbs, limb, &rig::Limb::id) - ground.limbs.begin();
-    return ground.placesAt(one.startFrame)[static_cast<std::size_t>(place)].front();
-  };
-  const Vec3 apart = baseOf(one.limb) - baseOf(other.limb);
+  const Vec3 apart =
+      ground.pointsOf(one.limb, one.startFrame).front() - ground.pointsOf(other.limb, one.startFrame).front();
   const Vec3 way = wayOf(ground, one);
   const Vec3 across = wayOf(ground, other);
   const double square = glm::dot(apart, apart);
@@ -327,7 +318,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
       }
       const auto fault = std::ranges::find(faults, place, &Fault::trail);
       if (round + 1 >= mostRounds) {
-        leaveOut(plan, place, fault->why);
+        leaveOut(plan, place, textOf(fault->kind));
       } else {
         lower(ground, plan, *fault);
       }

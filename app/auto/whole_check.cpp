@@ -1,9 +1,13 @@
 #include "app/auto/whole_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -22,9 +26,6 @@ constexpr double margin = 0.004;          // of the height: less is not seen
 constexpr double floorMargin = 0.001;     // of the height
 constexpr double shorter = 1.5;           // a limb that turns on its way may come nearer than it is squashed
 constexpr double againstEachOther = -0.3; // cosine between the ways of two limbs of one chain
-
-constexpr const char* throughFloor = "it would go through the floor";
-constexpr const char* wouldNotClose = "the loop would not close";
 
 // The clip with a plan's trails, or with all but one of them.
 struct Attempt {
@@ -48,11 +49,8 @@ public:
       lookAtSeam();
     }
     std::vector<Fault> faults;
-    for (const auto& [trail, why] : faults_) {
-      faults.push_back({trail, why,
-                        why == wouldNotClose  ? FaultPlace::seam
-                        : why == throughFloor ? FaultPlace::floor
-                                              : FaultPlace::anywhere});
+    for (const auto& [trail, kind] : faults_) {
+      faults.push_back({trail, kind});
     }
     return faults;
   }
@@ -116,10 +114,10 @@ private:
 
   // Of several trails it is the weakest without which nothing is wrong; all of them where none does it alone.
   template <typename IsWrong>
-  void blame(const std::vector<double>& frames, const rig::Limb& limb, const char* why,
+  void blame(const std::vector<double>& frames, const rig::Limb& limb, FaultKind kind,
              const IsWrong& isWrong) {
     const std::vector<std::size_t> asked = suspects(frames, limb);
-    if (!judged_.emplace(limb.id + why, asked).second) {
+    if (!judged_.emplace(limb.id, kind, asked).second) {
       return; // what is wrong on the frames beside has been looked into
     }
     const auto guilty =
@@ -128,7 +126,7 @@ private:
             : std::ranges::find_if(asked, [&](std::size_t place) { return !isWrong(withoutTrail(place)); });
     for (auto place = asked.begin(); place != asked.end(); ++place) {
       if (guilty == asked.end() || place == guilty) {
-        faults_.emplace(*place, why);
+        faults_.emplace(*place, kind);
       }
     }
   }
@@ -144,10 +142,10 @@ private:
     const LimbPlaces now = placesOf(ground_.limbs, frameState);
     lookAtMesh(frame, frameState, now);
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
-      if (const char* const why = problemOf(frame, i, now)) {
-        blame({frame}, ground_.limbs[i], why, [&](const Attempt& attempt) {
+      if (const std::optional<FaultKind> problem = problemOf(frame, i, now)) {
+        blame({frame}, ground_.limbs[i], *problem, [&](const Attempt& attempt) {
           const FrameState other = shown(attempt, frame / ground_.framesPerSecond);
-          return problemOf(frame, i, placesOf(ground_.limbs, other)) != nullptr;
+          return problemOf(frame, i, placesOf(ground_.limbs, other)).has_value();
         });
       }
     }
@@ -176,15 +174,16 @@ private:
       }
     }
     if (nearest != nullptr) {
-      blame({frame}, *nearest, throughFloor, [&](const Attempt& attempt) {
+      blame({frame}, *nearest, FaultKind::floor, [&](const Attempt& attempt) {
         return isBelowFloor(
             lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
       });
     }
   }
 
-  // Null where the limb looks right.
-  [[nodiscard]] const char* problemOf(double frame, std::size_t place, const LimbPlaces& places) const {
+  // Nothing where the limb looks right.
+  [[nodiscard]] std::optional<FaultKind> problemOf(double frame, std::size_t place,
+                                                   const LimbPlaces& places) const {
     const rig::Limb& limb = ground_.limbs[place];
     const std::vector<Vec3>& source = ground_.placesAt(frame)[place];
     const std::vector<Vec3>& now = places[place];
@@ -195,17 +194,17 @@ private:
     const double unseen = margin * height;
     if (after > range.most * std::max(before, limb.restLength) + unseen ||
         after < std::min(1.0, range.least) * before / shorter - unseen) {
-      return "it would leave the style's lengths";
+      return FaultKind::lengths;
     }
     for (std::size_t k = 0; k < now.size(); ++k) {
       if (now[k].y < std::min(source[k].y, ground_.lowest) - unseen) {
-        return throughFloor;
+        return FaultKind::floor;
       }
     }
     const bool stands = std::ranges::any_of(
         ground_.standsOf(limb.id), [&](const Vec2& stand) { return stand.x <= frame && frame <= stand.y; });
-    return stands && glm::length(now.back() - source.back()) > unseen ? "the foot carries the body there"
-                                                                      : nullptr;
+    return stands && glm::length(now.back() - source.back()) > unseen ? std::optional(FaultKind::stand)
+                                                                      : std::nullopt;
   }
 
   // The way of the limb's tip, from where the source has it.
@@ -234,7 +233,7 @@ private:
         const Vec3 second = wayOf(outer);
         const double lengths = glm::length(first) * glm::length(second);
         if (lengths > 0.0 && glm::dot(first, second) < againstEachOther * lengths) {
-          faults_.emplace(std::max(inner, outer), "it would pull against a stronger limb of its chain");
+          faults_.emplace(std::max(inner, outer), FaultKind::chain);
         }
       }
     }
@@ -249,7 +248,7 @@ private:
     const std::vector<double> frames{0.0, 1.0, ground_.lastFrame - 1.0, ground_.lastFrame};
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
       if (closesWorse(ground_, now, source, i)) {
-        blame(frames, ground_.limbs[i], wouldNotClose,
+        blame(frames, ground_.limbs[i], FaultKind::seam,
               [&](const Attempt& attempt) { return closesWorse(ground_, seamWith(attempt), source, i); });
       }
     }
@@ -260,11 +259,19 @@ private:
   const AutoPlan& plan_;
   Attempt whole_;
   std::map<std::size_t, Attempt> without_;
-  std::set<std::pair<std::string, std::vector<std::size_t>>> judged_;
-  std::map<std::size_t, std::string> faults_;
+  std::set<std::tuple<std::string, FaultKind, std::vector<std::size_t>>> judged_;
+  std::map<std::size_t, FaultKind> faults_;
 };
 
 } // namespace
+
+const char* textOf(FaultKind kind) {
+  constexpr std::array<const char*, 5> texts{
+      "it would leave the style's lengths", "it would go through the floor",
+      "the foot carries the body there", "it would pull against a stronger limb of its chain",
+      "the loop would not close"};
+  return texts[static_cast<std::size_t>(kind)];
+}
 
 std::vector<Fault> faultsOf(const ClipGround& ground, const AutoSettings& settings, const AutoPlan& plan) {
   return WholeCheck(ground, settings, plan).faults();

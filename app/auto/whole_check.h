@@ -7,13 +7,21 @@
 
 namespace stretch::app {
 
-enum class FaultPlace { anywhere, seam, floor };
+enum class FaultKind {
+  lengths, ///< A limb longer or shorter than the style lets it be.
+  floor,   ///< Something goes through the floor.
+  stand,   ///< A foot that stands is moved.
+  chain,   ///< Limbs of one chain pull opposite ways.
+  seam     ///< From the clip's last pose to its first.
+};
+
+/// Words that an animator is told it in.
+[[nodiscard]] const char* textOf(FaultKind kind);
 
 /// Something wrong with all trails of a plan together, and one that has a part in it.
 struct Fault {
   std::size_t trail = 0; ///< Place in AutoPlan::trails.
-  std::string why;
-  FaultPlace at = FaultPlace::anywhere; ///< Seam: from the clip's last pose to its first.
+  FaultKind kind = FaultKind::lengths;
 };
 
 /// Looks at every frame on which a trail acts: limbs through the floor where the source has them above it,

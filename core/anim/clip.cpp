@@ -1,4 +1,5 @@
 #include "core/anim/clip.h"
+#include "core/math/median.h"
 
 #include <algorithm>
 #include <array>
@@ -53,9 +54,7 @@ double rateOf(const std::vector<float>& times) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     spacings.push_back(static_cast<double>(times[i]) - static_cast<double>(times[i - 1]));
   }
-  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2),
-                   spacings.end());
-  const double rate = 1.0 / spacings[spacings.size() / 2];
+  const double rate = 1.0 / medianOf(std::move(spacings), 1.0);
   return rate > 1.0 && rate <= 240.0 && shareOnFrames(times, rate) >= mostKeys ? rate : 0.0;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/anim/frames.h"
+#include "core/math/median.h"
 #include "rig/motion/solve_steps.h"
 #include "rig/trail/limb_path.h"
 
@@ -73,15 +75,6 @@ Vec3 forwardOf(const std::vector<Limb>& limbs, const FrameState& frame) {
   return length > 0.0 ? forward / length : Vec3(0.0);
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Whether limbs leap from a pose that stands alone at an end of the clip, as the T-pose in front of a
 // capture: far in one frame, and hardly in the next one. `at` counts whole frames from that end.
 template <typename At>
@@ -140,7 +133,7 @@ void setReaches(BodyMotion& motion) {
     }
     reaches.push_back(limb.reach);
   }
-  motion.reach = medianOf(std::move(reaches));
+  motion.reach = medianOf(std::move(reaches), 0.0);
 }
 
 } // namespace

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/math/median.h"
 
 namespace stretch::skinning {
 
@@ -89,12 +92,7 @@ std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneLine>
   }
   std::vector<double> radii(jointCount, body.grid.size);
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
-    std::vector<double>& known = depths[joint];
-    if (!known.empty()) {
-      const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
-      std::nth_element(known.begin(), middle, known.end());
-      radii[joint] = *middle;
-    }
+    radii[joint] = medianOf(std::move(depths[joint]), radii[joint]);
   }
   return radii;
 }

@@ -95,8 +95,9 @@ struct Filling {
 
 Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
                 const VoxelGrid& grid) {
-  Filling made{{.grid = grid}, 0};
+  Filling made;
   VoxelBody& body = made.body;
+  body.grid = grid;
   Cubes surface(grid.cubeCount(), 0);
   for (const Triangle& triangle : triangles) {
     markTriangle(grid,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -12,6 +13,7 @@
 #include "core/anim/sampling.h"
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
+#include "core/math/median.h"
 
 namespace stretch::rig {
 
@@ -202,12 +204,7 @@ double unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) 
       ratios.push_back(atRest / bound);
     }
   }
-  if (ratios.empty()) {
-    return 1.0;
-  }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return *middle;
+  return medianOf(std::move(ratios), 1.0);
 }
 
 // The placement scaled about a point, where it is in other units than the scene; bones that a pose stretches

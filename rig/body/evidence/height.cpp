@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
+#include "core/math/median.h"
 #include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig::body {
@@ -133,16 +135,13 @@ double scaleBeside(const Scene& scene, const std::vector<Mat4>& bind, const std:
     const bool isBone =
         parent.exists() && (joints.empty() || (joints.contains(NodeIndex(node)) && joints.contains(parent)));
     const double before = isBone ? glm::distance(positionOf(bind[node]), positionOf(bind[at(parent)])) : 0.0;
-    if (before > least) {
-      ratios.push_back(glm::distance(positionOf(shown[node]), positionOf(shown[at(parent)])) / before);
+    const double now = isBone ? glm::distance(positionOf(shown[node]), positionOf(shown[at(parent)])) : 0.0;
+    if (before > least && std::isfinite(now / before)) {
+      ratios.push_back(now / before);
     }
   }
-  if (ratios.empty()) {
-    return 1.0;
-  }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return std::isfinite(*middle) && *middle > 0.0 ? *middle : 1.0;
+  const double ratio = medianOf(std::move(ratios), 1.0);
+  return ratio > 0.0 ? ratio : 1.0;
 }
 
 } // namespace
