@@ -36,28 +36,60 @@ Vec3 middleOf(const LimbPlaces& places) {
   return sum / static_cast<double>(places.size());
 }
 
-// Whether the limbs are at the clip's end where they are at its beginning, wherever the body got to and
-// whatever else moves.
+// Points of all limbs at a time, seen from the middle of their bases.
+std::vector<Vec3> poseAt(const ClipGround& ground, double seconds) {
+  const LimbPlaces places = placesOf(ground.limbs, evaluateOriginal(ground.document, ground.clip, seconds));
+  const Vec3 middle = middleOf(places);
+  std::vector<Vec3> points;
+  for (const std::vector<Vec3>& limb : places) {
+    std::ranges::transform(limb, std::back_inserter(points),
+                           [&](const Vec3& point) { return point - middle; });
+  }
+  return points;
+}
+
+// Whether the limbs are at the clip's end where they are at its beginning, or a frame before that, as in
+// clips that leave out the last frame because it is the first; wherever the body got to and whatever else
+// moves.
 bool limbsMeet(const ClipGround& ground) {
-  constexpr double sameShare = 0.02; // of the height
+  const double same = 0.02 * ground.document.body.height;
+  constexpr double uneven = 0.5; // of a frame's step, which is seldom like the next
   const Clip& clip = clipOf(ground.document, ground.clip);
-  if (ground.limbs.empty() || !(clip.endSeconds > clip.startSeconds)) {
+  const double frame = 1.0 / clip.framesPerSecond;
+  if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 2.0 * frame) {
     return false;
   }
-  const auto placesAt = [&](double seconds) {
-    return placesOf(ground.limbs, evaluateOriginal(ground.document, ground.clip, seconds));
-  };
-  const LimbPlaces first = placesAt(clip.startSeconds);
-  const LimbPlaces last = placesAt(clip.endSeconds);
-  const Vec3 travel = middleOf(last) - middleOf(first);
+  const std::vector<Vec3> first = poseAt(ground, clip.startSeconds);
+  const std::vector<Vec3> second = poseAt(ground, clip.startSeconds + frame);
+  const std::vector<Vec3> beforeLast = poseAt(ground, clip.endSeconds - frame);
+  const std::vector<Vec3> last = poseAt(ground, clip.endSeconds);
+  bool meet = true;
+  bool isFrameShort = true;
   for (std::size_t i = 0; i < first.size(); ++i) {
-    for (std::size_t k = 0; k < first[i].size(); ++k) {
-      if (glm::length(last[i][k] - first[i][k] - travel) > sameShare * ground.document.body.height) {
-        return false;
-      }
-    }
+    const Vec3 gap = first[i] - last[i];
+    const Vec3 step = 0.5 * (second[i] - first[i] + last[i] - beforeLast[i]);
+    meet = meet && glm::length(gap) <= same;
+    isFrameShort = isFrameShort && glm::length(gap - step) <= std::max(same, uneven * glm::length(step));
   }
-  return true;
+  return meet || isFrameShort;
+}
+
+// From where the foot comes down to where it leaves the ground: it is at its place before it rests and after.
+Vec2 withContact(const ClipGround& ground, std::size_t leg, Vec2 stand) {
+  const double near = 0.02 * ground.document.body.height;
+  const double most = std::round(0.1 * ground.framesPerSecond);
+  const auto isNear = [&](double frame, double standing) {
+    return frame >= 0.0 && frame <= ground.lastFrame &&
+           glm::length(ground.placesAt(frame)[leg].back() - ground.placesAt(standing)[leg].back()) < near;
+  };
+  const Vec2 rest = stand;
+  while (rest.x - stand.x < most && isNear(stand.x - 1.0, rest.x)) {
+    stand.x -= 1.0;
+  }
+  while (stand.y - rest.y < most && isNear(stand.y + 1.0, rest.y)) {
+    stand.y += 1.0;
+  }
+  return stand;
 }
 
 // Feet that rest low, if only for three frames or on something: what is planted is longer and flatter.
@@ -71,8 +103,8 @@ void addRests(ClipGround& ground) {
                            [&](const LimbPlaces& places) { return places[i].back(); });
     for (const rig::Stand& stand :
          rig::standingIn(foot, ground.framesPerSecond, ground.document.body.height)) {
-      ground.stands[ground.limbs[i].id].emplace_back(static_cast<double>(stand.first),
-                                                     static_cast<double>(stand.last));
+      ground.stands[ground.limbs[i].id].push_back(
+          withContact(ground, i, {static_cast<double>(stand.first), static_cast<double>(stand.last)}));
     }
   }
   for (auto& [leg, stands] : ground.stands) {

@@ -17,21 +17,15 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
-constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
-                                     // says
-constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest
+constexpr double weakShare = 0.15;    // of the clip's strongest: what is weaker is no action beside it
+constexpr double fullStrength = 6.0;  // reaches per second: from here on a moment gets all that the style
+                                      // says
+constexpr double leastShare = 0.2;    // of the style's exaggeration, for the weakest
+constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
+                                      // beside its strike
 constexpr double shortestRelease = 2.0;
 constexpr double asStrong = 0.8;  // of a stronger one: both lead
 constexpr double sharedWay = 0.5; // of the next range: until then it has hardly begun
-
-double clipStrength(const std::vector<rig::Moment>& moments) {
-  double strongest = 0.0;
-  for (const rig::Moment& moment : moments) {
-    strongest = moment.limb == rig::wholeBody ? strongest : std::max(strongest, moment.strength);
-  }
-  return strongest;
-}
 
 bool overlap(const rig::Moment& a, const rig::Moment& b) {
   return std::max(a.startFrame, b.startFrame) < std::min(a.endFrame, b.endFrame);
@@ -40,7 +34,12 @@ bool overlap(const rig::Moment& a, const rig::Moment& b) {
 class Planner {
 public:
   Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings)
-      : ground_(ground), moments_(moments), settings_(settings), strongest_(clipStrength(moments)) {}
+      : ground_(ground), moments_(moments), settings_(settings) {
+    for (const rig::Moment& moment : moments) {
+      const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
+      strongest_ = counts ? std::max(strongest_, moment.strength) : strongest_;
+    }
+  }
 
   [[nodiscard]] AutoPlan plan() {
     plan_.leftOut.resize(moments_.size());
@@ -57,6 +56,24 @@ private:
   // Empty where a trail was made.
   [[nodiscard]] std::string tried(std::size_t place) {
     const rig::Moment& moment = moments_[place];
+    if (const std::string why = refusalOf(moment); !why.empty()) {
+      return why;
+    }
+    if (moment.strength < weakShare * strongest_) {
+      return "it is weak beside the clip's strongest";
+    }
+    const rig::Limb& limb = *findLimb(ground_.document, moment.limb);
+    addTrail(place, limb, *rangeOf(moment, limb));
+    return {};
+  }
+
+  [[nodiscard]] bool hasOwnTrail(const rig::Moment& moment) const {
+    return overlappingTrail(ground_.document, moment.limb, ground_.clip, moment.startFrame,
+                            moment.endFrame) != nullptr;
+  }
+
+  // Why a moment can have no trail, however strong it is; empty where it can.
+  [[nodiscard]] std::string refusalOf(const rig::Moment& moment) const {
     if (moment.kind == rig::MomentKind::landing || moment.limb == rig::wholeBody) {
       return "a landing is of the whole body, whose feet stay where they are";
     }
@@ -64,22 +81,14 @@ private:
     if (limb == nullptr) {
       return "the character has no such limb";
     }
-    if (overlappingTrail(ground_.document, moment.limb, ground_.clip, moment.startFrame, moment.endFrame) !=
-        nullptr) {
+    if (hasOwnTrail(moment)) {
       return "a trail is there already";
-    }
-    if (moment.strength < weakShare * strongest_) {
-      return "it is weak beside the clip's strongest";
     }
     const std::optional<Vec2> range = rangeOf(moment, *limb);
     if (!range) {
       return textOf(FaultKind::stand);
     }
-    if (carriesStandingLeg(*limb, *range)) {
-      return "it carries a leg that stands";
-    }
-    addTrail(place, *limb, *range);
-    return {};
+    return carriesStandingLeg(*limb, *range) ? "it carries a leg that stands" : "";
   }
 
   // A leg that stands has no stroke; one that is put down comes back to its place before.
@@ -104,9 +113,11 @@ private:
     });
   }
 
-  // Share of the style's exaggeration: of the moment's own strength, and less beside a stronger limb.
+  // Share of the style's exaggeration: of the moment's own strength, less beside the clip's strongest, and
+  // beside a stronger limb at the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double own = std::clamp(moment.strength / fullStrength, leastShare, 1.0);
+    const double own = std::clamp(moment.strength / fullStrength, leastShare, 1.0) *
+                       std::min(1.0, moment.strength / (nearStrongest * strongest_));
     const bool follows = moment.kind == rig::MomentKind::stroke &&
                          std::ranges::any_of(moments_, [&](const rig::Moment& other) {
                            return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
@@ -126,7 +137,7 @@ private:
     rig::TrailSettings& settings = planned.trail.settings;
     settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range),
                                    settings_.style, limb.kind, settings_.strength * shareOf(moment));
-    planned.styleScale = settings.scale;
+    limitTurn(settings);
     stopAtGround(limb, settings);
     plan_.trails.push_back(std::move(planned));
   }
@@ -253,6 +264,12 @@ AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& mo
 Vec2 windowOf(const rig::TrailSettings& settings) {
   const double range = settings.endFrame - settings.startFrame;
   return {settings.startFrame, settings.endFrame + settings.releaseFrames.value_or(range)};
+}
+
+void limitTurn(rig::TrailSettings& settings) {
+  constexpr double mostTurn = 15.0;
+  constexpr double mostTurnLevel = 25.0;
+  settings.turnLimitDegrees = settings.axes[1] ? mostTurn : mostTurnLevel;
 }
 
 rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {

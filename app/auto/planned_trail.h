@@ -14,7 +14,6 @@ inline constexpr double shortestRange = 2.0; ///< Frames of a trail.
 /// A trail that is thought of for a moment.
 struct PlannedTrail {
   std::size_t moment = 0;  ///< Place in the list of moments.
-  double styleScale = 1.0; ///< Scale that the style asks for.
   rig::Trail trail;
   std::string why = {};           ///< Why it has less than that.
   rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
@@ -44,6 +43,10 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
 
 /// Settings with a share of the exaggeration of `wanted`: of its scale and of what its spheres are pulled.
 [[nodiscard]] rig::TrailSettings withShare(rig::TrailSettings wanted, double share);
+
+/// Sets how far the trail turns its limb: it gets longer, and still goes where it went. Along the ground it
+/// may turn farther, since it gets longer by its turn alone there.
+void limitTurn(rig::TrailSettings& settings);
 
 /// Takes the trail at `place` out of the plan, and what goes along with it.
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why);

@@ -22,7 +22,7 @@ namespace stretch::app {
 namespace {
 
 constexpr std::array<double, 5> shares{1.0, 0.75, 0.5, 0.35, 0.2}; // of the exaggeration that is wanted
-constexpr double leastExcess = 0.03;                               // of a scale: less is not seen
+constexpr double leastExcess = 0.05;                               // of a scale: less is not seen
 constexpr std::array<bool, 3> allAxes{true, true, true};
 constexpr std::array<bool, 3> levelAxes{true, false, true};
 constexpr double calmRelease = 3.0; // frames, at least
@@ -81,6 +81,7 @@ private:
     settings.space = variant.space;
     settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
     settings.axes = variant.axes;
+    limitTurn(settings);
     return settings;
   }
 
@@ -131,11 +132,22 @@ private:
     if (wayBackProblem(ground_.document, alone, trail)) {
       return "there is no room for the way back";
     }
+    if (!planned.follows && isAsLong(alone, trail)) {
+      return "its path does not lead to where it would be longer";
+    }
     if (look_ == nullptr || limb_ != trail.limb.id) {
       look_ = std::make_unique<TrailLook>(ground_.document, ground_.clip, trail, LookAt::limbAndMesh);
       limb_ = trail.limb.id;
     }
     return problemOf(look_->findings(alone));
+  }
+
+  // As at the tip before, by what axes, ground and the turn's limit leave of it.
+  [[nodiscard]] bool isAsLong(const rig::MotionState& alone, const rig::SolvedTrail& trail) const {
+    const double before =
+        rig::limbLength(trail.limb, evaluateOriginal(ground_.document, ground_.clip, trail.tipSeconds));
+    const double after = rig::limbLength(trail.limb, evaluate(ground_.document, alone, trail.tipSeconds));
+    return std::abs(after - before) < leastExcess * before;
   }
 
   [[nodiscard]] bool endsFarther(const rig::SolvedTrail& trail, rig::TrailSettings& settings) const {
@@ -214,6 +226,7 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   rig::TrailSettings& settings = planned.trail.settings;
   if (fault.kind == FaultKind::floor && settings.axes == allAxes) {
     settings.axes = levelAxes;
+    limitTurn(settings);
     return;
   }
   if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
@@ -266,6 +279,7 @@ void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moment
       if (isPartner(one, other)) {
         most = std::max(most, excessOf(ground, other));
         one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
+        limitTurn(one.trail.settings);
       }
     }
     if (most <= 0.0) {

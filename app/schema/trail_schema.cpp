@@ -29,6 +29,14 @@ Schema<TrailSettings> tipSettings() {
                               .help = "The end of the range that stays where it is.",
                               .row = {.section = "tip"}},
                              &TrailSettings::pivot),
+      setting<TrailSettings>({.name = "turn_limit",
+                              .maximum = rig::freeTurnDegrees,
+                              .unit = "degrees",
+                              .help =
+                                  "So far at most the scale turns the limb about its base; beyond that it "
+                                  "grows straight out.",
+                              .row = {.section = "tip", .label = "Turn limit", .step = 1.0}},
+                             &TrailSettings::turnLimitDegrees),
   };
 }
 

@@ -62,6 +62,7 @@ void solveTipOf(SolvedTrail& solved) {
   problem.axes = solved.settings.axes;
   problem.pivot = solved.settings.pivot;
   problem.pull = solved.settings.pull;
+  problem.turnLimitRadians = solved.settings.turnLimitDegrees * pi / 180.0;
   problem.sight = sightOf(solved, tip);
   solved.tip = solveTip(problem);
 }

@@ -51,14 +51,33 @@ Walk walkInwards(const Vec3& tip, const Vec3& base, const Vec3& direction, doubl
   return {tip - direction * closest, -closest, false};
 }
 
+// The walk as far as it may turn the limb: a triangle of which one side and two angles are known. A walk that
+// comes back past the base would turn the limb over, so it may turn it the less, the straighter it comes
+// back.
+Walk withinTurn(const TipProblem& problem, const Vec3& tip, const Walk& walked) {
+  const Vec3 limb = tip - problem.basePosition;
+  const Vec3 way = walked.end - tip;
+  if (!(glm::length(limb) > 0.0) || !(glm::length(way) > 0.0)) {
+    return walked;
+  }
+  const double aside = angleBetween(limb, way);
+  const double most = problem.turnLimitRadians * (aside > 0.5 * pi ? std::sin(aside) : 1.0);
+  if (angleBetween(limb, walked.end - problem.basePosition) <= most) {
+    return walked;
+  }
+  const double share = glm::length(limb) * std::sin(most) / std::sin(aside - most) / glm::length(way);
+  return {tip + share * way, share * walked.signedDistance, false};
+}
+
 Walk walk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, double longestInwards) {
   const double radius = problem.scale * problem.limbLength;
   const double now = glm::length(tip - problem.basePosition);
   if (std::abs(radius - now) <= 1e-12 * std::max(radius, now)) {
     return {tip, 0.0, true};
   }
-  return radius > now ? walkOutwards(tip, problem.basePosition, direction, radius)
-                      : walkInwards(tip, problem.basePosition, direction, radius, longestInwards);
+  const Walk free = radius > now ? walkOutwards(tip, problem.basePosition, direction, radius)
+                                 : walkInwards(tip, problem.basePosition, direction, radius, longestInwards);
+  return problem.turnLimitRadians < pi ? withinTurn(problem, tip, free) : free;
 }
 
 // What the line cannot reach is pulled straight to the wanted length, along the active axes

@@ -30,6 +30,7 @@ struct TipProblem {
   std::array<bool, 3> axes{true, true, true};
   Pivot pivot = Pivot::start;
   bool pull = true;
+  double turnLimitRadians = pi;        ///< TrailSettings::turnLimitDegrees; not asked where a camera counts.
   std::optional<SightWish> sight = {}; ///< Nothing: no camera looks.
 };
 

@@ -62,8 +62,9 @@ struct Sight {
   friend bool operator==(const Sight&, const Sight&) = default;
 };
 
-inline constexpr double smallestScale = 0.05; ///< Smaller wishes are taken as this.
-inline constexpr double largestScale = 5.0;   ///< Largest scale that the interface offers; batch takes more.
+inline constexpr double freeTurnDegrees = 180.0; ///< A turn limit that limits nothing.
+inline constexpr double smallestScale = 0.05;    ///< Smaller wishes are taken as this.
+inline constexpr double largestScale = 5.0; ///< Largest scale that the interface offers; batch takes more.
 
 /// Everything that shapes an exaggerated trail. Frames are the clip's (docs/exaggeration.md, Words).
 struct TrailSettings {
@@ -84,11 +85,13 @@ struct TrailSettings {
   std::optional<double> releaseFrames; ///< Empty: to the next key or a third of the range
                                        ///< (docs/exaggeration.md, Release).
   double lingerFrames = 0.0;           ///< Of the release: the tip keeps its whole offset for so long.
-  double overshoot = 0.0;   ///< 0..1: how far past the original the release swings, part of the tip's offset.
-  bool pull = true;         ///< Straight to the length that the line of the path misses.
-  double blend = 2.0;       ///< 0 original, 1 half-way, 2 exaggerated.
-  bool stayInWorld = false; ///< Does not ride along with an inner trail.
-  bool turnEnd = false;     ///< The hand or foot turns with the limb instead of keeping its orientation.
+  double overshoot = 0.0; ///< 0..1: how far past the original the release swings, part of the tip's offset.
+  bool pull = true;       ///< Straight to the length that the line of the path misses.
+  double turnLimitDegrees = freeTurnDegrees; ///< 0..180: so far at most the walk to the tip turns the limb
+                                             ///< about its base; beyond that it is pulled.
+  double blend = 2.0;                        ///< 0 original, 1 half-way, 2 exaggerated.
+  bool stayInWorld = false;                  ///< Does not ride along with an inner trail.
+  bool turnEnd = false; ///< The hand or foot turns with the limb instead of keeping its orientation.
   std::optional<StopPlane> stopAt;
   Sight sight;
   std::vector<SphereOffset> spheres; ///< Ordered by frame, at most one for each frame.

@@ -6,15 +6,18 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/auto/clip_ground.h"
 #include "app/auto/exaggerate_clip.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
+#include "core/math/rotation.h"
 #include "rig/trail/release.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -76,6 +79,15 @@ Document withTracks(Document document, std::vector<Track> tracks) {
   return document;
 }
 
+// A straight punch, mirrored on the right.
+Track turnsOfPunch(const Document& document, const std::string& limb) {
+  Track track = turnsOf(document, limb.c_str());
+  for (const auto& [frame, angle] : {std::pair(0, 0.0), {5, 0.4}, {10, 1.4}, {20, 0.1}}) {
+    addKey(track, frame, glm::angleAxis(angle, Vec3(0.0, limb == "left-arm" ? -1.0 : 1.0, 0.0)));
+  }
+  return track;
+}
+
 // The left arm strikes forwards and down to the lowest place that anything has.
 Document lowStriker() {
   Document document = test::boxer();
@@ -90,14 +102,14 @@ Document lowStriker() {
 }
 
 // A loop of 24 frames in which both arms swing, the right one half a turn after the left; the left arm is
-// back at the loop's seam.
-Document swinger() {
+// back at the loop's seam. With fewer keys it ends before that.
+Document swinger(int lastKey = 24) {
   constexpr int frames = 24;
   const Document document = test::boxer();
   std::vector<Track> tracks;
   for (const bool isLeft : {true, false}) {
     tracks.push_back(turnsOf(document, isLeft ? "left-arm" : "right-arm"));
-    for (int frame = 0; frame <= frames; ++frame) {
+    for (int frame = 0; frame <= lastKey; ++frame) {
       const double turns = static_cast<double>(frame) / frames + (isLeft ? 0.0 : 0.5);
       addKey(tracks.back(), frame,
              glm::angleAxis(0.1 + 1.2 * swing(turns), Vec3(0.0, isLeft ? -1.0 : 1.0, 0.0)));
@@ -115,6 +127,41 @@ double seamTurn(const Document& document, const char* limb) {
   const rig::MotionState motion = prepareMotion(document, 0);
   const auto hand = [&](double frame) { return handAt(document, motion, limb, frame); };
   return glm::length(hand(24.0) - hand(23.0) - hand(1.0) + hand(0.0)) * 30.0;
+}
+
+// The boxer with a left leg that stands, is lifted from frame 10 on, slowly at first, and comes down in front
+// at frame 30.
+Document stepper() {
+  Document document = test::boxer();
+  Scene scene = *document.scene;
+  const NodeIndex thigh = test::addNode(scene, "LeftUpLeg", document.body.hips, {0.1, 0.0, 0.0});
+  const NodeIndex shin = test::addNode(scene, "LeftLeg", thigh, {0.0, -0.5, 0.0});
+  const NodeIndex foot = test::addNode(scene, "LeftFoot", shin, {0.0, -0.5, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  rig::Limb leg;
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
+  leg.id = rig::limbName(rig::biped::leftLeg);
+  leg.joints = {thigh, shin};
+  leg.endNode = foot;
+  leg.restLength = 1.0;
+  document.body.limbs.push_back(leg);
+  Track track = turnsOf(document, "left-leg");
+  for (int frame = 0; frame <= 40; ++frame) {
+    const double lifted = std::clamp((frame - 10.0) / 20.0, 0.0, 1.0);
+    addKey(track, frame, glm::angleAxis(0.7 * rig::smoothstep(lifted), Vec3(-1.0, 0.0, 0.0)));
+  }
+  return withTracks(std::move(document), {track});
+}
+
+// Between the ways that a limb points in the source and in what was made of it.
+double degreesTurned(const Document& made, const char* name, double frame) {
+  const rig::Limb& limb = *findLimb(made, name);
+  const auto way = [&](const FrameState& state) {
+    return rig::endPosition(limb, state) - positionOf(state.worlds[at(limb.joints.front())]);
+  };
+  return angleBetween(way(evaluateOriginal(made, 0, frame / 30.0)),
+                      way(evaluate(made, prepareMotion(made, 0), frame / 30.0))) *
+         180.0 / pi;
 }
 
 const AutoMoment& momentAt(const AutoClip& made, const char* limb, double tip) {
@@ -149,7 +196,7 @@ TEST_CASE("What is struck at the seam of a loop keeps its exaggeration over it")
   CHECK(settings.lingerFrames == Approx(2.0).margin(1e-4));
   CHECK(isLooping(made.document, 0));
   CHECK(made.madeLoop);
-  CHECK(back.scale > 1.1);
+  CHECK(back.scale > 1.03);
 }
 
 TEST_CASE("Left and right get the same in a loop, each for what the other does half a turn later") {
@@ -166,13 +213,88 @@ TEST_CASE("A strike to the lowest place of a clip is exaggerated along the groun
   REQUIRE(strike.trailId > 0);
   CHECK(strike.isLevel);
   const double tip = findTrail(made.document, strike.trailId)->settings.endFrame;
-  CHECK(armRatio(made.document, tip) == Approx(1.4).epsilon(1e-3));
+  CHECK(armRatio(made.document, tip) > 1.15); // as far as it may be turned
   const rig::MotionState motion = prepareMotion(made.document, 0);
   const Vec3 hand = handAt(made.document, motion, "left-arm", tip);
   const Vec3 source =
       rig::endPosition(*findLimb(before, "left-arm"), evaluateOriginal(before, 0, tip / 30.0));
   CHECK(hand.y == Approx(source.y).margin(1e-5));
   CHECK_FALSE(strongest(exaggerated(swinger(), in("Opera"))).isLevel);
+}
+
+TEST_CASE("A limb that is exaggerated still points where it pointed, and is longer") {
+  for (const Document& before : {test::boxer(), swinger(), lowStriker()}) {
+    const AutoClip made = exaggerated(before, in("Rubber hose"));
+    int longer = 0;
+    for (const AutoMoment& one : made.moments) {
+      if (one.trailId == 0) {
+        continue;
+      }
+      const double tip = findTrail(made.document, one.trailId)->settings.endFrame;
+      CHECK(degreesTurned(made.document, one.moment.limb.c_str(), tip) < (one.isLevel ? 25.1 : 15.1));
+      const rig::Limb& limb = *findLimb(made.document, one.moment.limb);
+      const rig::MotionState motion = prepareMotion(made.document, 0);
+      CHECK(rig::limbLength(limb, evaluate(made.document, motion, tip / 30.0)) >
+            1.03 * rig::limbLength(limb, evaluateOriginal(before, 0, tip / 30.0)));
+      ++longer;
+    }
+    CHECK(longer > 0);
+  }
+}
+
+TEST_CASE("What is weak beside the clip's strongest gets as much less, and what comes near to it gets all") {
+  const Document before = test::boxer();
+  rig::Moment punch = momentsOf(before, 0).front();
+  rig::Moment other = punch;
+  other.limb = "right-arm";
+  other.strength = 60.0;
+  const Document striking =
+      withTracks(before, {turnsOfPunch(before, "left-arm"), turnsOfPunch(before, "right-arm")});
+  const auto scaleBeside = [&](double strength) {
+    punch.strength = strength;
+    return exaggerateClip(striking, 0, {other, punch}, in("Opera")).moments.back().scale;
+  };
+  CHECK(scaleBeside(60.0) == Approx(1.4));
+  CHECK(scaleBeside(48.0) == Approx(1.4));
+  CHECK(scaleBeside(18.0) == Approx(1.2));
+  CHECK(scaleBeside(8.0) == 1.0);
+}
+
+TEST_CASE("A moment that can have no trail makes no other one weak, unless it has one of its own") {
+  const Document before = test::boxer();
+  const rig::Moment punch = momentsOf(before, 0).front();
+  rig::Moment strong = punch;
+  strong.strength = 20.0 * punch.strength;
+  for (const char* limb : {rig::wholeBody, "tail"}) {
+    strong.limb = limb;
+    CHECK(exaggerateClip(before, 0, {strong, punch}, in("Opera")).moments.back().scale == Approx(1.4));
+  }
+  strong.limb = "spine";
+  const Document own = test::withNewTrail(before, {"spine", strong.startFrame, strong.endFrame, 1.1});
+  CHECK(exaggerateClip(own, 0, {strong, punch}, in("Opera")).moments.back().why ==
+        "it is weak beside the clip's strongest");
+}
+
+TEST_CASE("A loop that leaves out its last frame, since that is the first, is a loop; half of one is none") {
+  CHECK(clipGround(swinger(), 0).endsMeet);
+  CHECK(clipGround(swinger(23), 0).endsMeet);
+  CHECK_FALSE(clipGround(swinger(20), 0).endsMeet);
+  CHECK_FALSE(clipGround(swinger(12), 0).endsMeet);
+  CHECK(exaggerated(swinger(23), in("Opera")).madeLoop);
+}
+
+TEST_CASE("A foot stands from where it touches its place until it has left it") {
+  const Document before = stepper();
+  const ClipGround ground = clipGround(before, 0);
+  REQUIRE_FALSE(ground.standsOf("left-leg").empty());
+  const double last = ground.standsOf("left-leg").front().y;
+  const auto gone = [&](double frame) {
+    return glm::length(ground.pointsOf("left-leg", frame).back() - ground.pointsOf("left-leg", 0.0).back()) /
+           before.body.height;
+  };
+  CHECK(gone(last) > 0.01); // above what counts as lowest, and as fast as it goes there
+  CHECK(gone(last) < 0.03);
+  CHECK(gone(last + 1.0) > 0.02);
 }
 
 TEST_CASE("A remark on a moment says what it lacks") {

@@ -308,6 +308,7 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
                        arm + " --scale 2",
                        joinedRows({{"--axes", "", "--axes xz"},
                                    {"--pivot", "", "--pivot end"},
+                                   {"--turn-limit", "", "--turn-limit 5"},
                                    {"--ease-in", "", "--ease-in 0.5,0.2"},
                                    {"--ease-out", "", "--ease-out 0.3,0.5"},
                                    {"--remap", "", "--remap linear"},

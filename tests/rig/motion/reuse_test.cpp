@@ -34,7 +34,7 @@ Trail busyTrail() {
 std::vector<Part> partsOfSettings() {
   [[maybe_unused]] const auto& [start, end, scale, axes, pivot, space, viewAxes, reference, bend, remap,
                                 easeIn, easeOut, stretchSwitch, volume, release, linger, overshoot, pull,
-                                blend, stay, turnEnd, stop, sight, spheres] = TrailSettings{};
+                                turnLimit, blend, stay, turnEnd, stop, sight, spheres] = TrailSettings{};
   const std::vector<std::pair<const char*, std::function<void(TrailSettings&)>>> changes{
       {"start", [](TrailSettings& s) { s.startFrame = 2.0; }},
       {"end", [](TrailSettings& s) { s.endFrame = 14.0; }},
@@ -63,6 +63,7 @@ std::vector<Part> partsOfSettings() {
       {"linger", [](TrailSettings& s) { s.lingerFrames = 2.0; }},
       {"overshoot", [](TrailSettings& s) { s.overshoot = 0.5; }},
       {"pull", [](TrailSettings& s) { s.pull = false; }},
+      {"turn limit", [](TrailSettings& s) { s.turnLimitDegrees = 5.0; }},
       {"blend", [](TrailSettings& s) { s.blend = 1.0; }},
       {"stays in the world", [](TrailSettings& s) { s.stayInWorld = true; }},
       {"turns the end", [](TrailSettings& s) { s.turnEnd = true; }},

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "core/math/rotation.h"
 #include "rig/trail/exaggeration.h"
 
 namespace {
@@ -53,6 +54,19 @@ std::vector<double> evenTimes(std::size_t count) {
     times[i] = static_cast<double>(i) / 24.0;
   }
   return times;
+}
+
+// A limb of length 1 along x, whose end came from `way` before its tip.
+TipProblem limbWhoseEndCame(const Vec3& way, double scale) {
+  TipProblem problem;
+  problem.points = {Vec3(1, 0, 0) - way, Vec3(1, 0, 0)};
+  problem.limbLength = 1.0;
+  problem.scale = scale;
+  return problem;
+}
+
+double degreesTurned(const TipProblem& problem) {
+  return angleBetween(problem.points.back(), solveTip(problem).tip) * 180.0 / pi;
 }
 
 } // namespace
@@ -116,6 +130,48 @@ TEST_CASE("the pull moves along the active axes only") {
   const TipSolution solution = solveTip(problem);
   CHECK(solution.tip.x == 1.0);
   CHECK_FALSE(solution.reached());
+}
+
+TEST_CASE("a limb is turned at its tip as far as its limit lets it, and is as long as wanted") {
+  const Vec3 across(0.0, 0.8, 0.6);
+  TipProblem problem = limbWhoseEndCame(across, 2.0);
+  CHECK(degreesTurned(problem) == Approx(60.0)); // an arc of a strike: the line across it meets twice the
+                                                 // length
+  for (const double degrees : {0.0, 10.0, 25.0, 59.0}) {
+    CAPTURE(degrees);
+    problem.turnLimitRadians = degrees * pi / 180.0;
+    const TipSolution solution = solveTip(problem);
+    CHECK(degreesTurned(problem) == Approx(degrees).margin(1e-6));
+    CHECK(solution.reached());
+    CHECK(solution.outcome == TipOutcome::pulled);
+    CHECK(glm::length(solution.tip) == Approx(2.0));
+    CHECK(glm::dot(solution.tip, across) >= 0.0);
+  }
+  problem.turnLimitRadians = 61.0 * pi / 180.0;
+  CHECK(degreesTurned(problem) == Approx(60.0));
+  CHECK(solveTip(problem).outcome == TipOutcome::reached);
+}
+
+TEST_CASE("a limb that is drawn back past its base is not turned over, once it has a limit") {
+  for (const double aside : {0.0, 0.01, 0.3, 0.6}) {
+    CAPTURE(aside);
+    TipProblem problem = limbWhoseEndCame(Vec3(-std::cos(aside), std::sin(aside), 0.0), 2.0);
+    CHECK(degreesTurned(problem) > 100.0);
+    problem.turnLimitRadians = 25.0 * pi / 180.0;
+    CHECK(degreesTurned(problem) == Approx(25.0 * std::sin(aside)).margin(1e-6));
+    CHECK(glm::length(solveTip(problem).tip) == Approx(2.0));
+  }
+}
+
+TEST_CASE("a limb that gets shorter is turned no farther than its limit either") {
+  TipProblem problem = limbWhoseEndCame(Vec3(0.6, 0.8, 0.0), 0.85);
+  const double freely = degreesTurned(problem);
+  CHECK(freely > 5.0);
+  problem.turnLimitRadians = 5.0 * pi / 180.0;
+  CHECK(degreesTurned(problem) <= 5.0 + 1e-9);
+  CHECK(glm::length(solveTip(problem).tip) == Approx(0.85));
+  problem.pull = false;
+  CHECK(solveTip(problem).outcome == TipOutcome::closest);
 }
 
 TEST_CASE("a limb that does not move has nothing to scale") {
