@@ -56,7 +56,7 @@ private:
   // Empty where a trail was made.
   [[nodiscard]] std::string tried(std::size_t place) {
     const rig::Moment& moment = moments_[place];
-    if (const std::string why = refusalOf(moment); !why.empty()) {
+    if (std::string why = refusalOf(moment); !why.empty()) {
       return why;
     }
     if (moment.strength < weakShare * strongest_) {

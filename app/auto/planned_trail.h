@@ -13,7 +13,7 @@ inline constexpr double shortestRange = 2.0; ///< Frames of a trail.
 
 /// A trail that is thought of for a moment.
 struct PlannedTrail {
-  std::size_t moment = 0;  ///< Place in the list of moments.
+  std::size_t moment = 0; ///< Place in the list of moments.
   rig::Trail trail;
   std::string why = {};           ///< Why it has less than that.
   rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
@@ -34,7 +34,8 @@ struct AutoPlan {
                                   const AutoSettings& settings);
 
 /// Lowers or leaves out what does not look right: first each trail by itself, then all together; a limb that
-/// goes round and round does so only with its counterpart on the other side. `moments`: those of the plan.
+/// goes round and round does so only with its counterpart on the other side, and what both do at once is as
+/// large on both. `moments`: those of the plan.
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan);
 

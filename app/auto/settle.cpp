@@ -256,35 +256,44 @@ bool isMirrored(const ClipGround& ground, const rig::Moment& one, const rig::Mom
   return glm::dot(mirrored, across) > alike * glm::length(way) * glm::length(across);
 }
 
-// A step on one side alone limps: each has one on the other side that goes the same way, and no larger one.
-void pairCycles(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+bool areAtOnce(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
+  const double near = ground.framesPerSecond / 12.0;
+  return std::abs(one.startFrame - other.startFrame) <= near &&
+         std::abs(one.tipFrame - other.tipFrame) <= near;
+}
+
+// Whether both sides do the same, at once or, going round, in turn.
+bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
   constexpr double asStrong = 3.0;
-  const auto isPartner = [&](const PlannedTrail& one, const PlannedTrail& other) {
-    const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
-    const rig::Limb* const across = rig::limbAt(ground.document.body.limbs, rig::mirrored(limb));
-    const double ratio = moments[one.moment].strength / moments[other.moment].strength;
-    return across != nullptr && other.trail.limb == across->id && !other.follows && ratio < asStrong &&
-           asStrong * ratio > 1.0 && isMirrored(ground, moments[one.moment], moments[other.moment]);
-  };
+  const double ratio = one.strength / other.strength;
+  const bool goRound = one.kind == rig::MomentKind::cycle;
+  return ratio < asStrong && asStrong * ratio > 1.0 && (goRound || areAtOnce(ground, one, other)) &&
+         isMirrored(ground, one, other);
+}
+
+// A step on one side alone limps: each has one on the other side that goes the same way, and no larger one.
+// What both sides do at once, as arms that are thrown up, is as large on both.
+void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
   for (std::size_t i = plan.trails.size(); i-- > 0;) {
     PlannedTrail& one = plan.trails[i];
     const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
-    if (one.follows || moments[one.moment].kind != rig::MomentKind::cycle ||
-        limb.side == rig::LimbSide::middle ||
-        rig::limbAt(ground.document.body.limbs, rig::mirrored(limb)) == nullptr) {
+    const rig::Limb* const across = rig::limbAt(ground.document.body.limbs, rig::mirrored(limb));
+    if (one.follows || limb.side == rig::LimbSide::middle || across == nullptr) {
       continue;
     }
+    const bool goesRound = moments[one.moment].kind == rig::MomentKind::cycle;
     double most = 0.0;
     for (const PlannedTrail& other : plan.trails) {
-      if (isPartner(one, other)) {
+      if (other.trail.limb == across->id && !other.follows &&
+          arePartners(ground, moments[one.moment], moments[other.moment])) {
         most = std::max(most, excessOf(ground, other));
         one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
         limitTurn(one.trail.settings);
       }
     }
-    if (most <= 0.0) {
+    if (most <= 0.0 && goesRound) {
       leaveOut(plan, i, "the limb on the other side cannot do the same");
-    } else if (excessOf(ground, one) > most) {
+    } else if (most > 0.0 && excessOf(ground, one) > most) {
       one.trail.settings = withShare(one.trail.settings, most / excessOf(ground, one));
     }
   }
@@ -316,7 +325,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
   constexpr int mostRounds = 20; // of lowering; then each takes at least one trail out
   Trial trial(ground, plan.loops);
   for (int round = 0; !plan.trails.empty(); ++round) {
-    pairCycles(ground, moments, plan);
+    pairSides(ground, moments, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty() && (!isChanged || round >= mostRounds)) {

@@ -260,6 +260,22 @@ TEST_CASE("What is weak beside the clip's strongest gets as much less, and what 
   CHECK(scaleBeside(8.0) == 1.0);
 }
 
+TEST_CASE("What both sides do at once is as large on both, and what one does later is its own") {
+  const Document before = test::boxer();
+  const rig::Moment punch = momentsOf(before, 0).front();
+  const Document both =
+      withTracks(before, {turnsOfPunch(before, "left-arm"), turnsOfPunch(before, "right-arm")});
+  rig::Moment other = punch;
+  other.limb = "right-arm";
+  other.strength = 0.5 * punch.strength;
+  const AutoClip together = exaggerateClip(both, 0, {punch, other}, in("Opera"));
+  CHECK(together.moments.front().scale == Approx(together.moments.back().scale));
+  CHECK(together.moments.front().scale < 1.4);
+  other.startFrame += 4.0;
+  const AutoClip apart = exaggerateClip(both, 0, {punch, other}, in("Opera"));
+  CHECK(apart.moments.front().scale == Approx(1.4));
+}
+
 TEST_CASE("A moment that can have no trail makes no other one weak, unless it has one of its own") {
   const Document before = test::boxer();
   const rig::Moment punch = momentsOf(before, 0).front();
@@ -275,7 +291,8 @@ TEST_CASE("A moment that can have no trail makes no other one weak, unless it ha
         "it is weak beside the clip's strongest");
 }
 
-TEST_CASE("A loop that leaves out its last frame, since that is the first, is a loop; half of one is none") {
+TEST_CASE(
+    "A loop that leaves out its last frame, since that is the first, is a loop, and half of one is none") {
   CHECK(clipGround(swinger(), 0).endsMeet);
   CHECK(clipGround(swinger(23), 0).endsMeet);
   CHECK_FALSE(clipGround(swinger(20), 0).endsMeet);
