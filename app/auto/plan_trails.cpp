@@ -137,7 +137,6 @@ private:
     rig::TrailSettings& settings = planned.trail.settings;
     settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range),
                                    settings_.style, limb.kind, settings_.strength * shareOf(moment));
-    limitTurn(settings);
     stopAtGround(limb, settings);
     plan_.trails.push_back(std::move(planned));
   }
@@ -264,12 +263,6 @@ AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& mo
 Vec2 windowOf(const rig::TrailSettings& settings) {
   const double range = settings.endFrame - settings.startFrame;
   return {settings.startFrame, settings.endFrame + settings.releaseFrames.value_or(range)};
-}
-
-void limitTurn(rig::TrailSettings& settings) {
-  constexpr double mostTurn = 15.0;
-  constexpr double mostTurnLevel = 25.0;
-  settings.turnLimitDegrees = settings.axes[1] ? mostTurn : mostTurnLevel;
 }
 
 rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {

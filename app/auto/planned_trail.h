@@ -45,10 +45,6 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
 /// Settings with a share of the exaggeration of `wanted`: of its scale and of what its spheres are pulled.
 [[nodiscard]] rig::TrailSettings withShare(rig::TrailSettings wanted, double share);
 
-/// Sets how far the trail turns its limb: it gets longer, and still goes where it went. Along the ground it
-/// may turn farther, since it gets longer by its turn alone there.
-void limitTurn(rig::TrailSettings& settings);
-
 /// Takes the trail at `place` out of the plan, and what goes along with it.
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why);
 

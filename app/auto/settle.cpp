@@ -27,6 +27,14 @@ constexpr std::array<bool, 3> allAxes{true, true, true};
 constexpr std::array<bool, 3> levelAxes{true, false, true};
 constexpr double calmRelease = 3.0; // frames, at least
 
+// Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
+// alone.
+double turnLimitFor(const rig::TrailSettings& settings) {
+  constexpr double most = 15.0;
+  constexpr double mostLevel = 25.0;
+  return settings.axes[1] ? most : mostLevel;
+}
+
 // What an animator would stumble over, in a few words; empty where there is nothing.
 std::string problemOf(const Findings& findings) {
   return findings.lengths.any()                            ? textOf(FaultKind::lengths)
@@ -81,7 +89,7 @@ private:
     settings.space = variant.space;
     settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
     settings.axes = variant.axes;
-    limitTurn(settings);
+    settings.turnLimitDegrees = turnLimitFor(settings);
     return settings;
   }
 
@@ -226,7 +234,6 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   rig::TrailSettings& settings = planned.trail.settings;
   if (fault.kind == FaultKind::floor && settings.axes == allAxes) {
     settings.axes = levelAxes;
-    limitTurn(settings);
     return;
   }
   if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
@@ -288,7 +295,6 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
           arePartners(ground, moments[one.moment], moments[other.moment])) {
         most = std::max(most, excessOf(ground, other));
         one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
-        limitTurn(one.trail.settings);
       }
     }
     if (most <= 0.0 && goesRound) {
