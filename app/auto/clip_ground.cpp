@@ -1,6 +1,7 @@
 #include "app/auto/clip_ground.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -25,7 +26,8 @@ void lowerTo(const FrameState& frame, const LimbPlaces& places, ClipGround& grou
     }
   }
   const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, frame);
-  ground.lowestVertex = vertex ? std::min(ground.lowestVertex, vertex->y) : ground.lowestVertex;
+  ground.lowestVertices.push_back(vertex ? vertex->y : std::numeric_limits<double>::infinity());
+  ground.lowestVertex = std::min(ground.lowestVertex, ground.lowestVertices.back());
 }
 
 Vec3 middleOf(const LimbPlaces& places) {
@@ -155,6 +157,15 @@ const std::vector<Vec3>& ClipGround::pointsOf(const std::string& limb, double fr
 Vec3 ClipGround::reachOf(const std::string& limb, double frame) const {
   const std::vector<Vec3>& points = pointsOf(limb, frame);
   return points.back() - points.front();
+}
+
+double ClipGround::leastHeightAt(double frame) const {
+  const auto lowestAt = [&](double whole) {
+    const auto last = static_cast<double>(lowestVertices.size() - 1);
+    return lowestVertices[static_cast<std::size_t>(std::clamp(whole, 0.0, last))];
+  };
+  return std::min({std::max(lowestVertex, floor.value_or(lowestVertex)), lowestAt(std::floor(frame)),
+                   lowestAt(std::ceil(frame))});
 }
 
 const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg) const {

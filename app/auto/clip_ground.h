@@ -29,15 +29,19 @@ struct ClipGround {
   std::map<std::string, std::vector<Vec2>> stands = {};      ///< By leg: first and last frame of standing,
                                                              ///< ascending.
   std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh.
-  double lowestVertex = 0.0;        ///< Height that no vertex goes below in the clip.
-  double lowest = 0.0;              ///< Height that no point of a limb goes below in the clip.
-  std::optional<double> floor = {}; ///< Floor on which feet stand.
+  double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
+  std::vector<double> lowestVertices = {}; ///< The same for each whole frame from 0.
+  double lowest = 0.0;                     ///< Height that no point of a limb goes below in the clip.
+  std::optional<double> floor = {};        ///< Floor on which feet stand.
 
   [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
   /// Points of the limb of this id, which is there.
   [[nodiscard]] const std::vector<Vec3>& pointsOf(const std::string& limb, double frame) const;
   /// From the limb's place that stays to the one that leads.
   [[nodiscard]] Vec3 reachOf(const std::string& limb, double frame) const;
+  /// Height that no vertex may go below at a frame: the floor on which feet stand, or what the clip itself
+  /// has below it there; without such a floor the clip's lowest place.
+  [[nodiscard]] double leastHeightAt(double frame) const;
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg) const;
 };
 

@@ -10,10 +10,17 @@ namespace stretch::app {
 
 namespace {
 
+// Beside the seam: what comes back within a frame is not overlooked, and what keys are off makes no speed.
+double seamSeconds(const ClipGround& ground) {
+  constexpr double frames = 0.25;
+  constexpr double least = 1.0 / 120.0;
+  return std::max(frames / ground.framesPerSecond, least);
+}
+
 template <typename At>
 LoopSeam seamBy(const ClipGround& ground, const At& frameAt) {
   const Clip& clip = clipOf(ground.document, ground.clip);
-  const double step = 1.0 / ground.framesPerSecond;
+  const double step = seamSeconds(ground);
   const double start = std::min(0.0, clip.startSeconds);
   const auto placesAt = [&](double seconds) { return placesOf(ground.limbs, frameAt(seconds)); };
   return {placesAt(start), placesAt(start + step), placesAt(clip.endSeconds - step),
@@ -33,9 +40,9 @@ LoopSeam seamOfSource(const ClipGround& ground) {
 
 bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& source, std::size_t limb) {
   constexpr double seamMetres = 0.008; // of a person
-  constexpr double seamSpeed = 0.08;   // of a person, m/s
+  constexpr double seamSpeed = 0.06;   // of a person, m/s; keys add as much again
   constexpr double sharper = 1.5;      // as its own stretch changes, too
-  const double metre = ground.document.body.size / characterSizeMetres;
+  const double metre = ground.document.body.height / characterSizeMetres;
   const double before = straightLength(source.last[limb]);
   const double excess = before > 0.0 ? straightLength(now.last[limb]) / before - 1.0 : 0.0;
   const double longer = 1.0 + sharper * std::max(0.0, excess);
@@ -45,8 +52,9 @@ bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& 
       return glm::length(seam.last[limb][k] - seam.first[limb][k]);
     };
     const auto turn = [&](const LoopSeam& seam) {
-      return ground.framesPerSecond * glm::length((seam.last[limb][k] - seam.beforeLast[limb][k]) -
-                                                  (seam.afterFirst[limb][k] - seam.first[limb][k]));
+      return glm::length((seam.last[limb][k] - seam.beforeLast[limb][k]) -
+                         (seam.afterFirst[limb][k] - seam.first[limb][k])) /
+             seamSeconds(ground);
     };
     if (gap(now) - gap(source) > seamMetres * metre ||
         turn(now) - (isEnd ? 1.0 : longer) * turn(source) > seamSpeed * metre) {

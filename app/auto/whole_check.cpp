@@ -151,14 +151,14 @@ private:
     }
   }
 
-  [[nodiscard]] bool isBelowFloor(const std::optional<Vec3>& vertex) const {
-    return vertex && vertex->y < ground_.lowestVertex - floorMargin * ground_.document.body.height;
+  [[nodiscard]] bool isBelowFloor(double frame, const std::optional<Vec3>& vertex) const {
+    return vertex && vertex->y < ground_.leastHeightAt(frame) - floorMargin * ground_.document.body.height;
   }
 
   // What lies below the floor hangs on the limb that it is nearest to.
   void lookAtMesh(double frame, const FrameState& frameState, const LimbPlaces& now) {
     const std::optional<Vec3> vertex = lowestVertexOf(*ground_.surface, frameState);
-    if (!isBelowFloor(vertex)) {
+    if (!isBelowFloor(frame, vertex)) {
       return;
     }
     const rig::Limb* nearest = nullptr;
@@ -176,7 +176,7 @@ private:
     if (nearest != nullptr) {
       blame({frame}, *nearest, FaultKind::floor, [&](const Attempt& attempt) {
         return isBelowFloor(
-            lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
+            frame, lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
       });
     }
   }

@@ -30,6 +30,7 @@ FLOOR = 0.01  # of the height: joints are looked at by the program, a vertex bel
 LENGTH_SLACK = 1.02
 SEAM_METRES = 0.01
 SEAM_SPEED = 0.1
+LEAST_SECONDS = 1 / 120  # beside the seam: what keys are off, a ten thousandth of the height, makes no speed
 PERSON = 1.75
 VERTICES_A_MESH = 60
 MOST_FRAMES = 90
@@ -78,7 +79,8 @@ class Case:
         vertices = max(1, max((mesh["vertices"] for mesh in self.info["meshes"]), default=1) // VERTICES_A_MESH)
         times = [frame / self.fps for frame in frames]
         end = self.info["clips"][self.clip]["seconds"]
-        times += [0.25 / self.fps, end - 0.25 / self.fps, end]
+        self.beside_seam = max(0.25 / self.fps, LEAST_SECONDS)
+        times += [self.beside_seam, end - self.beside_seam, end]
         before, after = (self.measure(file, times, nodes, vertices) for file in (self.file, self.output))
         self.check_floor(before, after, frames)
         self.check_lengths(before, after, frames)
@@ -133,13 +135,13 @@ class Case:
                     break
 
     def check_seam(self, before, after, count):
-        """Of the nodes that are measured; times are followed by a quarter frame after the first, before the last, and the last."""
+        """Of the nodes that are measured; times are followed by one a little after the first, one before the last, and the last."""
         first, after_first, before_last, last = 0, count, count + 1, count + 2
         gap = lambda points: math.dist(points[first], points[last])
         if max((gap(points) for points in before["nodes"].values()), default=0.0) > FLOOR * self.height:
             return  # no loop, or one that travels
         turn = lambda points: math.dist([a - b for a, b in zip(points[last], points[before_last])],
-                                        [a - b for a, b in zip(points[after_first], points[first])]) * 4.0 * self.fps
+                                        [a - b for a, b in zip(points[after_first], points[first])]) / self.beside_seam
         for node, points in after["nodes"].items():
             source = before["nodes"][node]
             if gap(points) - gap(source) > SEAM_METRES * self.metre:

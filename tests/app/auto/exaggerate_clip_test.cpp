@@ -126,7 +126,7 @@ Vec3 handAt(const Document& document, const rig::MotionState& motion, const char
 double seamTurn(const Document& document, const char* limb) {
   const rig::MotionState motion = prepareMotion(document, 0);
   const auto hand = [&](double frame) { return handAt(document, motion, limb, frame); };
-  return glm::length(hand(24.0) - hand(23.0) - hand(1.0) + hand(0.0)) * 30.0;
+  return glm::length(hand(24.0) - hand(23.75) - hand(0.25) + hand(0.0)) * 120.0;
 }
 
 // The boxer with a left leg that stands, is lifted from frame 10 on, slowly at first, and is back at
@@ -188,7 +188,7 @@ TEST_CASE("In a loop a strong stroke is as long as its style says, whatever a we
 }
 
 TEST_CASE("What is struck at the seam of a loop keeps its exaggeration over it") {
-  const AutoClip made = exaggerated(swinger(), in("Opera"));
+  const AutoClip made = exaggerated(swinger(), in("Rubber hose"));
   const AutoMoment& back = momentAt(made, "left-arm", 24.0);
   REQUIRE(back.trailId > 0);
   const rig::TrailSettings& settings = findTrail(made.document, back.trailId)->settings;
@@ -317,6 +317,23 @@ TEST_CASE("A foot stands from where it touches its place until it has left it") 
   }
   CHECK(gone(leaves + 1.0) > 0.02);
   CHECK(gone(comes - 1.0) > 0.02);
+}
+
+TEST_CASE(
+    "Nothing may go below the floor on which feet stand, but what the clip has below it at that frame") {
+  const Document document = test::boxer();
+  ClipGround ground{document};
+  ground.lowestVertex = -0.2;
+  ground.lowestVertices = {0.1, -0.2, 0.05};
+  CHECK(ground.leastHeightAt(0.0) == -0.2); // no foot stands: it may go where the clip goes at some time
+  ground.floor = 0.0;
+  CHECK(ground.leastHeightAt(0.0) == 0.0);
+  CHECK(ground.leastHeightAt(0.5) == -0.2);
+  CHECK(ground.leastHeightAt(1.0) == -0.2);
+  CHECK(ground.leastHeightAt(1.5) == -0.2);
+  CHECK(ground.leastHeightAt(9.0) == 0.0);
+  ground.floor = -1.0;
+  CHECK(ground.leastHeightAt(2.0) == -0.2);
 }
 
 TEST_CASE("A remark on a moment says what it lacks") {
