@@ -30,7 +30,7 @@ struct ClipGround {
                                                              ///< ascending.
   std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh.
   double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
-  std::vector<double> lowestVertices = {}; ///< The same for each whole frame from 0.
+  std::vector<double> lowestVertices = {}; ///< Lowest of each whole frame from 0.
   double lowest = 0.0;                     ///< Height that no point of a limb goes below in the clip.
   std::optional<double> floor = {};        ///< Floor on which feet stand.
 
