@@ -17,10 +17,12 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double weakShare = 0.15;    // of the clip's strongest: what is weaker is no action beside it
-constexpr double fullStrength = 6.0;  // reaches per second: from here on a moment gets all that the style
-                                      // says
-constexpr double leastShare = 0.2;    // of the style's exaggeration, for the weakest
+constexpr double idleStrength = 1.0; // reaches per second: a breath and a swaying tail are below, a slow walk
+                                     // above
+constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
+constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
+                                     // says
+constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest
 constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
                                       // beside its strike
 constexpr double shortestRelease = 2.0;
@@ -58,6 +60,9 @@ private:
     const rig::Moment& moment = moments_[place];
     if (std::string why = refusalOf(moment); !why.empty()) {
       return why;
+    }
+    if (strongest_ < idleStrength) {
+      return "the clip only idles";
     }
     if (moment.strength < weakShare * strongest_) {
       return "it is weak beside the clip's strongest";

@@ -276,6 +276,17 @@ TEST_CASE("What both sides do at once is as large on both, and what one does lat
   CHECK(apart.moments.front().scale == Approx(1.4));
 }
 
+TEST_CASE("A clip that only idles is left alone") {
+  const Document before = test::boxer();
+  rig::Moment breath = momentsOf(before, 0).front();
+  breath.strength = 0.9;
+  const AutoClip idle = exaggerateClip(before, 0, {breath}, in("Opera"));
+  CHECK(idle.moments.front().why == "the clip only idles");
+  CHECK(idle.trailIds.empty());
+  breath.strength = 1.1;
+  CHECK(exaggerateClip(before, 0, {breath}, in("Opera")).trailIds.size() == 1);
+}
+
 TEST_CASE("A moment that can have no trail makes no other one weak, unless it has one of its own") {
   const Document before = test::boxer();
   const rig::Moment punch = momentsOf(before, 0).front();
