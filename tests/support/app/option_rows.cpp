@@ -21,7 +21,7 @@ std::vector<OptionRow> styleRows() {
   const std::string automatic = punch + " --auto";
   const std::vector<OptionRow> ofTheStyle = rowsBehind(
       automatic,
-      {{"--all-clips", "", "--all-clips"},
+      {{"--all-clips", "--clip Guard", "--all-clips"},
        {"--style", "", "--style Subtle"},
        {"--strength", "", "--strength 1.5"},
        {"--style-axes", "", "--style-axes level"},
