@@ -52,8 +52,8 @@ AutoClip withWeights(const AutoSettings& settings, int clip, AutoClip made) {
     weighted.settings.stiffness = settings.style.weight.stiffness;
     weighted.settings.damping = settings.style.weight.damping;
     if (Result<Document> changed = setWeight(made.document, weighted)) {
-      made.document = std::move(*changed);
-      made.notes.push_back(fmt::format("{} gives way to its weight", limb.id));
+      made.document = std::move(*changed); // with its limbs, so that `limb` is gone
+      made.notes.push_back(fmt::format("{} gives way to its weight", weighted.limb));
     }
   }
   return made;
