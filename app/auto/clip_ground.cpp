@@ -58,7 +58,7 @@ bool limbsMeet(const ClipGround& ground) {
   constexpr double uneven = 0.5; // of a frame's step, which is seldom like the next
   const Clip& clip = clipOf(ground.document, ground.clip);
   const double frame = 1.0 / clip.framesPerSecond;
-  if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 2.0 * frame) {
+  if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 1.5 * frame) {
     return false;
   }
   const std::vector<Vec3> first = poseAt(ground, clip.startSeconds);
@@ -160,12 +160,9 @@ Vec3 ClipGround::reachOf(const std::string& limb, double frame) const {
 }
 
 double ClipGround::leastHeightAt(double frame) const {
-  const auto lowestAt = [&](double whole) {
-    const auto last = static_cast<double>(lowestVertices.size() - 1);
-    return lowestVertices[static_cast<std::size_t>(std::clamp(whole, 0.0, last))];
-  };
-  return std::min({std::max(lowestVertex, floor.value_or(lowestVertex)), lowestAt(std::floor(frame)),
-                   lowestAt(std::ceil(frame))});
+  const auto last = static_cast<double>(lowestVertices.size() - 1);
+  return std::min(std::max(lowestVertex, floor.value_or(lowestVertex)),
+                  lowestVertices[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))]);
 }
 
 const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg) const {

@@ -59,23 +59,26 @@ AutoClip withWeights(const AutoSettings& settings, int clip, AutoClip made) {
   return made;
 }
 
-double lowestOf(const ClipGround& ground, const Document& document, const rig::MotionState& motion) {
-  double lowest = std::numeric_limits<double>::infinity();
+// Whether limbs that give way hang lower than they may, and lower than without, in any frame.
+bool hangsLower(const ClipGround& ground, const Document& plain, const rig::MotionState& before,
+                const Document& weighted, const rig::MotionState& after) {
+  const double seen = 1e-3 * ground.document.body.height;
   for (double frame = 0.0; frame <= ground.lastFrame; frame += 1.0) {
-    const FrameState shown = evaluate(document, motion, frame / ground.framesPerSecond);
-    const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, shown);
-    lowest = vertex ? std::min(lowest, vertex->y) : lowest;
+    const double seconds = frame / ground.framesPerSecond;
+    const std::optional<Vec3> without = lowestVertexOf(*ground.surface, evaluate(plain, before, seconds));
+    const std::optional<Vec3> with = lowestVertexOf(*ground.surface, evaluate(weighted, after, seconds));
+    if (with && without && with->y < std::min(ground.leastHeightAt(frame), without->y) - seen) {
+      return true;
+    }
   }
-  return lowest;
+  return false;
 }
 
 // Empty where limbs that give way hang no lower and close a loop no worse than without.
 std::string problemOfWeight(const ClipGround& ground, const Document& plain, const Document& weighted) {
-  constexpr double seen = 1e-3; // of the height
   const rig::MotionState before = prepareMotion(plain, ground.clip);
   const rig::MotionState after = prepareMotion(weighted, ground.clip);
-  const double lowest = std::min(ground.lowestVertex, lowestOf(ground, plain, before));
-  if (lowestOf(ground, weighted, after) < lowest - seen * ground.document.body.height) {
+  if (hangsLower(ground, plain, before, weighted, after)) {
     return "it would hang through the floor";
   }
   const LoopSeam source = seamOfSource(ground);

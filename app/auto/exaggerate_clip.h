@@ -14,6 +14,8 @@ namespace stretch::app {
 struct AutoSettings {
   rig::Style style;
   double strength = 1.0; ///< 0..2: how much of the style's exaggeration; 0 is none.
+  /// Further moments of the clip: they get no trail, and others count as weak beside them all the same.
+  std::vector<rig::Moment> beside = {};
 };
 
 /// Outcome for one moment of the clip.

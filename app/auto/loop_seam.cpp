@@ -10,7 +10,8 @@ namespace stretch::app {
 
 namespace {
 
-// Beside the seam: what comes back within a frame is not overlooked, and what keys are off makes no speed.
+// A quarter of a frame, so that a short snap is seen, but no less than the rounding of keys needs to make no
+// speed.
 double seamSeconds(const ClipGround& ground) {
   constexpr double frames = 0.25;
   constexpr double least = 1.0 / 120.0;
@@ -42,7 +43,7 @@ bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& 
   constexpr double seamMetres = 0.008; // of a person
   constexpr double seamSpeed = 0.06;   // of a person, m/s; keys add as much again
   constexpr double sharper = 1.5;      // as its own stretch changes, too
-  const double metre = ground.document.body.height / characterSizeMetres;
+  const double metre = ground.document.body.size / characterSizeMetres;
   const double before = straightLength(source.last[limb]);
   const double excess = before > 0.0 ? straightLength(now.last[limb]) / before - 1.0 : 0.0;
   const double longer = 1.0 + sharper * std::max(0.0, excess);

@@ -22,7 +22,7 @@ constexpr double idleStrength = 1.0; // reaches per second: a breath and a swayi
 constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
 constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
                                      // says
-constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest
+constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
 constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
                                       // beside its strike
 constexpr double shortestRelease = 2.0;
@@ -37,9 +37,11 @@ class Planner {
 public:
   Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings)
       : ground_(ground), moments_(moments), settings_(settings) {
-    for (const rig::Moment& moment : moments) {
-      const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
-      strongest_ = counts ? std::max(strongest_, moment.strength) : strongest_;
+    for (const std::vector<rig::Moment>* const all : {&moments, &settings.beside}) {
+      for (const rig::Moment& moment : *all) {
+        const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
+        strongest_ = counts ? std::max(strongest_, moment.strength) : strongest_;
+      }
     }
   }
 
@@ -62,7 +64,7 @@ private:
       return why;
     }
     if (strongest_ < idleStrength) {
-      return "the clip only idles";
+      return "it is too weak to be an action";
     }
     if (moment.strength < weakShare * strongest_) {
       return "it is weak beside the clip's strongest";

@@ -42,7 +42,7 @@ std::string problemOf(const Findings& findings) {
          : findings.vertices.any() || findings.edges.any() ? "the mesh would tear"
          : findings.swings.any() || findings.jumps.any()   ? "it would be carried away where it stops"
          : findings.elbows.any()                           ? "the elbow would rise above the head"
-         : findings.ends.any() || findings.lows.any()      ? "it would go through the floor"
+         : findings.ends.any() || findings.lows.any()      ? textOf(FaultKind::floor)
                                                            : "";
 }
 
@@ -123,6 +123,11 @@ private:
         endsFarther(alone.trails.front(), planned.trail.settings)) {
       alone = solved(planned.trail);
     }
+    if (!planned.follows && isCutShort(alone.trails.front().tip)) {
+      const rig::TipSolution& tip = alone.trails.front().tip;
+      planned.trail.settings.scale *= tip.reachedLength / tip.wantedLength;
+      alone = solved(planned.trail);
+    }
     const rig::SolvedTrail& trail = alone.trails.front();
     if (!planned.follows && trail.tip.outcome == rig::TipOutcome::nothingToScale) {
       return "the limb's end does not move along the active axes";
@@ -141,13 +146,18 @@ private:
       return "there is no room for the way back";
     }
     if (!planned.follows && isAsLong(alone, trail)) {
-      return "its path does not lead to where it would be longer";
+      return "hardly anything of it would be seen";
     }
     if (look_ == nullptr || limb_ != trail.limb.id) {
       look_ = std::make_unique<TrailLook>(ground_.document, ground_.clip, trail, LookAt::limbAndMesh);
       limb_ = trail.limb.id;
     }
     return problemOf(look_->findings(alone));
+  }
+
+  // Along the ground, by the limit of its turn.
+  [[nodiscard]] static bool isCutShort(const rig::TipSolution& tip) {
+    return tip.outcome == rig::TipOutcome::closest && tip.reachedLength < tip.wantedLength;
   }
 
   // As at the tip before, by what axes, ground and the turn's limit leave of it.

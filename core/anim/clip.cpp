@@ -1,5 +1,4 @@
 #include "core/anim/clip.h"
-#include "core/math/median.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +6,8 @@
 #include <iterator>
 #include <set>
 #include <utility>
+
+#include "core/math/median.h"
 
 namespace stretch {
 

@@ -26,6 +26,7 @@ struct Walk {
   Vec3 end{0.0};
   double signedDistance = 0.0; // along the direction; negative towards the pivot
   bool met = true;
+  bool isCut = false; // by the turn limit
 };
 
 // Outwards there is exactly one root: the tip is inside the sphere.
@@ -51,22 +52,31 @@ Walk walkInwards(const Vec3& tip, const Vec3& base, const Vec3& direction, doubl
   return {tip - direction * closest, -closest, false};
 }
 
-// The walk as far as it may turn the limb: a triangle of which one side and two angles are known. A walk that
-// comes back past the base would turn the limb over, so it may turn it the less, the straighter it comes
-// back.
+// How far a walk may turn the limb that it leaves at the angle `aside`. One that comes back towards the base
+// would carry the limb past it and turn it over, so it may turn it the less, the straighter it comes back;
+// limits beyond 90 degrees let go of that step by step.
+double mostTurn(const TipProblem& problem, double aside) {
+  const double limit = problem.turnLimitRadians;
+  const double hold = aside > 0.5 * pi ? std::clamp(2.0 - limit / (0.5 * pi), 0.0, 1.0) : 0.0;
+  return limit * (1.0 + hold * (std::sin(aside) - 1.0));
+}
+
+// The walk as far as it may turn the limb: a triangle of which one side and two angles are known.
 Walk withinTurn(const TipProblem& problem, const Vec3& tip, const Walk& walked) {
+  constexpr double hardly = 1e-9; // radians: walk and limb on one line, within rounding
   const Vec3 limb = tip - problem.basePosition;
   const Vec3 way = walked.end - tip;
   if (!(glm::length(limb) > 0.0) || !(glm::length(way) > 0.0)) {
     return walked;
   }
   const double aside = angleBetween(limb, way);
-  const double most = problem.turnLimitRadians * (aside > 0.5 * pi ? std::sin(aside) : 1.0);
-  if (angleBetween(limb, walked.end - problem.basePosition) <= most) {
+  const double most = mostTurn(problem, aside);
+  const double beyond = std::sin(aside - most);
+  if (angleBetween(limb, walked.end - problem.basePosition) <= most + hardly || !(beyond > 0.0)) {
     return walked;
   }
-  const double share = glm::length(limb) * std::sin(most) / std::sin(aside - most) / glm::length(way);
-  return {tip + share * way, share * walked.signedDistance, false};
+  const double share = glm::length(limb) * std::sin(most) / beyond / glm::length(way);
+  return {tip + share * way, share * walked.signedDistance, false, true};
 }
 
 Walk walk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, double longestInwards) {
@@ -147,7 +157,9 @@ Vec3 turned(const TipSolution& solution, const Vec3& point) {
 void finish(const TipProblem& problem, const Walk& walked, TipSolution& solution) {
   solution.tip = walked.end;
   solution.outcome = walked.met ? TipOutcome::reached : TipOutcome::closest;
-  if (!walked.met && problem.pull) {
+  // With an axis off, the pull past the limit would turn the limb on instead of straight out.
+  const bool mayPull = !walked.isCut || (problem.axes[0] && problem.axes[1] && problem.axes[2]);
+  if (!walked.met && problem.pull && mayPull) {
     solution.pull = pullFrom(problem, walked.end, solution.originalTip);
     solution.tip += solution.pull;
     solution.outcome = TipOutcome::pulled;

@@ -36,9 +36,9 @@ struct TipProblem {
 
 /// Why a tip is not at the wanted length, or that it is.
 enum class TipOutcome {
-  reached,       ///< |P2 - P0| = S L on the line of the trail.
-  pulled,        ///< Off the line, by the pull; the length may still differ when axes are off.
-  closest,       ///< Not reachable and pull is off: the closest approach.
+  reached, ///< |P2 - P0| = S L on the line of the trail.
+  pulled,  ///< Off the line, by the pull; the length may still differ when axes are off.
+  closest, ///< Not reachable and pull is off, or the turn is limited with an axis off: as near as it gets.
   nothingToScale ///< No active axis, or the path does not move.
 };
 

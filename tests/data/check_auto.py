@@ -69,7 +69,6 @@ class Case:
         facts = info["clips"][clip]
         self.fps, self.last = facts["fps"], int(facts["seconds"] * facts["fps"] + 1e-6)
         self.height = info["height"]
-        self.metre = self.height / PERSON
 
     def check(self):
         self.check_report()
@@ -82,6 +81,7 @@ class Case:
         self.beside_seam = max(0.25 / self.fps, LEAST_SECONDS)
         times += [self.beside_seam, end - self.beside_seam, end]
         before, after = (self.measure(file, times, nodes, vertices) for file in (self.file, self.output))
+        self.metre = self.size_of(before) / PERSON
         self.check_floor(before, after, frames)
         self.check_lengths(before, after, frames)
         self.check_seam(before, after, len(frames))
@@ -91,6 +91,11 @@ class Case:
         """Places of nodes by their index, and of vertices."""
         measured = self.reader.measure(file, self.clip, times, nodes, vertices)
         return {"vertices": measured["vertices"], "nodes": dict(zip(nodes, measured["nodes"].values()))}
+
+    def size_of(self, measured):
+        """The largest extent at the first frame: the height says little of a snake."""
+        points = [point for key in measured["vertices"] for point in points_of(measured["vertices"][key], 0)]
+        return max([self.height] + [max(axis) - min(axis) for axis in zip(*points)])
 
     def check_report(self):
         by_limb = {}

@@ -90,14 +90,14 @@ Status beginClip(Shell& shell) {
   return Success{};
 }
 
-std::vector<rig::Moment> wantedMoments(const ClipStyleState& state) {
-  std::vector<rig::Moment> wanted;
+std::vector<rig::Moment> momentsThatAre(const ClipStyleState& state, bool on) {
+  std::vector<rig::Moment> moments;
   for (std::size_t i = 0; i < state.moments.size(); ++i) {
-    if (state.on[i]) {
-      wanted.push_back(state.moments[i]);
+    if (state.on[i] == on) {
+      moments.push_back(state.moments[i]);
     }
   }
-  return wanted;
+  return moments;
 }
 
 void startWork(Shell& shell) {
@@ -108,9 +108,9 @@ void startWork(Shell& shell) {
     shell.beside.styling.begun = true;
   }
   state.changed = false;
-  const app::AutoSettings settings{chosenStyle(shell), state.strength};
+  const app::AutoSettings settings{chosenStyle(shell), state.strength, momentsThatAre(state, false)};
   shell.beside.styling.job = std::make_unique<app::Job<app::AutoClip>>(
-      [document = session.atBegin(), clip = session.view().clip, moments = wantedMoments(state),
+      [document = session.atBegin(), clip = session.view().clip, moments = momentsThatAre(state, true),
        settings](const skinning::Proceed&) -> Result<app::AutoClip> {
         return app::exaggerateClip(document, clip, moments, settings);
       });

@@ -234,8 +234,8 @@ TEST_CASE("A limb that is exaggerated still points where it pointed, and is long
       CHECK(degreesTurned(made.document, one.moment.limb.c_str(), tip) < (one.isLevel ? 25.1 : 15.1));
       const rig::Limb& limb = *findLimb(made.document, one.moment.limb);
       const rig::MotionState motion = prepareMotion(made.document, 0);
-      CHECK(rig::limbLength(limb, evaluate(made.document, motion, tip / 30.0)) >
-            1.03 * rig::limbLength(limb, evaluateOriginal(before, 0, tip / 30.0)));
+      CHECK(rig::limbLength(limb, evaluate(made.document, motion, tip / 30.0)) ==
+            Approx(one.scale * rig::limbLength(limb, evaluateOriginal(before, 0, tip / 30.0))).epsilon(1e-3));
       ++longer;
     }
     CHECK(longer > 0);
@@ -276,12 +276,25 @@ TEST_CASE("What both sides do at once is as large on both, and what one does lat
   CHECK(apart.moments.front().scale == Approx(1.4));
 }
 
+TEST_CASE("What is asked for alone is as weak beside the rest of the clip as together with it") {
+  const Document before = test::boxer();
+  const rig::Moment punch = momentsOf(before, 0).front();
+  rig::Moment stronger = punch;
+  stronger.limb = "spine";
+  stronger.strength = 3.0 * punch.strength;
+  AutoSettings settings = in("Opera");
+  const double alone = exaggerateClip(before, 0, {punch}, settings).moments.front().scale;
+  settings.beside = {stronger};
+  CHECK(alone == Approx(1.4));
+  CHECK(exaggerateClip(before, 0, {punch}, settings).moments.front().scale == Approx(1.0 + 0.4 / 1.8));
+}
+
 TEST_CASE("A clip that only idles is left alone") {
   const Document before = test::boxer();
   rig::Moment breath = momentsOf(before, 0).front();
   breath.strength = 0.9;
   const AutoClip idle = exaggerateClip(before, 0, {breath}, in("Opera"));
-  CHECK(idle.moments.front().why == "the clip only idles");
+  CHECK(idle.moments.front().why == "it is too weak to be an action");
   CHECK(idle.trailIds.empty());
   breath.strength = 1.1;
   CHECK(exaggerateClip(before, 0, {breath}, in("Opera")).trailIds.size() == 1);
@@ -339,9 +352,7 @@ TEST_CASE(
   CHECK(ground.leastHeightAt(0.0) == -0.2); // no foot stands: it may go where the clip goes at some time
   ground.floor = 0.0;
   CHECK(ground.leastHeightAt(0.0) == 0.0);
-  CHECK(ground.leastHeightAt(0.5) == -0.2);
   CHECK(ground.leastHeightAt(1.0) == -0.2);
-  CHECK(ground.leastHeightAt(1.5) == -0.2);
   CHECK(ground.leastHeightAt(9.0) == 0.0);
   ground.floor = -1.0;
   CHECK(ground.leastHeightAt(2.0) == -0.2);

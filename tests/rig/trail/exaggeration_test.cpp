@@ -1,4 +1,6 @@
+#include <cmath>
 #include <fstream>
+#include <random>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -161,6 +163,48 @@ TEST_CASE("a limb that is drawn back past its base is not turned over, once it h
     CHECK(degreesTurned(problem) == Approx(25.0 * std::sin(aside)).margin(1e-6));
     CHECK(glm::length(solveTip(problem).tip) == Approx(2.0));
   }
+}
+
+TEST_CASE("a limb on one line with its walk is lengthened whatever its limit, to a number") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 limb(any(random), any(random), any(random));
+    TipProblem problem;
+    problem.points = {0.3 * limb, limb};
+    problem.limbLength = glm::length(limb);
+    problem.scale = 1.7;
+    problem.turnLimitRadians = 0.0;
+    REQUIRE(glm::length(solveTip(problem).tip - 1.7 * limb) < 1e-6);
+  }
+}
+
+TEST_CASE("with an axis off a limb whose turn is limited gets no farther than the limit, and says so") {
+  TipProblem problem;
+  problem.points = {Vec3(-0.4, -1.0, 0.0), Vec3(0.1, -1.0, 0.0)}; // a leg that steps along the ground
+  problem.limbLength = glm::length(problem.points.back());
+  problem.axes = {true, false, true};
+  problem.turnLimitRadians = 25.0 * pi / 180.0;
+  problem.scale = 2.0;
+  const TipSolution solution = solveTip(problem);
+  CHECK(solution.outcome == TipOutcome::closest);
+  CHECK_FALSE(solution.reached());
+  CHECK(degreesTurned(problem) == Approx(25.0));
+  CHECK(solution.tip.y == -1.0);
+  problem.scale = 1.05;
+  CHECK(solveTip(problem).reached());
+}
+
+TEST_CASE("a turn limit that is let go of step by step snaps nowhere") {
+  TipProblem problem = limbWhoseEndCame(Vec3(-std::cos(0.4), std::sin(0.4), 0.0), 2.0);
+  double before = 0.0;
+  for (double degrees = 0.0; degrees <= 180.0; degrees += 0.5) {
+    problem.turnLimitRadians = degrees * pi / 180.0;
+    const double turned = degreesTurned(problem);
+    CHECK(std::abs(turned - before) < 4.0);
+    before = turned;
+  }
+  CHECK(before > 100.0);
 }
 
 TEST_CASE("a limb that gets shorter is turned no farther than its limit either") {

@@ -50,7 +50,7 @@ std::vector<OptionRow> styleRows() {
       rowsBehind("IN/leap.glb -o OUT/out.glb --auto",
                  {{"--style-leg", "", "--style-leg 3"},
                   {"--style-leg-least", "--strength 0.1", "--strength 0.1 --style-leg-least 2"},
-                  {"--style-leg-most", "--strength 2", "--strength 2 --style-leg-most 2.5"},
+                  {"--style-leg-most", "--strength 2", "--strength 2 --style-leg-most 1.2"},
                   {"--style-release", "", "--style-release 3"},
                   {"--style-spread-limbs", "", "--style-spread-limbs 0.3"}});
   const std::vector<OptionRow> ofChains =
