@@ -125,6 +125,7 @@ TEST_CASE("Orbiting stops at the poles and keeps target and distance") {
   CHECK(above.target == camera.target);
   CHECK(above.distance == camera.distance);
   CHECK(glm::length(viewUp(makeView(above, wide))) == Approx(1.0));
+  CHECK(orbited(camera, wide, {0.0, -1e6}).pitchRadians == Approx(-0.5 * pi));
 }
 
 TEST_CASE("A fitted box fills the viewport and stays inside it") {

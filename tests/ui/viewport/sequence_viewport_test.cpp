@@ -2,11 +2,16 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <map>
 #include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"
 #include "ui/render/scene/value_colors.h"
+#include "ui/viewport/segment_shapes.h"
 #include "ui/viewport/sequence_picture.h"
 
 using namespace stretch;
@@ -110,4 +115,32 @@ TEST_CASE("vertices take the colours of their bones, mixed by the weights") {
   const auto colors = segmentColors(segments);
   CHECK(colors[0] == linearLight(segmentColor(1)));
   CHECK(colors[1].r == Approx(0.5 * (linearLight(segmentColor(1)).r + linearLight(segmentColor(2)).r)));
+}
+
+TEST_CASE("the cylinders of segments are closed, of a result and of a centre line") {
+  const bool compressed = GENERATE(false, true);
+  const app::SequenceDocument document = tubeDocument(compressed);
+  const SegmentCylinders cylinders(*document.analysis,
+                                   compressed ? &document.result->compressed.skinned : nullptr);
+  const PlainMesh mesh = cylinders.meshAt(3);
+  REQUIRE_FALSE(mesh.triangles.empty());
+  std::map<std::pair<int, int>, int> edges; // of the places, since a lid may have vertices of its own
+  const std::size_t each = mesh.positions.size() / cylinders.count();
+  const auto placeOf = [&](std::size_t vertex) {
+    const auto first = mesh.positions.begin() + static_cast<std::ptrdiff_t>(vertex / each * each);
+    const auto same =
+        std::find_if(first, first + static_cast<std::ptrdiff_t>(each), [&](const glm::vec3& other) {
+          return glm::distance(other, mesh.positions[vertex]) < 1e-6F;
+        });
+    return static_cast<int>(same - mesh.positions.begin());
+  };
+  for (const Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++edges[{placeOf(triangle[i]), placeOf(triangle[(i + 1) % 3])}];
+    }
+  }
+  for (const auto& [edge, count] : edges) {
+    CHECK(count == 1);
+    CHECK(edges.contains({edge.second, edge.first}));
+  }
 }
