@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/auto/held_things.h"
 #include "app/auto/loop_seam.h"
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
@@ -28,7 +29,7 @@ Things thingsOf(const AutoPlan& plan) {
     trail.colour = static_cast<int>(things.trails.size()) % dealtColours;
     things.trails.push_back(std::move(trail));
   }
-  things.holds.grips = plan.grips;
+  things.holds = plan.holds;
   return things;
 }
 
@@ -132,6 +133,11 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   const ClipGround ground = clipGround(document, clip);
   AutoPlan plan = planTrails(ground, moments, settings);
   settle(ground, moments, settings, plan);
+  std::erase_if(plan.holds.props, [&](const rig::Prop& prop) {
+    return std::ranges::none_of(plan.trails, [&](const PlannedTrail& planned) {
+      return holdsBoth(prop, planned.trail.limb, planned.trail.limb);
+    });
+  });
   plan.loops = plan.loops && std::ranges::any_of(plan.trails, [&](const PlannedTrail& planned) {
                  const rig::TrailSettings& own = planned.trail.settings;
                  return windowOf(own).y > ground.lastFrame || own.endFrame >= ground.lastFrame;
@@ -157,7 +163,11 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
                                     planned.trail.settings.scale,
                                     !wasLevel && !planned.trail.settings.axes[1], planned.why};
   }
-  for (const rig::Grip& grip : plan.grips) {
+  for (const rig::Prop& prop : plan.holds.props) {
+    const auto node = static_cast<std::size_t>(std::stoul(prop.node.substr(1)));
+    made.notes.push_back(fmt::format("{} stays in hand", document.scene->nodes[node].name));
+  }
+  for (const rig::Grip& grip : plan.holds.grips) {
     made.notes.push_back(fmt::format("the hand of {} keeps to that of {}", grip.follower, grip.leader));
   }
   addWeights(settings, ground, made);

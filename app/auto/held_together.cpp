@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/auto/held_things.h"
 #include "app/evaluate/evaluate.h"
 
 namespace stretch::app {
@@ -52,7 +53,12 @@ std::vector<rig::Grip> gripsFor(const ClipGround& ground, AutoPlan& plan) {
     const rig::Limb& leader = *findLimb(ground.document, leading.limb);
     const rig::Limb* const other =
         isArm(leader) ? rig::limbAt(ground.document.body.limbs, rig::mirrored(leader)) : nullptr;
-    if (other == nullptr || other->id == leader.id || !areJoined(ground, leader, *other, leading.settings)) {
+    const bool isOnThing =
+        other != nullptr && std::ranges::any_of(plan.holds.props, [&](const rig::Prop& prop) {
+          return holdsBoth(prop, leader.id, other->id);
+        });
+    if (other == nullptr || other->id == leader.id || isOnThing ||
+        !areJoined(ground, leader, *other, leading.settings)) {
       continue;
     }
     const Vec2 window = windowOf(leading.settings);

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/auto/held_things.h"
 #include "app/auto/held_together.h"
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
@@ -52,7 +53,8 @@ public:
     }
     addTrunk();
     giveRoom();
-    plan_.grips = gripsFor(ground_, plan_);
+    plan_.holds.props = propsFor(ground_, plan_);
+    plan_.holds.grips = gripsFor(ground_, plan_);
     return std::move(plan_);
   }
 
@@ -288,7 +290,7 @@ void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why) {
   }
   plan.leftOut[planned.moment] = why;
   std::erase_if(plan.trails, [&](const PlannedTrail& other) { return other.moment == planned.moment; });
-  std::erase_if(plan.grips, [&](const rig::Grip& grip) {
+  std::erase_if(plan.holds.grips, [&](const rig::Grip& grip) {
     return grip.leader == planned.trail.limb && grip.time.rangeFrames.x == planned.trail.settings.startFrame;
   });
 }

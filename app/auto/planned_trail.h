@@ -25,8 +25,8 @@ struct PlannedTrail {
 struct AutoPlan {
   std::vector<PlannedTrail> trails;
   std::vector<std::string> leftOut; ///< One for each moment; empty: not left out.
-  std::vector<rig::Grip> grips;
-  bool loops = false; ///< The clip is to be played as a loop.
+  rig::Holds holds;                 ///< Grips and props that keep hands on things.
+  bool loops = false;               ///< The clip is to be played as a loop.
 };
 
 /// Chooses range, way back and settings of a trail for each moment that can have one.

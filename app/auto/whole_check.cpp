@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/auto/held_things.h"
 #include "app/auto/loop_seam.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
@@ -65,7 +66,10 @@ private:
         document.trails.back().id = ground_.document.nextTrailId + static_cast<int>(i);
       }
     }
-    document.holds.grips.insert(document.holds.grips.end(), plan_.grips.begin(), plan_.grips.end());
+    document.holds.grips.insert(document.holds.grips.end(), plan_.holds.grips.begin(),
+                                plan_.holds.grips.end());
+    document.holds.props.insert(document.holds.props.end(), plan_.holds.props.begin(),
+                                plan_.holds.props.end());
     rig::MotionState motion = prepareMotion(document, ground_.clip);
     return {std::move(document), std::move(motion)};
   }
@@ -88,10 +92,13 @@ private:
 
   [[nodiscard]] bool moves(const PlannedTrail& planned, const rig::Limb& limb) const {
     const rig::Limb* const own = findLimb(ground_.document, planned.trail.limb);
-    const bool grips = std::ranges::any_of(plan_.grips, [&](const rig::Grip& grip) {
+    const bool grips = std::ranges::any_of(plan_.holds.grips, [&](const rig::Grip& grip) {
       return grip.leader == planned.trail.limb && grip.follower == limb.id;
     });
-    return planned.trail.limb == limb.id || grips ||
+    const bool holds = std::ranges::any_of(plan_.holds.props, [&](const rig::Prop& prop) {
+      return holdsBoth(prop, planned.trail.limb, limb.id);
+    });
+    return planned.trail.limb == limb.id || grips || holds ||
            (own != nullptr && rig::carries(*ground_.document.scene, *own, limb));
   }
 

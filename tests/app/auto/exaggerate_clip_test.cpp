@@ -433,6 +433,34 @@ TEST_CASE("The spine that goes along with a punch is pulled, and complains of no
   CHECK(spine->warnings.empty());
 }
 
+TEST_CASE("A bat stays in the hands that swing it, in each for as long as it holds on in the clip") {
+  const Document before = test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb");
+  const AutoClip made = exaggerated(before, in("Average"));
+  REQUIRE(made.document.holds.props.size() == 1);
+  REQUIRE(made.document.holds.props.front().hands.size() == 2);
+  CHECK(std::ranges::find(made.notes, "Bat stays in hand") != made.notes.end());
+  const auto bat = std::ranges::find(before.scene->nodes, "Bat", &Node::name) - before.scene->nodes.begin();
+  const rig::MotionState motion = prepareMotion(made.document, 0);
+  double longest = 0.0;
+  for (double frame = 30.0; frame <= 60.0; frame += 1.0) {
+    const FrameState source = evaluateOriginal(before, 0, frame / 24.0);
+    const FrameState now = evaluate(made.document, motion, frame / 24.0);
+    const auto fromBat = [&](const FrameState& state, const char* arm) {
+      return glm::length(rig::endPosition(*findLimb(before, arm), state) -
+                         positionOf(state.worlds[static_cast<std::size_t>(bat)]));
+    };
+    CAPTURE(frame);
+    CHECK(fromBat(now, "left-arm") == Approx(fromBat(source, "left-arm")).margin(0.01));
+    if (frame <= 44.0) { // then the right hand lets go
+      CHECK(fromBat(now, "right-arm") == Approx(fromBat(source, "right-arm")).margin(0.01));
+    }
+    longest = std::max(longest, rig::limbLength(*findLimb(before, "left-arm"), now) /
+                                    rig::limbLength(*findLimb(before, "left-arm"), source));
+  }
+  CHECK(longest > 1.5);
+  CHECK(exaggerated(test::boxer(), in("Average")).document.holds.empty());
+}
+
 TEST_CASE("A style with weight gives it to arms that have a trail") {
   const AutoClip made = exaggerated(test::boxer(), in("Heavy"));
   REQUIRE_FALSE(made.trailIds.empty());

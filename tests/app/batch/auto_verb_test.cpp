@@ -58,7 +58,7 @@ TEST_CASE(
   const std::string first = (folder / "first.glb").string();
   const std::string second = (folder / "second.glb").string();
   const std::string style = (folder / "style.json").string();
-  const std::string other = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
+  const std::string other = STRETCH_SOURCE_DIR "/assets/dummy_leap.glb";
   REQUIRE(test::runVerb({"exaggerate", punchPath, "-o", first, "--limb", "left-arm", "--range", "21:27",
                          "--scale", "1.6"})
               .exitCode == 0);

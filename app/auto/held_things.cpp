@@ -1,0 +1,149 @@
+#include "app/auto/held_things.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/edits/pose/hold_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "core/math/transform.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr double mostSlip = 0.06;    // of an arm: so far a thing in a hand gets from it from frame to frame,
+constexpr double mostDrift = 0.2;    // and since it was taken; it may turn in the hand
+constexpr double farthestHold = 1.2; // of an arm: from the hand to the middle of a thing that it holds
+constexpr double leastSwing = 0.3;   // of an arm: a hand that rests beside a thing holds nothing
+constexpr double shortestHold = 3.0; // frames
+
+/// How far a thing is from a hand, and where the hand is.
+struct InHand {
+  double distance = 0.0;
+  Vec3 hand{0.0};
+};
+
+std::vector<InHand> seenFromHand(const std::vector<FrameState>& frames, const rig::Limb& arm,
+                                 NodeIndex thing) {
+  std::vector<InHand> seen;
+  for (const FrameState& frame : frames) {
+    const Vec3 hand = positionOf(frame.worlds[at(arm.endNode)]);
+    seen.push_back({glm::length(positionOf(frame.worlds[at(thing)]) - hand), hand});
+  }
+  return seen;
+}
+
+/// Frames over which the hand holds the thing.
+std::vector<Vec2> holdsIn(const std::vector<InHand>& seen, double arm) {
+  std::vector<Vec2> holds;
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    std::size_t last = first;
+    double way = 0.0;
+    const auto differsBy = [&](std::size_t a, std::size_t b) {
+      return std::abs(seen[a].distance - seen[b].distance);
+    };
+    while (seen[first].distance < farthestHold * arm && last + 1 < seen.size() &&
+           differsBy(last, last + 1) < mostSlip * arm && differsBy(first, last + 1) < mostDrift * arm) {
+      ++last;
+      way = std::max(way, glm::length(seen[last].hand - seen[first].hand));
+    }
+    if (static_cast<double>(last - first) >= shortestHold && way > leastSwing * arm) {
+      holds.emplace_back(static_cast<double>(first), static_cast<double>(last));
+      first = last;
+    }
+  }
+  return holds;
+}
+
+rig::OffsetKey firmness(double frame, double value) {
+  rig::OffsetKey key;
+  key.frame = frame;
+  key.value = value;
+  return key;
+}
+
+rig::PropHand handOf(const std::string& arm, const std::vector<Vec2>& holds) {
+  rig::PropHand hand{arm, {}};
+  if (holds.front().x > 0.0) {
+    hand.keys.push_back(firmness(0.0, 0.0));
+  }
+  for (std::size_t i = 0; i < holds.size(); ++i) {
+    const bool goesOn = i > 0 && holds[i].x <= holds[i - 1].y + rig::firmnessFadeFrames;
+    if (goesOn) {
+      hand.keys.back() = firmness(holds[i].y, 1.0);
+      continue;
+    }
+    if (hand.keys.empty() || hand.keys.back().value < 1.0) {
+      hand.keys.push_back(firmness(holds[i].x, 1.0));
+    }
+    hand.keys.push_back(firmness(holds[i].y, 1.0));
+    if (i + 1 < holds.size() && holds[i + 1].x > holds[i].y + rig::firmnessFadeFrames) {
+      hand.keys.push_back(firmness(holds[i].y + rig::firmnessFadeFrames, 0.0));
+    }
+  }
+  return hand;
+}
+
+bool isHeldIn(const std::vector<Vec2>& holds, const rig::TrailSettings& settings) {
+  return std::ranges::any_of(holds, [&](const Vec2& hold) {
+    return hold.x <= settings.startFrame + 1.0 && hold.y >= settings.endFrame - 1.0;
+  });
+}
+
+std::optional<rig::Prop> propOf(const ClipGround& ground, const AutoPlan& plan,
+                                const std::vector<FrameState>& frames, NodeIndex thing) {
+  rig::Prop prop;
+  prop.node = fmt::format("#{}", at(thing));
+  prop.clip = ground.clip;
+  prop.boundFrame = std::nullopt;
+  bool isSwung = false;
+  for (const rig::Limb& arm : ground.limbs) {
+    if (!isArm(arm) || !arm.endNode.exists()) {
+      continue;
+    }
+    const std::vector<Vec2> holds = holdsIn(seenFromHand(frames, arm, thing), arm.restLength);
+    if (!holds.empty()) {
+      prop.hands.push_back(handOf(arm.id, holds));
+      isSwung = isSwung || std::ranges::any_of(plan.trails, [&](const PlannedTrail& planned) {
+                  return planned.trail.limb == arm.id && isHeldIn(holds, planned.trail.settings);
+                });
+    }
+  }
+  rig::Holds wanted;
+  wanted.props.push_back(prop);
+  return isSwung && placeHolds(ground.document, wanted) ? std::optional(prop) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan) {
+  const Scene& scene = *ground.document.scene;
+  std::vector<rig::Prop> props;
+  std::vector<FrameState> frames; // of a character that holds nothing none are needed
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].mesh < 0 || scene.nodes[i].skin >= 0) {
+      continue;
+    }
+    for (double frame = static_cast<double>(frames.size()); frame <= ground.lastFrame; frame += 1.0) {
+      frames.push_back(evaluateOriginal(ground.document, ground.clip, frame / ground.framesPerSecond));
+    }
+    if (std::optional<rig::Prop> prop = propOf(ground, plan, frames, NodeIndex(i))) {
+      props.push_back(std::move(*prop));
+    }
+  }
+  return props;
+}
+
+bool holdsBoth(const rig::Prop& prop, const std::string& arm, const std::string& other) {
+  const auto isIn = [&](const std::string& limb) {
+    return std::ranges::find(prop.hands, limb, &rig::PropHand::limb) != prop.hands.end();
+  };
+  return isIn(arm) && isIn(other);
+}
+
+} // namespace stretch::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/auto/planned_trail.h"
+
+namespace stretch::app {
+
+/// Props for what the hands of planned trails swing, as a bat: a node with a mesh that is no part of the body
+/// and keeps its place in a hand while that moves. Each hand holds it for as long as it does in the clip,
+/// where the clip has it at each frame.
+[[nodiscard]] std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan);
+
+/// Whether a prop is held by both of these arms at some time.
+[[nodiscard]] bool holdsBoth(const rig::Prop& prop, const std::string& arm, const std::string& other);
+
+} // namespace stretch::app
