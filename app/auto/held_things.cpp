@@ -129,7 +129,7 @@ std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan) 
     if (scene.nodes[i].mesh < 0 || scene.nodes[i].skin >= 0) {
       continue;
     }
-    for (double frame = static_cast<double>(frames.size()); frame <= ground.lastFrame; frame += 1.0) {
+    for (auto frame = static_cast<double>(frames.size()); frame <= ground.lastFrame; frame += 1.0) {
       frames.push_back(evaluateOriginal(ground.document, ground.clip, frame / ground.framesPerSecond));
     }
     if (std::optional<rig::Prop> prop = propOf(ground, plan, frames, NodeIndex(i))) {
