@@ -35,7 +35,7 @@ Schema<TrailSettings> tipSettings() {
                               .help =
                                   "So far at most the scale turns the limb about its base; beyond that it "
                                   "grows straight out.",
-                              .row = {.section = "tip", .label = "Turn limit", .step = 1.0}},
+                              .row = {.section = "space", .label = "Turn limit", .step = 1.0}},
                              &TrailSettings::turnLimitDegrees),
   };
 }
