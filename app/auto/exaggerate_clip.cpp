@@ -134,9 +134,8 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   AutoPlan plan = planTrails(ground, moments, settings);
   settle(ground, moments, settings, plan);
   std::erase_if(plan.holds.props, [&](const rig::Prop& prop) {
-    return std::ranges::none_of(plan.trails, [&](const PlannedTrail& planned) {
-      return holdsBoth(prop, planned.trail.limb, planned.trail.limb);
-    });
+    return std::ranges::none_of(
+        plan.trails, [&](const PlannedTrail& planned) { return isHeldBy(prop, planned.trail.limb); });
   });
   plan.loops = plan.loops && std::ranges::any_of(plan.trails, [&](const PlannedTrail& planned) {
                  const rig::TrailSettings& own = planned.trail.settings;

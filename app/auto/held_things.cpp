@@ -53,7 +53,12 @@ std::vector<Vec2> holdsIn(const std::vector<InHand>& seen, double arm) {
       way = std::max(way, glm::length(seen[last].hand - seen[first].hand));
     }
     if (static_cast<double>(last - first) >= shortestHold && way > leastSwing * arm) {
-      holds.emplace_back(static_cast<double>(first), static_cast<double>(last));
+      const auto begin = static_cast<double>(first);
+      if (!holds.empty() && begin <= holds.back().y + rig::firmnessFadeFrames) {
+        holds.back().y = static_cast<double>(last); // it slipped, and was not let go of
+      } else {
+        holds.emplace_back(begin, static_cast<double>(last));
+      }
       first = last;
     }
   }
@@ -67,23 +72,17 @@ rig::OffsetKey firmness(double frame, double value) {
   return key;
 }
 
-rig::PropHand handOf(const std::string& arm, const std::vector<Vec2>& holds) {
+/// Firm while the hand holds the thing, and let go of in between and at the end.
+rig::PropHand handOf(const std::string& arm, const std::vector<Vec2>& holds, double lastFrame) {
   rig::PropHand hand{arm, {}};
   if (holds.front().x > 0.0) {
     hand.keys.push_back(firmness(0.0, 0.0));
   }
-  for (std::size_t i = 0; i < holds.size(); ++i) {
-    const bool goesOn = i > 0 && holds[i].x <= holds[i - 1].y + rig::firmnessFadeFrames;
-    if (goesOn) {
-      hand.keys.back() = firmness(holds[i].y, 1.0);
-      continue;
-    }
-    if (hand.keys.empty() || hand.keys.back().value < 1.0) {
-      hand.keys.push_back(firmness(holds[i].x, 1.0));
-    }
-    hand.keys.push_back(firmness(holds[i].y, 1.0));
-    if (i + 1 < holds.size() && holds[i + 1].x > holds[i].y + rig::firmnessFadeFrames) {
-      hand.keys.push_back(firmness(holds[i].y + rig::firmnessFadeFrames, 0.0));
+  for (const Vec2& hold : holds) {
+    hand.keys.push_back(firmness(hold.x, 1.0));
+    if (hold.y < lastFrame) {
+      hand.keys.push_back(firmness(hold.y, 1.0));
+      hand.keys.push_back(firmness(std::min(hold.y + rig::firmnessFadeFrames, lastFrame), 0.0));
     }
   }
   return hand;
@@ -108,7 +107,7 @@ std::optional<rig::Prop> propOf(const ClipGround& ground, const AutoPlan& plan,
     }
     const std::vector<Vec2> holds = holdsIn(seenFromHand(frames, arm, thing), arm.restLength);
     if (!holds.empty()) {
-      prop.hands.push_back(handOf(arm.id, holds));
+      prop.hands.push_back(handOf(arm.id, holds, ground.lastFrame));
       isSwung = isSwung || std::ranges::any_of(plan.trails, [&](const PlannedTrail& planned) {
                   return planned.trail.limb == arm.id && isHeldIn(holds, planned.trail.settings);
                 });
@@ -139,11 +138,8 @@ std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan) 
   return props;
 }
 
-bool holdsBoth(const rig::Prop& prop, const std::string& arm, const std::string& other) {
-  const auto isIn = [&](const std::string& limb) {
-    return std::ranges::find(prop.hands, limb, &rig::PropHand::limb) != prop.hands.end();
-  };
-  return isIn(arm) && isIn(other);
+bool isHeldBy(const rig::Prop& prop, const std::string& arm) {
+  return std::ranges::find(prop.hands, arm, &rig::PropHand::limb) != prop.hands.end();
 }
 
 } // namespace stretch::app

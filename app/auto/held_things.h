@@ -12,7 +12,7 @@ namespace stretch::app {
 /// where the clip has it at each frame.
 [[nodiscard]] std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan);
 
-/// Whether a prop is held by both of these arms at some time.
-[[nodiscard]] bool holdsBoth(const rig::Prop& prop, const std::string& arm, const std::string& other);
+/// Whether this arm's hand holds the prop at some time.
+[[nodiscard]] bool isHeldBy(const rig::Prop& prop, const std::string& arm);
 
 } // namespace stretch::app

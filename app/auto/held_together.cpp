@@ -55,7 +55,7 @@ std::vector<rig::Grip> gripsFor(const ClipGround& ground, AutoPlan& plan) {
         isArm(leader) ? rig::limbAt(ground.document.body.limbs, rig::mirrored(leader)) : nullptr;
     const bool isOnThing =
         other != nullptr && std::ranges::any_of(plan.holds.props, [&](const rig::Prop& prop) {
-          return holdsBoth(prop, leader.id, other->id);
+          return isHeldBy(prop, leader.id) && isHeldBy(prop, other->id);
         });
     if (other == nullptr || other->id == leader.id || isOnThing ||
         !areJoined(ground, leader, *other, leading.settings)) {

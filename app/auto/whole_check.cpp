@@ -96,7 +96,7 @@ private:
       return grip.leader == planned.trail.limb && grip.follower == limb.id;
     });
     const bool holds = std::ranges::any_of(plan_.holds.props, [&](const rig::Prop& prop) {
-      return holdsBoth(prop, planned.trail.limb, limb.id);
+      return isHeldBy(prop, planned.trail.limb) && isHeldBy(prop, limb.id);
     });
     return planned.trail.limb == limb.id || grips || holds ||
            (own != nullptr && rig::carries(*ground_.document.scene, *own, limb));

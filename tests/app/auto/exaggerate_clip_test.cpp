@@ -458,6 +458,11 @@ TEST_CASE("A bat stays in the hands that swing it, in each for as long as it hol
                                     rig::limbLength(*findLimb(before, "left-arm"), source));
   }
   CHECK(longest > 1.5);
+  const std::vector<rig::PropHand>& hands = made.document.holds.props.front().hands;
+  const auto right = std::ranges::find(hands, "right-arm", &rig::PropHand::limb);
+  REQUIRE(right != hands.end());
+  CHECK(right->keys.back().frame == Approx(47.0).margin(1.0));
+  CHECK(right->keys.back().value == 0.0);
   CHECK(exaggerated(test::boxer(), in("Average")).document.holds.empty());
 }
 
