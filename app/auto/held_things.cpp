@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -140,6 +141,16 @@ std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan) 
 
 bool isHeldBy(const rig::Prop& prop, const std::string& arm) {
   return std::ranges::find(prop.hands, arm, &rig::PropHand::limb) != prop.hands.end();
+}
+
+bool isHeldBy(const rig::Prop& prop, const std::string& arm, double frame) {
+  const auto hand = std::ranges::find(prop.hands, arm, &rig::PropHand::limb);
+  if (hand == prop.hands.end()) {
+    return false;
+  }
+  const auto next =
+      std::ranges::find_if(hand->keys, [&](const rig::OffsetKey& key) { return key.frame > frame; });
+  return next != hand->keys.begin() && std::prev(next)->value > 0.5;
 }
 
 } // namespace stretch::app

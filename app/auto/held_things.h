@@ -15,4 +15,7 @@ namespace stretch::app {
 /// Whether this arm's hand holds the prop at some time.
 [[nodiscard]] bool isHeldBy(const rig::Prop& prop, const std::string& arm);
 
+/// Whether it does at this frame.
+[[nodiscard]] bool isHeldBy(const rig::Prop& prop, const std::string& arm, double frame);
+
 } // namespace stretch::app

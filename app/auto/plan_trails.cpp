@@ -52,8 +52,9 @@ public:
       plan_.leftOut[i] = tried(i);
     }
     addTrunk();
-    giveRoom();
     plan_.holds.props = propsFor(ground_, plan_);
+    swingTogether();
+    giveRoom();
     plan_.holds.grips = gripsFor(ground_, plan_);
     return std::move(plan_);
   }
@@ -206,6 +207,35 @@ private:
       follower.trail.controlFrames.push_back(settings.spheres.back().frame);
     }
     return follower;
+  }
+
+  // What two hands swing goes where the stronger arm takes it: the other one reaches as far, at the same
+  // time.
+  void swingTogether() {
+    for (std::size_t i = 0; i < plan_.trails.size(); ++i) { // strongest first
+      const rig::Trail lead = plan_.trails[i].trail;
+      bool isAlong = false; // a trail of the other arm
+      for (std::size_t k = i + 1; k < plan_.trails.size();) {
+        rig::TrailSettings& other = plan_.trails[k].trail.settings;
+        if (!areOnOneThing(lead, plan_.trails[k].trail) || other.startFrame >= lead.settings.endFrame ||
+            lead.settings.startFrame >= other.endFrame) {
+          ++k;
+        } else if (isAlong) {
+          leaveOut(plan_, k, "its hand holds what " + lead.limb + " holds, and goes along with it");
+        } else {
+          other = lead.settings;
+          isAlong = true;
+          ++k;
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool areOnOneThing(const rig::Trail& lead, const rig::Trail& other) const {
+    return lead.limb != other.limb && std::ranges::any_of(plan_.holds.props, [&](const rig::Prop& prop) {
+             return isHeldBy(prop, lead.limb, lead.settings.endFrame) &&
+                    isHeldBy(prop, other.limb, lead.settings.endFrame);
+           });
   }
 
   void stopAtGround(const rig::Limb& limb, rig::TrailSettings& settings) const {

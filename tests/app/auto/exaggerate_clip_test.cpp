@@ -466,6 +466,29 @@ TEST_CASE("A bat stays in the hands that swing it, in each for as long as it hol
   CHECK(exaggerated(test::boxer(), in("Average")).document.holds.empty());
 }
 
+TEST_CASE("Both arms reach with the bat at the same time, and as far") {
+  const Document before = test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb");
+  const AutoClip made = exaggerated(before, in("Average"));
+  const auto trailOf = [&](const std::string& arm) {
+    const auto trail = std::ranges::find(made.document.trails, arm, &rig::Trail::limb);
+    REQUIRE(trail != made.document.trails.end());
+    return trail->settings;
+  };
+  const rig::TrailSettings right = trailOf("right-arm"), left = trailOf("left-arm");
+  CHECK(left.startFrame == right.startFrame);
+  CHECK(left.endFrame == right.endFrame);
+  CHECK(left.scale == right.scale);
+  const double seconds = right.endFrame / 24.0;
+  const FrameState source = evaluateOriginal(before, 0, seconds);
+  const FrameState now = evaluate(made.document, prepareMotion(made.document, 0), seconds);
+  for (const char* const arm : {"right-arm", "left-arm"}) {
+    const rig::Limb& limb = *findLimb(before, arm);
+    CAPTURE(arm);
+    CHECK(rig::limbLength(limb, now) > 1.7 * rig::limbLength(limb, source));
+  }
+  CHECK(std::ranges::count(made.document.trails, "left-arm", &rig::Trail::limb) == 1);
+}
+
 TEST_CASE("A style with weight gives it to arms that have a trail") {
   const AutoClip made = exaggerated(test::boxer(), in("Heavy"));
   REQUIRE_FALSE(made.trailIds.empty());
