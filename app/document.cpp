@@ -54,6 +54,13 @@ rig::Trail* findTrail(Document& document, int trailId) {
   return findById(document.trails, trailId);
 }
 
+Document adjustedOnly(Document document) {
+  document.trails.clear();
+  document.holds = {};
+  document.weights.clear();
+  return document;
+}
+
 const Clip& clipOf(const Document& document, int clip) {
   check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(),
         "the clip is one of the document's");

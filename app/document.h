@@ -90,6 +90,9 @@ struct Document {
 [[nodiscard]] const rig::Trail* findTrail(const Document& document, int trailId);
 [[nodiscard]] rig::Trail* findTrail(Document& document, int trailId);
 
+/// With its adjustments alone: what trails, holds and weight make of a pose is left out.
+[[nodiscard]] Document adjustedOnly(Document document);
+
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
 
 /// The clips, and a clip, without the edits of its own keys.

@@ -89,6 +89,14 @@ std::vector<Vec3> pointsToLead(const Limb& limb, const FrameState& frame) {
   return points;
 }
 
+std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  return nodes;
+}
+
 NodeIndex stayingNode(const Limb& limb) {
   const NodeIndex end = limb.endNode.exists() ? limb.endNode : limb.joints.back();
   return limb.ledByFirst ? end : limb.joints.front();

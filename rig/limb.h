@@ -111,6 +111,9 @@ struct Limb : LimbPlace {
 [[nodiscard]] Vec3 stayingPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] std::vector<Vec3> pointsToLead(const Limb& limb, const FrameState& frame);
 
+/// Its joints, then the end where that is a node: what has keys of the limb.
+[[nodiscard]] std::vector<NodeIndex> jointsAndEnd(const Limb& limb);
+
 /// The node at the place that stays.
 [[nodiscard]] NodeIndex stayingNode(const Limb& limb);
 

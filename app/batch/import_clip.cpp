@@ -48,16 +48,12 @@ ClipRequest requestOf(const ImportArguments& arguments) {
 }
 
 Json clipJson(const Clip& clip, const NewClip& brought) {
-  std::size_t keys = 0;
-  for (const CopyOnWrite<Track>& track : clip.tracks) {
-    keys += track->times.size();
-  }
   Json json{{"name", clip.name},
             {"from", brought.from},
             {"way", brought.isRetargeted ? "retargeted" : "copied"},
             {"seconds", clip.endSeconds},
             {"frames", frameCount(clip)},
-            {"keys", keys},
+            {"keys", keyCount(clip)},
             {"fps", clip.framesPerSecond},
             {"left_out", brought.left}};
   if (brought.report) {

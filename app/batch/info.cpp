@@ -27,14 +27,6 @@ struct InfoArguments {
   JsonOutput json;
 };
 
-int keyCount(const Clip& clip) {
-  std::size_t keys = 0;
-  for (const CopyOnWrite<Track>& track : clip.tracks) {
-    keys += track->times.size();
-  }
-  return static_cast<int>(keys);
-}
-
 Json jointJson(const Scene& scene, NodeIndex node) {
   return {{"name", scene.nodes[at(node)].name}, {"node", node.value}};
 }

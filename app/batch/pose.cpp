@@ -45,14 +45,6 @@ struct PoseArguments {
   JsonOutput json;
 };
 
-// The adjustments alone: what a limb's trail or weight makes of a pose is another matter.
-Document adjustedOnly(Document document) {
-  document.trails.clear();
-  document.holds = {};
-  document.weights.clear();
-  return document;
-}
-
 // Where the controller was asked to be at a frame and where it came to; nothing where it only turns.
 std::optional<Json> placesAt(const Document& document, const rig::MotionState& motion,
                              const std::string& controller, double frame) {

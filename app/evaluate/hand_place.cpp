@@ -24,13 +24,6 @@ Vec3 middleOfHand(const Document& document, const rig::Limb& limb, const FrameSt
   return transformPoint(moved, 0.5 * (box.low + box.high));
 }
 
-Document withoutHoldsAndTrails(Document document) {
-  document.trails.clear();
-  document.holds = {};
-  document.weights.clear();
-  return document;
-}
-
 } // namespace
 
 Result<Vec3> placeInHands(const Document& document, const PropFile& file) {
@@ -45,7 +38,7 @@ Result<Vec3> placeInHands(const Document& document, const PropFile& file) {
     return Error{"the frame at which it is taken is no number", file.path.string(),
                  "give a frame of the clip"};
   }
-  const Document adjusted = withoutHoldsAndTrails(document);
+  const Document adjusted = adjustedOnly(document);
   const double seconds = file.frame / clipOf(adjusted, file.clip).framesPerSecond;
   const FrameState frame = evaluate(adjusted, prepareMotion(adjusted, file.clip), seconds);
   Vec3 sum(0.0);

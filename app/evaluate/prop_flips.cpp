@@ -1,13 +1,13 @@
 #include "app/evaluate/prop_flips.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/evaluate/hold_report.h"
+#include "core/math/rotation.h"
 #include "core/math/types.h"
 #include "rig/motion/evaluate.h"
 
@@ -30,20 +30,16 @@ Turns turnsAt(const rig::SolvedHolds& holds, const rig::SolvedProp& prop, const 
   return turns;
 }
 
-double degreesBetween(const Quat& a, const Quat& b) {
-  return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b)))) * 180.0 / pi;
-}
-
-// How far the prop turns more than its hands explain; 0 where they do.
+// How far the prop turns, in degrees, where its hands do not explain it; 0 where they do.
 double flipBetween(const Turns& before, const Turns& after) {
   constexpr double timesHands = 3.0;
-  constexpr double least = 45.0; // degrees
+  constexpr double least = 45.0 / 180.0 * pi;
   double hands = 0.0;
   for (std::size_t i = 0; i < before.hands.size(); ++i) {
-    hands = std::max(hands, degreesBetween(before.hands[i], after.hands[i]));
+    hands = std::max(hands, angleBetween(before.hands[i], after.hands[i]));
   }
-  const double turned = degreesBetween(before.prop, after.prop);
-  return turned > least + timesHands * hands ? turned : 0.0;
+  const double turned = angleBetween(before.prop, after.prop);
+  return turned > least + timesHands * hands ? turned * 180.0 / pi : 0.0;
 }
 
 } // namespace

@@ -120,8 +120,8 @@ private:
       const auto place = [&](const FrameState& frame) { return positionOf(frame.worlds[at(node)]); };
       const double apart = glm::length(place(last) - place(first) - travel);
       const double speed = glm::length((place(last) - place(before)) - (place(second) - place(first))) / step;
-      const Quat turn = glm::inverse(rotationOf(first.worlds[at(node)])) * rotationOf(last.worlds[at(node)]);
-      const double radians = 2.0 * std::acos(std::min(1.0, std::abs(turn.w)));
+      const double radians =
+          angleBetween(rotationOf(first.worlds[at(node)]), rotationOf(last.worlds[at(node)]));
       measures.seamPlace = std::max(measures.seamPlace, apart / body_.body.height);
       measures.seamSpeed = std::max(measures.seamSpeed, speed / body_.body.height);
       measures.seamTurn = std::max(measures.seamTurn, radians * 180.0 / pi);

@@ -112,6 +112,14 @@ double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks) {
   return rate > 0.0 ? rate : fallback;
 }
 
+std::size_t keyCount(const Clip& clip) {
+  std::size_t keys = 0;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    keys += track->times.size();
+  }
+  return keys;
+}
+
 std::int64_t frameCount(const Clip& clip) {
   constexpr double most = 1e15;
   return static_cast<std::int64_t>(std::llround(std::min(most, clip.endSeconds * clip.framesPerSecond))) + 1;

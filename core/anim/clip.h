@@ -53,6 +53,9 @@ void setEndsFromKeys(Clip& clip);
 /// some tracks, do not double it. 30 when keys say nothing.
 [[nodiscard]] double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks);
 
+/// Number of keys of all tracks.
+[[nodiscard]] std::size_t keyCount(const Clip& clip);
+
 /// Number of frames of a clip: the last key's time in frames, rounded, plus 1.
 [[nodiscard]] std::int64_t frameCount(const Clip& clip);
 

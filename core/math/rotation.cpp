@@ -1,8 +1,10 @@
 #include "core/math/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace stretch {
 
@@ -36,9 +38,18 @@ double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-Vec3 anyAcross(const Vec3& axis) {
-  const Vec3 helper = std::abs(axis.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-  return glm::normalize(helper - glm::dot(helper, axis) * axis);
+double cosineBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
+}
+
+double angleBetween(const Quat& a, const Quat& b) {
+  return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
+}
+
+bool isTurn(const Quat& rotation) {
+  constexpr double unseen = 1e-11;
+  return glm::length(Vec3(rotation.x, rotation.y, rotation.z)) > unseen;
 }
 
 } // namespace stretch

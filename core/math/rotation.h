@@ -17,8 +17,13 @@ namespace stretch {
 /// Angle between two vectors in radians, accurate near 0 and pi; 0 when either has no length.
 [[nodiscard]] double angleBetween(const Vec3& a, const Vec3& b);
 
-/// A unit vector at right angles to `axis`, which is one too; which one is arbitrary but the same for the
-/// same axis.
-[[nodiscard]] Vec3 anyAcross(const Vec3& axis);
+/// Cosine of that angle; 0 when either has no length.
+[[nodiscard]] double cosineBetween(const Vec3& a, const Vec3& b);
+
+/// Angle in radians, 0..pi, by which one unit rotation turns further than the other.
+[[nodiscard]] double angleBetween(const Quat& a, const Quat& b);
+
+/// Whether a unit rotation turns anything, by more than rounding does.
+[[nodiscard]] bool isTurn(const Quat& rotation);
 
 } // namespace stretch

@@ -15,11 +15,6 @@ namespace {
 
 const Quat noTurn(1.0, 0.0, 0.0, 0.0);
 
-bool isTurn(const Quat& turn) {
-  constexpr double unseen = 1e-11;
-  return glm::length(Vec3(turn.x, turn.y, turn.z)) > unseen;
-}
-
 bool acts(const OffsetCurves& curves, double timeSeconds) {
   return std::ranges::any_of(curves, [&](const auto& named) {
     const Offset offset = offsetAt(curves, named.first, timeSeconds);

@@ -390,7 +390,7 @@ private:
     const Vec3 along = hand.empty() ? joints.back() - joints[joints.size() - 2] : middle - joints.back();
     const Vec3 normal = glm::length(along) > 0.0 ? glm::normalize(along) : left_;
     FlatPlace flat;
-    flat.right = anyAcross(normal);
+    flat.right = anyPerpendicular(normal);
     flat.up = glm::cross(normal, flat.right);
     flat.centre = hand.empty() ? joints.back() : joints.back() + 0.9 * along;
     const Points palm = slab(hand, flat.centre, normal, 0.5 * glm::length(along));

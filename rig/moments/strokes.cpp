@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
 #include "rig/moments/moments.h"
 
 namespace stretch::rig {
@@ -15,11 +16,6 @@ constexpr double slowShare = 0.25;   // Of the peak's speed: less is slow.
 constexpr double turnCosine = -0.2;  // Of the directions there and at the peak: less is a turn.
 constexpr double leastPeak = 0.25;   // R per second: no way is so far that less came to the least strength.
 constexpr double leastTravel = 0.15; // Of the reach: less only trembles.
-
-double cosineBetween(const Vec3& a, const Vec3& b) {
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
-}
 
 /// The sample where the stroke with this peak ends, looking from the peak in one direction.
 std::size_t edgeOf(const LimbMotion& limb, std::size_t peak, std::ptrdiff_t direction) {

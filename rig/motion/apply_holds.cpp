@@ -7,16 +7,12 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/polyline.h"
+#include "core/math/rotation.h"
 #include "rig/reach/limb_deform.h"
 
 namespace stretch::rig {
 
 namespace {
-
-bool isHeldTurn(const Quat& turn) {
-  constexpr double unseen = 1e-11;
-  return glm::length(Vec3(turn.x, turn.y, turn.z)) > unseen;
-}
 
 double stretchedVolume(const FrameState& frame, NodeIndex joint) {
   return frame.stretch.empty() ? 1.0 : glm::determinant(frame.stretch[at(joint)]);
@@ -139,7 +135,7 @@ private:
   void place(NodeIndex node, const HeldPlace& goal) {
     const Mat4& world = frame_.worlds[at(node)];
     const Quat turn = goal.orientation * glm::inverse(rotationOf(world));
-    if (glm::length(goal.position - positionOf(world)) > 0.0 || isHeldTurn(turn)) {
+    if (glm::length(goal.position - positionOf(world)) > 0.0 || isTurn(turn)) {
       placeNode(scene_, node, turn, goal.position, frame_);
     }
   }
@@ -161,7 +157,7 @@ private:
     }
     constexpr double unseen = 1e-10; // of the limb
     const bool isThere = glm::length(goal.position - now.position) <= unseen * reaching.limb.restLength;
-    if (isThere && !isHeldTurn(reachGoal.endTurn)) {
+    if (isThere && !isTurn(reachGoal.endTurn)) {
       return;
     }
     reachGoal.stretchSwitch = stretch;

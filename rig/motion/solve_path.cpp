@@ -58,14 +58,6 @@ void keepPulledSpheres(SolvedTrail& solved) {
 
 } // namespace
 
-std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  return nodes;
-}
-
 std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   std::vector<NodeIndex> nodes = limb.joints;
   nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());

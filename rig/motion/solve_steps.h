@@ -17,9 +17,6 @@ inline constexpr double longestFrames = 100000.0;
 /// Null when there is none, or one without a joint.
 [[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
 
-/// Nodes whose keys say when a limb has one.
-[[nodiscard]] std::vector<NodeIndex> jointsAndEnd(const Limb& limb);
-
 /// Nodes that sampling the path of a limb looks at.
 [[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
 

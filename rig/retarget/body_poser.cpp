@@ -1,23 +1,19 @@
 #include "rig/retarget/body_poser.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/math/rotation.h"
 #include "core/math/transform.h"
 #include "rig/retarget/thin_keys.h"
 
 namespace stretch::rig {
 
 namespace {
-
-double angleOfTurn(const Quat& a, const Quat& b) {
-  return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
-}
 
 Mat4 worldAbove(NodeIndex parent, const std::vector<Mat4>& worlds) {
   return parent.exists() ? worlds[at(parent)] : Mat4(1.0);
@@ -101,7 +97,7 @@ void BodyPoser::addStill(NodeIndex node, float time, double tolerance, std::vect
   const Transform& rest = skeleton_.scene->nodes[at(node)].rest;
   const Transform& bind = bindLocals_[at(node)];
   const double scale = scaleAbove(node);
-  if (pairOf_[at(node)] < 0 && angleOfTurn(rest.rotation, bind.rotation) > 1e-3) {
+  if (pairOf_[at(node)] < 0 && angleBetween(rest.rotation, bind.rotation) > 1e-3) {
     tracks.push_back(thinTurns(node, {time}, {bind.rotation}, 1.0));
   }
   const bool isMoved = node == skeleton_.carrier || placedFoot(node).has_value();

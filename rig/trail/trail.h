@@ -99,6 +99,11 @@ struct TrailSettings {
   friend bool operator==(const TrailSettings&, const TrailSettings&) = default;
 };
 
+/// Frame of the range's end that does not stay where it is: where the limb reaches farthest.
+[[nodiscard]] inline double tipFrameOf(const TrailSettings& settings) {
+  return settings.pivot == Pivot::start ? settings.endFrame : settings.startFrame;
+}
+
 /// A limb's trail in one clip, as the user made it.
 struct Trail {
   int id = 0;       ///< Stable within a document.

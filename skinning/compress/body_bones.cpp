@@ -199,7 +199,7 @@ void turnAxesAlongBones(SkinnedSequence& skinned) {
   for (SkinBone& bone : skinned.bones) {
     const Vec3 along = bone.end - bone.pivot;
     if (glm::length(along) > 0.0) {
-      bone.axes = frameAlong(along, anyAcross(glm::normalize(along)));
+      bone.axes = frameAlong(along, anyPerpendicular(glm::normalize(along)));
     }
   }
 }

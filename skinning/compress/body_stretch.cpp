@@ -238,7 +238,8 @@ BodyStretch loadOfBody(const BodyMotion& body, const Vec3& gravity) {
     // A load that keeps pointing the same way adds up; one that turns cancels itself out.
     constexpr double steady = 0.9;
     result.loadTurns = result.loadTurns || (size > 0.0 && glm::length(sum) < steady * size);
-    const Vec3 mean = glm::length(sum) > 1e-9 * size && size > 0.0 ? glm::normalize(sum) : anyAcross(axis);
+    const Vec3 mean =
+        glm::length(sum) > 1e-9 * size && size > 0.0 ? glm::normalize(sum) : anyPerpendicular(axis);
     result.loadAxes.push_back(-mean);
   }
   for (std::size_t i = 0; i < result.loadDirections.size(); ++i) {

@@ -132,7 +132,7 @@ public:
     const Vec3 load = loads_[segment][frame];
     const Vec3 across = load - glm::dot(load, stretch.along) * stretch.along;
     const double size = glm::length(across);
-    stretch.withLoad = size > 1e-9 ? across / size : anyAcross(stretch.along);
+    stretch.withLoad = size > 1e-9 ? across / size : anyPerpendicular(stretch.along);
     const double q =
         settings_.amount * compressionFactor({shape.length, shape.width, massOf(segment), modulus}, size);
     stretch.factors = combine(q, axial);

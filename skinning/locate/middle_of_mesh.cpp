@@ -48,7 +48,7 @@ Vec3 middleOfMesh(std::span<const Vec3> positions, const std::vector<Triangle>& 
                   const Vec3& along) {
   constexpr int rounds = 2; // what the first changes across one way, the second sees the other way
   const Vec3 axis = glm::normalize(along);
-  const Vec3 sideways = anyAcross(axis);
+  const Vec3 sideways = anyPerpendicular(axis);
   Vec3 middle = place;
   for (int round = 0; round < rounds; ++round) {
     for (const Vec3& direction : {sideways, glm::cross(axis, sideways)}) {

@@ -16,10 +16,6 @@ namespace {
 namespace command = app::command;
 using ShellCommand = app::Command<Shell>;
 
-bool hasView(const Shell& shell) {
-  return shell.open.character() != nullptr || shell.open.sequence() != nullptr;
-}
-
 bool hasCameras(const Shell& shell) {
   const app::Session* const session = shell.open.character();
   return session != nullptr && !session->document().scene->cameras.empty();
@@ -34,7 +30,7 @@ struct Need {
   bool (*holds)(const Shell&);
   const char* text;
 };
-constexpr Need viewNeeded{hasView, "open a file first"};
+constexpr Need viewNeeded{hasPicture, "open a file first"};
 
 ShellCommand commandOf(const char* id, std::string label, std::string help, const std::string& key,
                        const Need& need, std::function<void(Shell&)> run) {

@@ -20,11 +20,6 @@ bool canPick(const Shell& shell) {
   return shell.open.character() != nullptr && app::hasPickedKeys(*shell.open.character());
 }
 
-bool hasClipOpen(const Shell& shell) {
-  const app::Session* const session = shell.open.character();
-  return session != nullptr && app::hasClip(session->document(), session->view().clip);
-}
-
 PaneCommand paneCommand(const char* id, const char* label, const char* help, bool (*holds)(const Shell&),
                         const char* needs, std::function<Status(Shell&)> run) {
   PaneCommand command;
@@ -84,17 +79,17 @@ std::vector<PaneCommand> keyPaneCommands() {
           "dope sheet by the key that sets a key elsewhere.",
           canPick, pickFirst, [](Shell& shell) { return runKeysTool(shell, app::KeysModal::Kind::scale); }),
       paneCommand(command::keysRetime, "Retime", "Makes a range of the clip or of a limb slower or faster.",
-                  hasClipOpen, openFirst,
+                  showsClip, openFirst,
                   [](Shell& shell) {
                     openRetime(shell);
                     return Status(Success{});
                   }),
       paneCommand(command::graphFit, "Fit the picked keys", "Shows the picked keys as large as they fit.",
                   canPick, pickFirst, [](Shell& shell) { return askForFit(shell, true); }),
-      paneCommand(command::graphFitAll, "Fit all curves", "Shows the whole clip and every value.",
-                  hasClipOpen, openFirst, [](Shell& shell) { return askForFit(shell, false); }),
+      paneCommand(command::graphFitAll, "Fit all curves", "Shows the whole clip and every value.", showsClip,
+                  openFirst, [](Shell& shell) { return askForFit(shell, false); }),
       paneCommand(command::graphIsolate, "Isolate curves",
-                  "The graph shows only the curves that have picked keys.", hasClipOpen, openFirst,
+                  "The graph shows only the curves that have picked keys.", showsClip, openFirst,
                   [](Shell& shell) {
                     shell.ui.time.graph.isolated = !shell.ui.time.graph.isolated;
                     return Status(Success{});

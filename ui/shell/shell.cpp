@@ -25,6 +25,15 @@ void describeWork(const app::SequenceSession& session, EditorStatus& status) {
 
 } // namespace
 
+bool hasPicture(const Shell& shell) {
+  return shell.open.character() != nullptr || shell.open.sequence() != nullptr;
+}
+
+bool showsClip(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && app::hasClip(session->document(), session->view().clip);
+}
+
 EditorStatus statusOf(const Shell& shell) {
   EditorStatus status;
   status.question = shell.files.question();

@@ -68,6 +68,10 @@ struct Shell {
 
 /// Returns what is going on, for the panels.
 [[nodiscard]] EditorStatus statusOf(const Shell& shell);
+/// A character or a sequence is open.
+[[nodiscard]] bool hasPicture(const Shell& shell);
+/// A character is open, and one of its clips is shown.
+[[nodiscard]] bool showsClip(const Shell& shell);
 /// Work goes on beside the window.
 [[nodiscard]] bool isBusy(const Shell& shell);
 

@@ -39,9 +39,6 @@ bool always(const Shell&) {
 bool hasFile(const Shell& shell) {
   return shell.open.character() != nullptr;
 }
-bool hasPicture(const Shell& shell) {
-  return shell.open.character() != nullptr || shell.open.sequence() != nullptr;
-}
 
 /// What can be written: a character, or what a sequence was compressed to.
 bool canExport(const Shell& shell) {

@@ -25,11 +25,6 @@ namespace {
 
 using ShellCommand = app::Command<Shell>;
 
-bool showsClip(const Shell& shell) {
-  const app::Session* const session = shell.open.character();
-  return session != nullptr && app::hasClip(session->document(), session->view().clip);
-}
-
 bool hasExaggerated(const Shell& shell) {
   return showsClip(shell) &&
          std::ranges::any_of(shell.open.character()->document().trails, [&](const rig::Trail& trail) {

@@ -19,10 +19,6 @@ namespace {
 
 constexpr float lingerSeconds = 2.5F;
 
-double tipOf(const rig::TrailSettings& settings) {
-  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
-}
-
 /// Pulled spheres show themselves where they are.
 rig::TrailSettings withoutSpheres(rig::TrailSettings settings) {
   settings.spheres.clear();
@@ -68,7 +64,7 @@ std::optional<double> tipGhostFrame(ViewportContext& context) {
     watch.secondsLeft = std::max(0.0F, watch.secondsLeft - ImGui::GetIO().DeltaTime);
   }
   const bool isShown = tipFrame(session, context.tool).has_value() || watch.secondsLeft > 0.0F;
-  const double tip = tipOf(trail->settings);
+  const double tip = rig::tipFrameOf(trail->settings);
   const bool elsewhere = std::abs(tip - session.view().frame) > 0.5;
   return trail->connected && isShown && elsewhere ? std::optional(tip) : std::nullopt;
 }
@@ -82,7 +78,8 @@ void tellTipOutOfView(ViewportContext& context) {
     return;
   }
   const double flesh = fleshRadius(context.open.character()->document(), watch.trail);
-  const bool inside = isInPicture(context.viewport, pointOnTrail(*trail, tipOf(watch.settings), true), flesh);
+  const bool inside =
+      isInPicture(context.viewport, pointOnTrail(*trail, rig::tipFrameOf(watch.settings), true), flesh);
   if (!inside && !watch.toldOutOfView) {
     const std::string key = keyOf(context, command::viewFrameSelection);
     tell(context.ui, ToastKind::info,

@@ -266,8 +266,7 @@ std::optional<double> tipFrame(const app::Session& session, const Tool& tool) {
   if (!std::holds_alternative<ExaggerateTool>(tool) || trail == nullptr) {
     return std::nullopt;
   }
-  const rig::TrailSettings& settings = trail->settings;
-  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
+  return rig::tipFrameOf(trail->settings);
 }
 
 void finishTool(app::Session& session, Tool& tool, bool keep) {

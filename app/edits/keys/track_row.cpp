@@ -8,6 +8,7 @@
 
 #include "core/anim/sampling.h"
 #include "core/math/euler.h"
+#include "core/math/rotation.h"
 
 namespace stretch::app {
 
@@ -79,7 +80,7 @@ KeyValues followed(const Track& track, std::size_t key, const KeyValues& before)
   const Quat from = unitOf(storedKey(track, key - 1).value);
   const Quat to = unitOf(storedKey(track, key).value);
   constexpr double step = 0.25;
-  const double angle = 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(from, to))));
+  const double angle = angleBetween(from, to);
   const bool cubic = track.interpolation == Interpolation::cubicSpline;
   const int steps = std::clamp(static_cast<int>(angle / step), cubic ? 2 : 1, 16);
   const auto start = static_cast<double>(track.times[key - 1]);

@@ -48,15 +48,11 @@ rig::TrailSettings movedToRange(rig::TrailSettings settings, double startFrame, 
   return settings;
 }
 
-double tipFrameOf(const rig::TrailSettings& settings) {
-  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
-}
-
 /// A leg that stops at the ground under its tip does so where the tip is put, too.
 void keepStopOnGround(const Document& document, const rig::Trail& before, rig::TrailSettings& settings) {
   const rig::Limb* const limb = findLimb(document, before.limb);
-  const double from = tipFrameOf(before.settings);
-  const double to = tipFrameOf(settings);
+  const double from = rig::tipFrameOf(before.settings);
+  const double to = rig::tipFrameOf(settings);
   if (limb == nullptr || !isLeg(*limb) || !settings.stopAt || settings.stopAt != before.settings.stopAt ||
       from == to || !std::isfinite(to)) {
     return;

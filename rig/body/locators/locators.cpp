@@ -86,7 +86,7 @@ Quat turnAlong(const Vec3& bone, const Vec3& facing) {
   const Vec3 y = glm::normalize(bone);
   Vec3 z = facing - glm::dot(facing, y) * y;
   constexpr double leastAngle = 1e-3;
-  z = glm::length(z) > leastAngle ? glm::normalize(z) : anyAcross(y);
+  z = glm::length(z) > leastAngle ? glm::normalize(z) : anyPerpendicular(y);
   return glm::normalize(glm::quat_cast(Mat3(glm::cross(y, z), y, z)));
 }
 

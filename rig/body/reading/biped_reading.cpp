@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
+
 namespace stretch::rig::body {
 
 namespace {
@@ -116,11 +118,6 @@ std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane
   return pairs;
 }
 
-double cosine(const Vec3& a, const Vec3& b) {
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
-}
-
 bool overlap(const BodyView& view, const LimbPair& arms, const LimbPair& legs) {
   for (const LimbGuess* arm : limbsOf(arms)) {
     for (const LimbGuess* leg : limbsOf(legs)) {
@@ -181,7 +178,7 @@ double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& 
   // Of a body that lies along its trunk the feet are still what stands on the ground.
   constexpr double flat = 0.5;
   const Vec3 above = std::abs(up.y) < flat ? Vec3(0, 1, 0) : up;
-  double score = 0.6 * cosine(-legDirection, trunk) + 0.5 * up.y + 0.5 * endsLowest(view, legs, above);
+  double score = 0.6 * cosineBetween(-legDirection, trunk) + 0.5 * up.y + 0.5 * endsLowest(view, legs, above);
   score -= std::abs(up.y) < flat ? 0.5 * endsLowest(view, arms, above) : 0.0;
   score -= std::clamp(std::abs(std::log(std::max(ratio, 1e-6))) - std::log(2.0), 0.0, 1.0);
   return score + (headBeyond(view, plane, meanBase(view, arms), up, trunkLength) ? 0.3 : 0.0);

@@ -6,8 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/math/rotation.h"
-
 namespace stretch::test {
 
 namespace {
@@ -26,7 +24,8 @@ public:
   // Closed at both ends.
   void add(const std::vector<Ring>& rings) {
     const Vec3 along = glm::normalize(rings.back().middle - rings.front().middle);
-    const Vec3 x = anyAcross(along);
+    const Vec3 helper = std::abs(along.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+    const Vec3 x = glm::normalize(helper - glm::dot(helper, along) * along);
     const Vec3 y = glm::cross(along, x);
     const auto first = static_cast<std::uint32_t>(person_.positions.size());
     for (const Ring& ring : rings) {

@@ -7,6 +7,7 @@
 #include "../../support/ui/picture_baseline.h"
 #include "../../support/ui/render_scenes.h"
 #include "app/evaluate/evaluate.h"
+#include "tests/support/ui/render_frame.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/overlay/skeleton_drawing.h"
 #include "ui/render/picture/image_edits.h"

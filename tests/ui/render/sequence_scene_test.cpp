@@ -7,6 +7,7 @@
 
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/shapes.h"
+#include "tests/support/ui/render_frame.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/render/picture/picture.h"
 #include "ui/render/scene/sequence_scene.h"
@@ -112,7 +113,7 @@ TEST_CASE("Picture: the wrong half of a body is red, the right one grey") {
   options.view = ViewDirection::front;
   PictureFrame picture{{.frame = restOf(scene)}};
   picture.content.style.floor = false;
-  const auto image = renderFrame(scene, picture, options);
+  const auto image = test::renderFrame(scene, picture, options);
   REQUIRE(image);
   const Pixel wrong = pixelAt(*image, 0.62, 0.5);
   const Pixel right = pixelAt(*image, 0.38, 0.5);

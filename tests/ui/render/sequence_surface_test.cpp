@@ -14,6 +14,7 @@
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/shapes.h"
 #include "tests/support/ui/picture_baseline.h"
+#include "tests/support/ui/render_frame.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/picture/image_edits.h"
@@ -62,13 +63,13 @@ BothWays drawn(const std::filesystem::path& path, double frame) {
   REQUIRE(pictures);
   pictures->pictures[0].content.style.floor = false; // its shadows are those of a character's rest
   options.camera = pictures->camera;
-  const auto asSequence = renderFrame(pictures->drawing->scene(), pictures->pictures[0], options);
+  const auto asSequence = test::renderFrame(pictures->drawing->scene(), pictures->pictures[0], options);
   const auto document = app::openDocument(path);
   REQUIRE(document);
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, 0));
   PictureFrame character = picturesOfCharacter(*document, motion, {frame}, {})[0];
   character.content.style.floor = false;
-  const auto asCharacter = renderFrame(*document->scene, character, options);
+  const auto asCharacter = test::renderFrame(*document->scene, character, options);
   REQUIRE(asSequence);
   REQUIRE(asCharacter);
   return {*asCharacter, *asSequence};

@@ -16,6 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/render_frame.h"
 #include "tests/support/ui/render_scenes.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/picture/picture.h"
@@ -96,7 +97,7 @@ TEST_CASE("A body at rest looks the same by either shading, a forearm that is st
       PictureOptions options;
       options.widthPixels = 160;
       options.heightPixels = 120;
-      pictures.push_back(renderFrame(scene, {content, ""}, options).value().rgba);
+      pictures.push_back(test::renderFrame(scene, {content, ""}, options).value().rgba);
     }
     return meanDifference(pictures[0], pictures[1]);
   };

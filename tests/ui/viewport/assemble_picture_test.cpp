@@ -9,6 +9,7 @@
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/render_frame.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/panels/body/weight_view.h"
 #include "ui/render/picture/image_edits.h"
@@ -41,7 +42,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene, const PictureContent& conten
   PictureOptions options;
   options.widthPixels = 160;
   options.heightPixels = 120;
-  const Result<Image> image = renderFrame(scene, {content}, options);
+  const Result<Image> image = test::renderFrame(scene, {content}, options);
   REQUIRE(image);
   return *encodePng(*image);
 }
@@ -58,7 +59,7 @@ std::optional<double> rowOfWeights(const app::Document& document, NodeIndex join
   PictureOptions options;
   options.widthPixels = 160;
   options.heightPixels = 160;
-  const Result<Image> image = renderFrame(*document.scene, pictures.front(), options);
+  const Result<Image> image = test::renderFrame(*document.scene, pictures.front(), options);
   REQUIRE(image);
   double sum = 0.0;
   int count = 0;

@@ -272,14 +272,6 @@ void hideCurves(GraphState& graph) {
 
 } // namespace
 
-std::vector<NodeIndex> graphNodes(const rig::Limb& limb) {
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  return nodes;
-}
-
 std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
   const app::Session& session = context.character();
   const app::Document& document = session.document();
@@ -297,7 +289,7 @@ std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
   GraphSubject all{"All joints", {}, {}, {}, false};
   for (const std::string& id : session.view().selection.limbs()) {
     const rig::Limb* const limb = app::findLimb(document, id);
-    for (const NodeIndex node : limb != nullptr ? graphNodes(*limb) : std::vector<NodeIndex>{}) {
+    for (const NodeIndex node : limb != nullptr ? rig::jointsAndEnd(*limb) : std::vector<NodeIndex>{}) {
       if (id == session.view().selection.limbs().front()) {
         subjects.push_back({nodeName(*document.scene, node), {node}, {}, id});
       }

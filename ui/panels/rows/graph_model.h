@@ -8,9 +8,6 @@
 
 namespace stretch::ui {
 
-/// Nodes of the selected limb, base first, its end last.
-[[nodiscard]] std::vector<NodeIndex> graphNodes(const rig::Limb& limb);
-
 /// Subject that the graph can show: a joint, a controller or an attribute, or all joints at once.
 struct GraphSubject {
   std::string title;

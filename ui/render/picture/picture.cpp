@@ -134,14 +134,6 @@ Box boxOfPictures(const Scene& scene, std::span<const PictureFrame> pictures) {
   return box;
 }
 
-Result<Image> renderFrame(const Scene& scene, const PictureFrame& picture, const PictureOptions& options) {
-  Result<PictureMaker> maker = PictureMaker::create(scene, options, boxOfPictures(scene, {&picture, 1}));
-  if (!maker) {
-    return maker.error();
-  }
-  return maker->draw(picture);
-}
-
 Status renderSeries(const Scene& scene, std::span<const PictureFrame> pictures, const PictureOptions& options,
                     const std::function<Status(std::size_t, const Image&)>& keep) {
   Result<PictureMaker> maker = PictureMaker::create(scene, options, boxOfPictures(scene, pictures));

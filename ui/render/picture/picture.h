@@ -56,10 +56,6 @@ private:
 /// Box of what the frames show: the character, its ghosts and the trails.
 [[nodiscard]] Box boxOfPictures(const Scene& scene, std::span<const PictureFrame> pictures);
 
-/// One picture.
-[[nodiscard]] Result<Image> renderFrame(const Scene& scene, const PictureFrame& picture,
-                                        const PictureOptions& options);
-
 /// A series with one camera; `keep` gets each picture as it is made and may stop the work with an error.
 Status renderSeries(const Scene& scene, std::span<const PictureFrame> pictures, const PictureOptions& options,
                     const std::function<Status(std::size_t, const Image&)>& keep);
