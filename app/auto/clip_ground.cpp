@@ -50,12 +50,12 @@ std::vector<Vec3> poseAt(const ClipGround& ground, double seconds) {
   return points;
 }
 
-// Whether the limbs are at the clip's end where they are at its beginning, or a frame before that, as in
-// clips that leave out the last frame because it is the first; wherever the body got to and whatever else
-// moves.
+// Whether the limbs are at the clip's end where they are at its beginning, or no farther from there than they
+// go on to move there from frame to frame, as in clips that leave out the last frame because it is the first;
+// wherever the body got to and whatever else moves.
 bool limbsMeet(const ClipGround& ground) {
   const double same = 0.02 * ground.document.body.height;
-  constexpr double uneven = 0.5; // of a frame's step, which is seldom like the next
+  constexpr double uneven = 1.5; // of a step, which is seldom like the next
   const Clip& clip = clipOf(ground.document, ground.clip);
   const double frame = 1.0 / clip.framesPerSecond;
   if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 1.5 * frame) {
@@ -65,15 +65,14 @@ bool limbsMeet(const ClipGround& ground) {
   const std::vector<Vec3> second = poseAt(ground, clip.startSeconds + frame);
   const std::vector<Vec3> beforeLast = poseAt(ground, clip.endSeconds - frame);
   const std::vector<Vec3> last = poseAt(ground, clip.endSeconds);
-  bool meet = true;
-  bool isFrameShort = true;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const Vec3 gap = first[i] - last[i];
     const Vec3 step = 0.5 * (second[i] - first[i] + last[i] - beforeLast[i]);
-    meet = meet && glm::length(gap) <= same;
-    isFrameShort = isFrameShort && glm::length(gap - step) <= std::max(same, uneven * glm::length(step));
+    if (glm::length(gap) > same && glm::length(gap - step) > uneven * glm::length(step)) {
+      return false;
+    }
   }
-  return meet || isFrameShort;
+  return true;
 }
 
 // From where the foot comes down to where it leaves the ground: it is at its place before it rests and after.

@@ -27,8 +27,9 @@ constexpr double leastShare = 0.2;   // of the style's exaggeration, for the wea
 constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
                                       // beside its strike
 constexpr double shortestRelease = 2.0;
-constexpr double asStrong = 0.8;  // of a stronger one: both lead
-constexpr double sharedWay = 0.5; // of the next range: until then it has hardly begun
+constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
+constexpr double asStrong = 0.8;          // of a stronger one: both lead
+constexpr double sharedWay = 0.5;         // of the next range: until then it has hardly begun
 
 bool overlap(const rig::Moment& a, const rig::Moment& b) {
   return std::max(a.startFrame, b.startFrame) < std::min(a.endFrame, b.endFrame);
@@ -248,18 +249,24 @@ private:
     }
   }
 
+  // A clip that is no loop ends as it did: a stroke that its end cuts off comes back before that.
+  void endBeforeClip(rig::TrailSettings& settings) const {
+    const double back =
+        std::max(shortestRelease, std::round(0.3 * (settings.endFrame - settings.startFrame)));
+    if (!ground_.wraps && settings.endFrame > ground_.lastFrame - shortestRelease) {
+      settings.endFrame = std::max(ground_.lastFrame - back, settings.startFrame + shortestRange);
+    }
+  }
+
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
   // where the clip is no loop, before its end.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
-      const double room = roomAfter(planned.trail);
-      std::optional<double>& release = planned.trail.settings.releaseFrames;
-      if (release) {
-        release = std::max(std::min(*release, room), std::min(room, shortestRelease));
-      } else if (room < ground_.lastFrame) {
-        const rig::TrailSettings& settings = planned.trail.settings;
-        release = std::min(room, std::max(shortestRelease, 0.5 * (settings.endFrame - settings.startFrame)));
-      }
+      endBeforeClip(planned.trail.settings);
+      rig::TrailSettings& settings = planned.trail.settings;
+      const double wanted = settings.releaseFrames.value_or(0.5 * (settings.endFrame - settings.startFrame));
+      const double seen = std::max(shortestRelease, std::round(seenRelease * ground_.framesPerSecond));
+      settings.releaseFrames = std::min(std::max(wanted, seen), roomAfter(planned.trail));
     }
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }

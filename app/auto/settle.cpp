@@ -81,6 +81,7 @@ private:
     rig::TrailSpace space = rig::TrailSpace::world;
     bool stops = false;
     std::array<bool, 3> axes = allAxes;
+    rig::Bend bend = rig::Bend::keep;
   };
 
   [[nodiscard]] static rig::TrailSettings settingsOf(const rig::TrailSettings& wanted, double share,
@@ -89,25 +90,36 @@ private:
     settings.space = variant.space;
     settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
     settings.axes = variant.axes;
+    settings.bend = variant.bend;
     settings.turnLimitDegrees = turnLimitFor(settings);
     return settings;
   }
 
   // A leg stops at the ground where it can; another limb is stopped only where it would go through it. What
-  // stays wrong is tried without the way up and down.
+  // stays wrong is tried without the way up and down, then with its bend kept.
   [[nodiscard]] std::vector<Variant> variantsFor(const PlannedTrail& planned,
                                                  const rig::TrailSettings& wanted) const {
     const bool stopsFirst = isLeg(*findLimb(ground_.document, planned.trail.limb));
+    std::vector<rig::TrailSpace> spaces{wanted.space};
+    if (wanted.space != rig::TrailSpace::base) {
+      spaces.push_back(rig::TrailSpace::base);
+    }
+    std::vector<std::array<bool, 3>> axes{wanted.axes};
+    if (wanted.axes == allAxes) {
+      axes.push_back(levelAxes);
+    }
+    std::vector<rig::Bend> bends{wanted.bend};
+    if (wanted.bend != rig::Bend::keep) {
+      bends.push_back(rig::Bend::keep);
+    }
     std::vector<Variant> variants;
-    for (const std::array<bool, 3>& axes : {wanted.axes, levelAxes}) {
-      for (const bool stops : {stopsFirst, !stopsFirst}) {
-        variants.push_back({wanted.space, stops, axes});
-        if (wanted.space != rig::TrailSpace::base) {
-          variants.push_back({rig::TrailSpace::base, stops, axes});
+    for (const rig::Bend bend : bends) {
+      for (const std::array<bool, 3>& active : axes) {
+        for (const bool stops : {stopsFirst, !stopsFirst}) {
+          for (const rig::TrailSpace space : spaces) {
+            variants.push_back({space, stops, active, bend});
+          }
         }
-      }
-      if (wanted.axes != allAxes) {
-        break;
       }
     }
     return variants;

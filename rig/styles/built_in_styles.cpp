@@ -10,6 +10,7 @@ Style measured(const char* name, double arm, double torso, double leg) {
   Style style;
   style.name = name;
   style.origin = StyleOrigin::measured;
+  style.bend = Bend::straighten;
   style.arm.usual = arm;
   style.torso.usual = torso;
   style.leg.usual = leg;
@@ -21,6 +22,7 @@ Style ours(const char* name) {
   Style style;
   style.name = name;
   style.origin = StyleOrigin::ours;
+  style.bend = Bend::straighten;
   return style;
 }
 

@@ -82,7 +82,7 @@ TrailSettings styledSettings(const TrailSettings& settings, const Style& style, 
   styled.scale = styledScale(style, kind, strength);
   styled.axes = {true, style.axes == AxesRule::all, true};
   styled.reference = style.reference;
-  styled.bend = style.bend;
+  styled.bend = kind == LimbKind::arm || kind == LimbKind::leg ? style.bend : settings.bend;
   styled.remap = style.remap;
   styled.easeIn = style.easeIn;
   styled.easeOut = style.easeOut;

@@ -324,6 +324,48 @@ TEST_CASE(
   CHECK(exaggerated(swinger(23), in("Opera")).madeLoop);
 }
 
+TEST_CASE("A clip that is no loop ends in the pose in which it did, and comes back to that without a jump") {
+  for (const int last : {12, 20}) {
+    const Document before = swinger(last);
+    const AutoClip made = exaggerated(before, in("Opera"));
+    REQUIRE_FALSE(made.trailIds.empty());
+    CHECK_FALSE(made.madeLoop);
+    const rig::MotionState motion = prepareMotion(made.document, 0);
+    const double end = last / 24.0;
+    for (const char* const arm : {"left-arm", "right-arm"}) {
+      CAPTURE(last, arm);
+      const rig::Limb& limb = *findLimb(before, arm);
+      CHECK(glm::length(rig::endPosition(limb, evaluate(made.document, motion, end)) -
+                        rig::endPosition(limb, evaluateOriginal(before, 0, end))) < 1e-6);
+    }
+    for (const rig::Trail& trail : made.document.trails) {
+      CHECK(trail.settings.endFrame <= last - 2.0);
+      REQUIRE(trail.settings.releaseFrames);
+      CHECK(trail.settings.endFrame + *trail.settings.releaseFrames <= last);
+    }
+  }
+}
+
+TEST_CASE("A way back takes a sixth of a second or more where there is room for it") {
+  const AutoClip made = exaggerated(test::boxer(), in("Snappy")); // whose way back is short
+  const rig::TrailSettings& settings = made.document.trails.front().settings;
+  REQUIRE(settings.releaseFrames);
+  CHECK(*settings.releaseFrames ==
+        Approx(std::max(0.4 * (settings.endFrame - settings.startFrame), 24.0 / 6.0)));
+}
+
+TEST_CASE(
+    "A bent arm straightens before it stretches in a style, and keeps its bend where the style says so") {
+  rig::Style kept = in("Opera").style;
+  kept.bend = rig::Bend::keep;
+  for (const auto& [style, bend] :
+       {std::pair(in("Opera"), rig::Bend::straighten), {AutoSettings{kept, 1.0}, rig::Bend::keep}}) {
+    for (const rig::Trail& trail : exaggerated(swinger(), style).document.trails) {
+      CHECK(trail.settings.bend == bend);
+    }
+  }
+}
+
 TEST_CASE("A foot stands from where it touches its place until it has left it") {
   const Document before = stepper();
   const ClipGround ground = clipGround(before, 0);

@@ -49,6 +49,7 @@ TEST_CASE("The measured styles have the numbers of the episodes, and nothing tha
     plain.torso = found.torso;
     plain.leg = found.leg;
     plain.other = found.other;
+    plain.bend = rig::Bend::straighten; // as the thesis stretches a limb
     CHECK(found == plain);
   }
 }
@@ -103,6 +104,22 @@ TEST_CASE("Neck and spine have the torso's range, a tail, a wing and a chain tha
   CHECK(rig::scalesOf(hose, LimbKind::leg) == hose.leg);
   for (const LimbKind kind : {LimbKind::tail, LimbKind::wing, LimbKind::fin, LimbKind::chain}) {
     CHECK(rig::scalesOf(hose, kind) == hose.other);
+  }
+}
+
+TEST_CASE("A style's bend is that of arms and legs, and other limbs keep their own") {
+  for (const rig::Bend own : {rig::Bend::keep, rig::Bend::straighten}) {
+    rig::TrailSettings settings;
+    settings.bend = own;
+    rig::Style other = style("Snappy");
+    other.bend = own == rig::Bend::keep ? rig::Bend::straighten : rig::Bend::keep;
+    for (const LimbKind kind : {LimbKind::arm, LimbKind::leg}) {
+      CHECK(rig::styledSettings(settings, other, kind, 1.0).bend == other.bend);
+    }
+    for (const LimbKind kind :
+         {LimbKind::spine, LimbKind::neck, LimbKind::tail, LimbKind::wing, LimbKind::fin, LimbKind::chain}) {
+      CHECK(rig::styledSettings(settings, other, kind, 1.0).bend == own);
+    }
   }
 }
 

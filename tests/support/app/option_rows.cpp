@@ -26,7 +26,7 @@ std::vector<OptionRow> styleRows() {
        {"--strength", "", "--strength 1.5"},
        {"--style-axes", "", "--style-axes level"},
        {"--style-reference", "", "--style-reference rest"},
-       {"--style-bend", "", "--style-bend straighten"},
+       {"--style-bend", "", "--style-bend keep"},
        {"--style-remap", "", "--style-remap linear"},
        {"--style-ease-in", "", "--style-ease-in 0.5,0.2"},
        {"--style-ease-out", "", "--style-ease-out 0.3,0.5"},
