@@ -13,6 +13,7 @@ import re
 import shlex
 import subprocess
 import sys
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -201,12 +202,14 @@ class Measure:
         if self.asked.living:
             waiting = [one for one in waiting if results.get(str(one.number), ["alive"])[0] != "killed"]
         began = time.monotonic()
+        telling = threading.Lock()  # Trials end side by side, and write one file.
 
         def attempt(mutant):
             outcome = trials.tried(mutant, cases, self.asked.budget)
-            results[str(mutant.number)] = list(outcome)
-            print(f"{time.monotonic() - began:6.0f} s  {mutant.number:4} {outcome[0]:12} {mutant.file}: {mutant.operator}", flush=True)
-            (self.folder / "results.json").write_text(json.dumps(results))
+            with telling:
+                results[str(mutant.number)] = list(outcome)
+                print(f"{time.monotonic() - began:6.0f} s  {mutant.number:4} {outcome[0]:12} {mutant.file}: {mutant.operator}", flush=True)
+                (self.folder / "results.json").write_text(json.dumps(results))
 
         with ThreadPoolExecutor(self.asked.jobs) as pool:
             list(pool.map(attempt, waiting))

@@ -213,7 +213,7 @@ std::string keysText(const MovingBiped& moving, const MotionState& motion, const
   return text;
 }
 
-std::string motionText(Row& row, const Mover& mover) {
+MotionState motionBy(Row& row, const Mover& mover) {
   const MovingBiped& moving = mover.moving;
   std::vector<Trail> trails;
   for (std::size_t i = 0; i < mover.limbs.size(); ++i) {
@@ -227,6 +227,12 @@ std::string motionText(Row& row, const Mover& mover) {
   MotionState motion = solveMotion(input);
   setHolds(input, motion);
   setWeight(input, weightsBy(row, mover), motion);
+  return motion;
+}
+
+std::string motionText(Row& row, const Mover& mover) {
+  const MovingBiped& moving = mover.moving;
+  const MotionState motion = motionBy(row, mover);
   std::string text;
   for (const SolvedTrail& trail : motion.trails) {
     text +=
@@ -246,7 +252,82 @@ std::string motionText(Row& row, const Mover& mover) {
   return text + keysText(moving, motion, options);
 }
 
+/// The keys of each track that changes, with their signs.
+std::string signedKeysText(const MovingBiped& moving, const RekeyedClip& keys) {
+  std::string text = fmt::format("  misses {:.5f}\n", keys.largestMiss);
+  for (const Track& track : keys.tracks) {
+    const auto perKey =
+        static_cast<std::size_t>(track.width) * (track.interpolation == Interpolation::cubicSpline ? 3 : 1);
+    std::vector<double> sums(perKey, 0.0);
+    double times = 0.0;
+    for (std::size_t i = 0; i < track.times.size(); ++i) {
+      times += static_cast<double>(i + 1) * static_cast<double>(track.times[i]);
+      const auto gap = [&](std::size_t from) { // Tangents count by the way to the next key.
+        return static_cast<double>(track.times[from + 1]) - static_cast<double>(track.times[from]);
+      };
+      for (std::size_t k = 0; k < perKey; ++k) {
+        const std::size_t part = perKey == 3 * static_cast<std::size_t>(track.width) ? 3 * k / perKey : 1;
+        const double length = part == 1   ? 1.0
+                              : part == 0 ? (i > 0 ? gap(i - 1) : 0.0)
+                                          : (i + 1 < track.times.size() ? gap(i) : 0.0);
+        sums[k] += length * static_cast<double>(track.values[i * perKey + k]) * (i % 2 == 0 ? 1.0 : 0.7);
+      }
+    }
+    text += fmt::format("  {} channel {} , {} keys from {:.4f} to {:.4f} , times {:.3f} , values",
+                        moving.scene.nodes[at(track.node)].name, static_cast<int>(track.channel),
+                        track.times.size(), track.times.front(), track.times.back(), times);
+    for (const double sum : sums) {
+      text += fmt::format(" {:.3f}", sum);
+    }
+    text += "\n";
+  }
+  for (const StretchKeys& stretch : keys.stretches) {
+    text += fmt::format("  {} stretched from {:.4f} to {:.4f}", moving.scene.nodes[at(stretch.node)].name,
+                        stretch.times.front(), stretch.times.back());
+    for (std::size_t i = 0; i < stretch.scales.size(); i += 3) {
+      text += vectorText(stretch.scales[i]) + " ,";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// The clip of a mover with all its keys so much later, at another rate, and here and there a key beside the
+/// frames.
+Mover later(Mover mover, double seconds, double framesPerSecond) {
+  for (CopyOnWrite<Track>& leaf : mover.moving.clip.tracks) {
+    leaf.edit([&](Track& track) {
+      for (float& time : track.times) {
+        time = static_cast<float>(seconds + 1.1 * static_cast<double>(time));
+      }
+    });
+  }
+  setEndsFromKeys(mover.moving.clip);
+  mover.moving.clip.framesPerSecond = framesPerSecond;
+  return mover;
+}
+
 } // namespace
+
+TEST_CASE("The keys of motions at any rate, of clips that do not begin at 0, are as they were looked at") {
+  std::string text;
+  Row row(23);
+  const std::vector<Mover> all = movers();
+  for (int i = 0; i < 36; ++i) {
+    const double rate = row.oneOf(std::array{24.0, 25.0, 30.0, 60.0});
+    const Mover mover =
+        later(all[static_cast<std::size_t>(i) % all.size()], row.once(3) ? 0.0 : row.between(0.0, 0.4), rate);
+    const MotionState motion = motionBy(row, mover);
+    RekeyOptions options;
+    options.tolerance = 1e-4 * mover.moving.body.height;
+    options.places = row.once(2) ? KeyPlaces::everyFrame : KeyPlaces::needed;
+    text += fmt::format("{}: {} at {} frames per second\n", i, mover.title, rate) +
+            signedKeysText(mover.moving, rekey(mover.moving.scene, mover.moving.clip, motion, options));
+  }
+  const std::string difference = differenceFromRecord("keys-of-motions", text, 2e-3);
+  INFO(difference);
+  CHECK(difference.empty());
+}
 
 TEST_CASE("What trails, controllers, holds and weight make together is as it was looked at") {
   std::string text;

@@ -120,7 +120,119 @@ std::string broughtText(const MovingBiped& from, const MovingBiped& to) {
   return text;
 }
 
+/// Steps: each foot stands while the other one swings, the hips go on and sink a little, hands meet before
+/// the chest; the clip begins late and has a rate of its own.
+MovingBiped steppingBiped(const SyntheticBiped& body, std::uint32_t seed) {
+  MovingBiped moving = still(body);
+  Row row(seed);
+  moving.clip.framesPerSecond = row.oneOf(std::array{24.0, 30.0, 48.0});
+  const double start = row.once(2) ? 0.0 : row.between(0.1, 0.6);
+  const double facing = body.facesBackwards ? -1.0 : 1.0;
+  const double wide = row.between(0.15, 0.5);
+  const Vec3 sideways(facing, 0.0, 0.0);
+  const auto addTurns = [&](const std::string& key, const std::vector<double>& angles) {
+    if (!moving.node.contains(key)) {
+      return;
+    }
+    const NodeIndex node = moving.node.at(key);
+    const Quat rest = moving.scene.nodes[at(node)].rest.rotation;
+    RotationKeys keys;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      keys.emplace_back(start + 0.25 * static_cast<double>(i), rest * axisAngle(sideways, angles[i]));
+    }
+    moving.clip.tracks.emplace_back(rotationTrack(node, Interpolation::linear, keys));
+  };
+  addTurns("thigh.l", {-wide, 0.0, wide, -wide, -wide});
+  addTurns("thigh.r", {wide, -wide, -wide, 0.0, wide});
+  addTurns("shin.l", {0.0, 0.05, 0.1, 1.5 * wide, 0.0});
+  addTurns("shin.r", {0.1, 1.5 * wide, 0.0, 0.05, 0.1});
+  addTurns("foot.l", {wide, 0.0, -0.4 * wide, 0.0, wide});
+  addTurns("toe.r", {-0.3, 0.0, 0.0, 0.0, -0.3});
+  addTurns("finger0a.l", {0.0, 0.6, 0.9, 0.2, 0.0});
+  addTurns("spine1", {0.0, 0.2, 0.0, -0.1, 0.0});
+  for (const std::string side : {".l", ".r"}) {
+    const NodeIndex arm = moving.node.at("upperArm" + side);
+    const Quat rest = moving.scene.nodes[at(arm)].rest.rotation;
+    const double inwards = (side == ".l" ? -1.0 : 1.0) * row.between(1.0, 1.8);
+    moving.clip.tracks.emplace_back(
+        rotationTrack(arm, Interpolation::linear,
+                      {{start, rest}, {start + 0.5, rest * axisAngle(Vec3(0, 1, 0), inwards)}}));
+  }
+  const NodeIndex hips = moving.node.at("hips");
+  const Vec3 place = moving.scene.nodes[at(hips)].rest.translation;
+  VectorKeys keys;
+  for (int i = 0; i <= 8; ++i) {
+    const Vec3 way(0.0, -0.05 * (i % 2), facing * 0.1 * i * wide);
+    keys.emplace_back(start + 0.125 * i, place + body.size / body.armatureScale * way);
+  }
+  moving.clip.tracks.emplace_back(vectorTrack(hips, Channel::translation, Interpolation::linear, keys));
+  setEndsFromKeys(moving.clip);
+  return moving;
+}
+
+/// Every key of a clip, added up track by track.
+std::string tracksText(const Clip& clip) {
+  std::string text;
+  int still = 0;
+  double stillValues = 0.0;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    double values = 0.0;
+    for (std::size_t i = 0; i < track->values.size(); ++i) {
+      values += static_cast<double>(track->values[i]) * static_cast<double>(1 + i % 7);
+    }
+    if (track->times.size() == 1) {
+      ++still;
+      stillValues += values * (1.0 + 0.1 * at(track->node));
+      continue;
+    }
+    text += fmt::format("  node {} channel {} , {} keys from {:.4f} to {:.4f} , values {:.3f}\n",
+                        track->node.value, static_cast<int>(track->channel), track->times.size(),
+                        track->times.front(), track->times.back(), values);
+  }
+  return text + fmt::format("  {} of one key , values {:.3f}\n", still, stillValues);
+}
+
 } // namespace
+
+TEST_CASE(
+    "What walks of bodies of one build become on others, with feet and hands put right or not, is as it "
+    "was looked at") {
+  std::string text;
+  std::vector<Built> all = bodies();
+  SyntheticBiped inCentimetres = namedBody({.tips = true});
+  inCentimetres.armatureScale = 0.01;
+  SyntheticBiped loose = namedBody({.toes = false});
+  jointOf(loose, "foot.l").parent = "root";
+  jointOf(loose, "foot.r").parent = "root";
+  all.push_back({"under a scaled armature, with tips", inCentimetres});
+  all.push_back({"feet under the root", loose});
+  all.push_back({"no feet", namedBody({.feet = false})});
+  all.push_back({"no hands", namedBody({.hands = false})});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::size_t to : {i, (i + 1) % all.size(), (i + 4) % all.size(), (i + 7) % all.size()}) {
+      const MovingBiped from = steppingBiped(all[i].body, static_cast<std::uint32_t>(i + 31));
+      const MovingBiped onto = still(all[to].body);
+      text += fmt::format("{} on {}\n", all[i].title, all[to].title) + broughtText(from, onto);
+      const std::optional<Skeleton> source = skeletonOf(from.scene, from.body);
+      const std::optional<Skeleton> own = skeletonOf(onto.scene, onto.body);
+      if (!source || !own) {
+        continue;
+      }
+      const Correction correction = (i + to) % 2 == 0 ? Correction::none : Correction::feetAndHands;
+      if (const auto brought = retarget(*source, from.clip, *own, {}, correction)) {
+        text +=
+            fmt::format("  at {} frames per second from {:.4f} to {:.4f}\n", brought->clip.framesPerSecond,
+                        brought->clip.startSeconds, brought->clip.endSeconds) +
+            tracksText(brought->clip);
+      }
+      const CopiedTracks copied = copyTracks(from.scene, from.clip, onto.scene);
+      text += fmt::format("  copied onto {} joints , {} tracks\n", copied.joints, copied.clip.tracks.size());
+    }
+  }
+  const std::string difference = differenceFromRecord("retargeted-walks", text, 2e-3);
+  INFO(difference);
+  CHECK(difference.empty());
+}
 
 TEST_CASE("What clips of bodies of one build become on others is as it was looked at") {
   std::string text;
