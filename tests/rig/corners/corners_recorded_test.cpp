@@ -95,12 +95,10 @@ std::string cornersText(const std::string& title, MovingBiped moving, const std:
   }
   Vec3 followed(0.0);
   for (const gltf::AddedSlot& slot : edits.addedSlots) {
-    followed += Vec3(slot.inverseBind[3]) * (1.0 + 0.1 * at(slot.node) + slot.skin);
+    followed += Vec3(slot.inverseBind[3]) * (1.0 + 0.1 * slot.node.value + slot.skin);
   }
-  text += fmt::format("  {} slots more ,", edits.addedSlots.size()) + cornerPlaceText(followed) +
-          "
-          ";
-          for (const gltf::BoundMesh& bound : edits.boundMeshes) {
+  text += fmt::format("  {} slots more ,", edits.addedSlots.size()) + cornerPlaceText(followed) + "\n";
+  for (const gltf::BoundMesh& bound : edits.boundMeshes) {
     text += boundText(bound);
   }
   for (const gltf::ClipTracks& clip : edits.clips) {

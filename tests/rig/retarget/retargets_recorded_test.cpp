@@ -182,7 +182,7 @@ std::string tracksText(const Clip& clip) {
     }
     if (track->times.size() == 1) {
       ++still;
-      stillValues += values * (1.0 + 0.1 * at(track->node));
+      stillValues += values * (1.0 + 0.1 * track->node.value);
       continue;
     }
     text += fmt::format("  node {} channel {} , {} keys from {:.4f} to {:.4f} , values {:.3f}\n",
