@@ -1,5 +1,8 @@
 #include "rig/body/evidence/name_evidence.h"
 
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 using namespace stretch::rig::body;
@@ -86,4 +89,56 @@ TEST_CASE("the names of a mirrored pair share their key") {
   CHECK(readName("mixamorig:LeftArm").key == readName("mixamorig:RightArm").key);
   CHECK(readName("hand.L.001").key == readName("hand.R.001").key);
   CHECK(readName("hand.L.001").key != readName("hand.R.002").key);
+}
+
+TEST_CASE("numbers in names tell the joints of a row apart, whichever digits they have") {
+  const std::vector<std::string> names{"leg.L",   "leg0.L",  "leg1.L",  "leg9.L",  "leg10.L",
+                                       "leg19.L", "leg90.L", "leg01.L", "leg1_0.L"};
+  for (const std::string& name : names) {
+    for (const std::string& other : names) {
+      CAPTURE(name, other);
+      CHECK((readName(name).key == readName(other).key) == (name == other));
+    }
+    std::string mirrored = name;
+    mirrored.back() = 'R';
+    CHECK(readName(mirrored).key == readName(name).key);
+  }
+}
+
+TEST_CASE("parts of a limb's name make the joint in any order") {
+  const auto [name, role, side] = GENERATE(values<Reading>({
+      {"upper arm left", Role::upperArm, Side::left},
+      {"left arm upper", Role::upperArm, Side::left},
+      {"lower arm left", Role::foreArm, Side::left},
+      {"left arm lower", Role::foreArm, Side::left},
+      {"fore arm left", Role::foreArm, Side::left},
+      {"right leg upper", Role::thigh, Side::right},
+      {"upper leg right", Role::thigh, Side::right},
+      {"right leg lower", Role::shin, Side::right},
+      {"lower leg right", Role::shin, Side::right},
+      {"front leg left", Role::upperArm, Side::left},
+      {"front foot right", Role::wrist, Side::right},
+  }));
+  CAPTURE(name);
+  const NameEvidence evidence = readName(name);
+  CHECK(evidence.side == side);
+  CHECK(evidence.role(role) >= 0.6);
+  for (const double fit : evidence.roles) {
+    CHECK(fit <= evidence.role(role));
+  }
+  CHECK(readName("upper body").role(Role::hips) == Approx(0.0).margin(1e-12));
+  CHECK(readName("lower body").role(Role::hips) == 1.0);
+}
+
+TEST_CASE("a limb joint without a side is half as sure, a trunk joint with one is none") {
+  CHECK(readName("left thigh").role(Role::thigh) == 1.0);
+  CHECK(readName("thigh").role(Role::thigh) == 0.5);
+  CHECK(readName("left leg").role(Role::shin) == Approx(0.55));
+  CHECK(readName("leg").role(Role::shin) == Approx(0.275));
+  CHECK(readName("neck").role(Role::neck) == 1.0);
+  CHECK(readName("left neck").role(Role::neck) == 0.0);
+  CHECK(readName("hip").role(Role::hips) == 1.0);
+  CHECK(readName("hip").role(Role::thigh) == 0.0);
+  CHECK(readName("left hip").role(Role::thigh) == Approx(0.85));
+  CHECK(readName("left right thigh").side == Side::none);
 }

@@ -230,3 +230,34 @@ TEST_CASE("A mesh that hangs on a stretched joint rigidly becomes a skinned one 
   CHECK(edits.addedNodes[holder].meshFrom == NodeIndex(0));
   CHECK_FALSE(edits.addedNodes[holder].parent.exists());
 }
+
+TEST_CASE("Corners grow with what they hold, also around one point or a flat piece") {
+  const double size = GENERATE(0.01, 30.0);
+  for (const std::vector<Vec3>& points :
+       {tube(slanted), {Vec3(0.4, -0.2, 0.1)}, {Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 1, 0)}}) {
+    std::vector<Vec3> grown = points;
+    std::ranges::for_each(grown, [&](Vec3& point) { point *= size; });
+    const std::vector<Vec3> corners = enclosingTetrahedron(points, slanted);
+    const std::vector<Vec3> others = enclosingTetrahedron(grown, slanted);
+    REQUIRE(others.size() == corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      CHECK(glm::length(others[i] - size * corners[i]) < 1e-6 * size);
+    }
+  }
+}
+
+TEST_CASE("The ends of a bone hold what lies along any direction, and nothing at the joint itself") {
+  const Vec3 along = glm::normalize(Vec3(1.0, 2.0, -2.0));
+  const std::vector<Vec3> ends =
+      enclosingEnds({0.3 * along + Vec3(2, -1, 0), -0.2 * along, 0.1 * along}, along);
+  REQUIRE(ends.size() == 2);
+  CHECK(glm::length(ends[0] + 0.2 * along) < 1e-9);
+  CHECK(glm::length(ends[1] - 0.3 * along) < 1e-9);
+  CHECK(enclosingEnds({Vec3(0.0)}, along).empty());
+  const std::vector<Vec3> behind = enclosingEnds({-0.5 * along}, along);
+  REQUIRE(behind.size() == 1);
+  CHECK(glm::length(behind[0] + 0.5 * along) < 1e-9);
+  CHECK(affineCoordinates(behind, -0.25 * along) == std::vector<double>{0.5});
+  CHECK(affineCoordinates(behind, 0.25 * along) == std::vector<double>{0.0}); // on the other side
+  CHECK(affineCoordinates(behind, -2.0 * along) == std::vector<double>{1.0}); // farther out
+}

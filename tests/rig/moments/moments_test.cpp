@@ -389,3 +389,46 @@ TEST_CASE("A body without limbs, a clip without keys and limbs without joints ha
   none.limbs.push_back(Limb{});
   CHECK(rig::momentsOf(biped.scene, biped.clip, none).empty());
 }
+
+TEST_CASE("What goes round does so at any size, and what does not close does not") {
+  for (const double size : {0.01, 1.0, 100.0}) {
+    CAPTURE(size);
+    test::SyntheticBiped body = test::namedBody();
+    body.size = size;
+    MovingBiped open = test::still(body);
+    turn(open, "upperArm.l", up, {{0, 0}, {4, 40}, {8, 0}, {12, 40}, {16, 0}, {20, 40}, {24, 90}});
+    REQUIRE_FALSE(momentsOf(open).empty());
+    CHECK(momentsOf(open).front().kind == MomentKind::stroke);
+    MovingBiped closed = test::still(body);
+    turn(closed, "upperArm.l", up, {{0, 0}, {4, 40}, {8, 0}, {12, 40}, {16, 0}, {20, 40}, {24, 0}});
+    CHECK(momentsOf(closed).front().kind == MomentKind::cycle);
+  }
+}
+
+TEST_CASE("The moment at a frame is the one that it lies in, the strongest near it, else the nearest") {
+  const auto made = [](const char* limb, double start, double end, double strength) {
+    return Moment{limb, MomentKind::stroke, start, end, end, strength};
+  };
+  const std::vector<Moment> moments{made("strong", 10, 14, 9.0), made("weak", 12, 20, 2.0),
+                                    made("late", 30, 34, 5.0)};
+  const auto nameAt = [&](double frame, double near = 0.0) { return momentAt(moments, frame, near)->limb; };
+  CHECK(nameAt(10.0) == "strong");
+  CHECK(nameAt(13.0) == "strong"); // both hold the frame
+  CHECK(nameAt(14.0) == "strong");
+  CHECK(nameAt(14.5) == "weak"); // only one of them does
+  CHECK(nameAt(20.0) == "weak");
+  CHECK(nameAt(24.0) == "weak"); // 4 frames after it, 6 before the other
+  CHECK(nameAt(26.0) == "late");
+  CHECK(nameAt(0.0) == "strong");
+  CHECK(nameAt(99.0) == "late");
+  CHECK(nameAt(24.0, 10.0) == "strong"); // all are within 10 frames
+  CHECK(nameAt(24.0, 6.0) == "late");    // 10 frames after the strongest
+  CHECK(nameAt(24.0, 5.0) == "weak");
+  CHECK(nameAt(14.5, 10.0) == "weak"); // it lies in this one
+  CHECK(momentAt({}, 3.0) == nullptr);
+  CHECK(strongestMoment(moments)->limb == "strong");
+  CHECK(strongestMoment({}) == nullptr);
+  CHECK(std::string(momentKindName(MomentKind::stroke)) == "stroke");
+  CHECK(std::string(momentKindName(MomentKind::cycle)) == "cycle");
+  CHECK(std::string(momentKindName(MomentKind::landing)) == "landing");
+}

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/adjust/solve_adjustments.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/controllers/controller.h"
 #include "rig/controllers/finger_joints.h"
@@ -343,4 +344,21 @@ TEST_CASE("a character has the controllers that its limbs allow, and other joint
   std::vector<Limb> noArms = moving.body.limbs;
   std::erase_if(noArms, [](const Limb& limb) { return limb.id == "left-arm"; });
   CHECK(controllersOf(moving.scene, noArms, moving.body.hips).controller("left-hand") == nullptr);
+}
+
+TEST_CASE("whatever a key moves is among the nodes that are read and written, any joint of the character's") {
+  const MovingBiped moving = punchingBiped();
+  const AdjustedBody body = adjustedBody({moving.scene, moving.clip, moving.body.hips, moving.body.limbs});
+  REQUIRE(body.jointControllers.size() > 4);
+  for (const Controller& joint : body.jointControllers) {
+    CAPTURE(joint.id);
+    const std::vector<Adjustment> adjustments{turned(joint.id, Vec3(0, 20, 0))};
+    const SolvedAdjustments solved = solveAdjustments(
+        {{moving.scene, moving.clip, moving.body.hips, moving.body.limbs}, adjustments, nullptr});
+    CHECK(std::ranges::find(solved.nodes, joint.node) != solved.nodes.end());
+    CHECK(std::ranges::is_sorted(solved.nodes));
+    CHECK(std::ranges::find(solved.nodes, NodeIndex::none) == solved.nodes.end());
+    REQUIRE(solved.joints.size() == 1);
+    CHECK(solved.joints.front().node == joint.node);
+  }
 }

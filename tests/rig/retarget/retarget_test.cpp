@@ -9,6 +9,7 @@
 
 #include "core/anim/sampling.h"
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "rig/retarget/copy_tracks.h"
 #include "rig/retarget/retarget.h"
 #include "rig/retarget/thin_keys.h"
@@ -351,4 +352,89 @@ TEST_CASE("Bones of the same names and other lengths are not the same bones") {
     joint.position *= 1.5;
   }
   CHECK_FALSE(haveSameBones(moving.scene, moving.clip, test::still(large).scene));
+}
+
+TEST_CASE("What the clip does not move stands as in the bind pose, where the file has it otherwise at rest") {
+  test::SyntheticBiped body = test::namedBody({.tips = true});
+  test::addTwist(body, "twist", "upperArm.l", "foreArm.l", 0.5, false);
+  body.posedAtRest = true;
+  const MovingBiped to = test::still(body);
+  MovingBiped from = bodyOf();
+  const NodeIndex arm = from.node.at("upperArm.r");
+  from.clip.tracks.emplace_back(test::rotationTrack(
+      arm, Interpolation::linear, {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(0, 1, 0), 0.6)}}));
+  setEndsFromKeys(from.clip);
+  const Clip clip = brought(from, to);
+  const std::vector<Mat4> bind = bindPoseWorlds(to.scene);
+  const std::vector<Mat4> worlds = worldsAt(to, clip, 1.0);
+  for (const char* const key :
+       {"twist", "headTip", "toeTip.l", "toeTip.r", "foreArm.l", "hand.l", "shin.r"}) {
+    CAPTURE(key);
+    const auto node = at(to.node.at(key));
+    const auto parent = at(to.scene.nodes[node].parent);
+    const Mat4 inBind = glm::inverse(bind[parent]) * bind[node];
+    const Mat4 now = glm::inverse(worlds[parent]) * worlds[node];
+    for (int column = 0; column < 4; ++column) {
+      CHECK(glm::length(inBind[column] - now[column]) < 2e-3);
+    }
+  }
+}
+
+TEST_CASE("A clip that ends between two frames is brought to its end") {
+  const double start = GENERATE(0.0, 0.26);
+  MovingBiped from = bodyOf();
+  const NodeIndex arm = from.node.at("upperArm.l");
+  const double end = start + 10.3 / 24.0;
+  const Quat last = axisAngle(Vec3(0, 1, 0), -1.2);
+  from.clip.tracks.emplace_back(
+      test::rotationTrack(arm, Interpolation::linear, {{start, Quat(1.0, 0.0, 0.0, 0.0)}, {end, last}}));
+  setEndsFromKeys(from.clip);
+  const MovingBiped to = bodyOf({.spineJoints = 4});
+  const Clip clip = brought(from, to);
+  const int index = findTrack(clip, to.node.at("upperArm.l"), Channel::rotation);
+  REQUIRE(index >= 0);
+  const Track& track = *clip.tracks[at(index)];
+  CHECK(static_cast<double>(track.times.front()) == Approx(start).margin(1e-6));
+  CHECK(static_cast<double>(track.times.back()) == Approx(end).margin(1e-6));
+  CHECK(degreesBetween(boneOf(from, from.clip, "left-arm", 0, end), boneOf(to, clip, "left-arm", 0, end)) <
+        0.1);
+}
+
+TEST_CASE("Copied morph weights go to a mesh with as many targets, and to no other") {
+  const auto sceneWith = [](int targets, bool hasMesh) {
+    Scene scene;
+    Node node;
+    node.name = "Face";
+    if (hasMesh) {
+      Primitive primitive;
+      primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+      primitive.morphTargets.resize(static_cast<std::size_t>(targets));
+      scene.meshes.push_back({"face", {primitive, primitive}, {}});
+      node.mesh = 0;
+    }
+    scene.nodes.push_back(node);
+    scene.roots = {NodeIndex(0)};
+    return scene;
+  };
+  Clip clip;
+  Track weights;
+  weights.node = NodeIndex(0);
+  weights.channel = Channel::weights;
+  weights.width = 2;
+  weights.times = {0.0F, 1.0F};
+  weights.values = {0.0F, 1.0F, 1.0F, 0.0F};
+  clip.tracks.emplace_back(weights);
+  setEndsFromKeys(clip);
+  const Scene from = sceneWith(2, true);
+  const CopiedTracks same = copyTracks(from, clip, sceneWith(2, true));
+  REQUIRE(same.clip.tracks.size() == 1);
+  CHECK(same.joints == 1);
+  CHECK(same.clip.tracks.front()->values == weights.values);
+  CHECK(same.missing.empty());
+  for (const Scene& to : {sceneWith(1, true), sceneWith(3, true), sceneWith(2, false)}) {
+    const CopiedTracks none = copyTracks(from, clip, to);
+    CHECK(none.clip.tracks.empty());
+    CHECK(none.joints == 0);
+    CHECK(none.missing == std::vector<std::string>{"Face"});
+  }
 }

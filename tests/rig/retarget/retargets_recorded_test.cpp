@@ -120,6 +120,26 @@ std::string broughtText(const MovingBiped& from, const MovingBiped& to) {
   return text;
 }
 
+/// Fingers that names tell, the hands turned so far about the arms.
+SyntheticBiped withNamedFingers(double radians) {
+  SyntheticBiped body = namedBody();
+  const std::map<std::string, std::string> fingers{
+      {"finger0", "Index"}, {"finger1", "Middle"}, {"finger2", "Pinky"}};
+  for (SyntheticJoint& joint : body.joints) {
+    const auto finger = fingers.find(joint.key.substr(0, std::min<std::size_t>(7, joint.key.size())));
+    if (finger == fingers.end()) {
+      continue;
+    }
+    const bool isLeft = joint.key.ends_with(".l");
+    const Vec3 wrist = jointOf(body, isLeft ? "hand.l" : "hand.r").position;
+    joint.position =
+        wrist + axisAngle(Vec3(1, 0, 0), isLeft ? radians : -0.5 * radians) * (joint.position - wrist);
+    body.names[joint.key] = std::string("mixamorig:") + (isLeft ? "Left" : "Right") + "Hand" +
+                            finger->second + (joint.key[7] == 'a' ? "1" : "2");
+  }
+  return body;
+}
+
 /// Steps: each foot stands while the other one swings, the hips go on and sink a little, hands meet before
 /// the chest; the clip begins late and has a rate of its own.
 MovingBiped steppingBiped(const SyntheticBiped& body, std::uint32_t seed) {
@@ -208,6 +228,14 @@ TEST_CASE(
   all.push_back({"feet under the root", loose});
   all.push_back({"no feet", namedBody({.feet = false})});
   all.push_back({"no hands", namedBody({.hands = false})});
+  SyntheticBiped headless = namedBody();
+  std::erase_if(headless.joints, [](const SyntheticJoint& joint) {
+    return joint.key == "head" || joint.key.starts_with("neck");
+  });
+  all.push_back({"no head", headless});
+  all.push_back({"palms down", withNamedFingers(0.0)});
+  all.push_back({"palms ahead", withNamedFingers(1.2)});
+  all.push_back({"palms back", withNamedFingers(-2.0)});
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const std::size_t to : {i, (i + 1) % all.size(), (i + 4) % all.size(), (i + 7) % all.size()}) {
       const MovingBiped from = steppingBiped(all[i].body, static_cast<std::uint32_t>(i + 31));

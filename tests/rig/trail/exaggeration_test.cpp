@@ -313,3 +313,25 @@ TEST_CASE("each ease bends its own end of the remap, with and without the other"
     }
   }
 }
+
+TEST_CASE("a line that misses the wanted length is pulled there, with an axis off along the others alone") {
+  TipProblem problem = limbWhoseEndCame(Vec3(0, -1, 0), 0.5); // across the limb: no walk makes it shorter
+  const TipSolution whole = solveTip(problem);
+  CHECK(whole.outcome == TipOutcome::pulled);
+  CHECK(glm::length(whole.tip - Vec3(0.5, 0, 0)) < 1e-12);
+  CHECK(glm::length(whole.pull - Vec3(-0.5, 0, 0)) < 1e-12);
+  problem.axes = {true, true, false};
+  const TipSolution flat = solveTip(problem);
+  CHECK(flat.outcome == TipOutcome::pulled);
+  CHECK(glm::length(flat.tip - Vec3(0.5, 0, 0)) < 1e-12);
+  problem.axes = {false, true, true}; // the pull would go along x
+  const TipSolution across = solveTip(problem);
+  CHECK(across.outcome == TipOutcome::pulled);
+  CHECK(glm::length(across.tip - Vec3(1, 0, 0)) < 1e-12);
+  CHECK_FALSE(across.reached());
+  problem.axes = {true, true, true};
+  problem.pull = false;
+  const TipSolution left = solveTip(problem);
+  CHECK(left.outcome == TipOutcome::closest);
+  CHECK(glm::length(left.tip - Vec3(1, 0, 0)) < 1e-12);
+}

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "rig/motion/paths.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -145,4 +146,103 @@ TEST_CASE("spheres stand at the extremes of the path as the trail's space has it
     CHECK(std::ranges::any_of(seen.controlFrames,
                               [&](double control) { return std::abs(control - frame) < 1e-3; }));
   }
+}
+
+TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere on the frame") {
+  constexpr double rate = 10.0;
+  LimbPath path;
+  std::vector<double> keyTimes;
+  const auto add = [&](double seconds, double x) {
+    LimbSample sample;
+    sample.timeSeconds = seconds;
+    sample.end = Vec3(x, 0.0, 0.0);
+    path.samples.push_back(sample);
+    keyTimes.push_back(seconds);
+  };
+  const double start = GENERATE(0.0, 2.0);
+  for (const double seconds : {0.0, 0.1, 0.2, 0.3, 0.4}) {
+    add(start + seconds, seconds);
+  }
+  add(start + 0.43, 1.0);
+  for (const double seconds : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+    add(start + seconds, 1.1 - seconds);
+  }
+  const std::vector<double> frames = chooseControlFrames(path, keyTimes, rate, 10.0);
+  CAPTURE(start);
+  REQUIRE(frames.size() == 3);
+  CHECK(frames[0] == Approx(rate * start).margin(1e-9)); // the ends stay where they are
+  CHECK(frames[1] == Approx(std::round(rate * (start + 0.43))).margin(1e-9));
+  CHECK(frames[2] == Approx(rate * (start + 1.0)).margin(1e-9));
+}
+
+TEST_CASE("a limb counts as densely keyed from more than 0.6 keys in a frame on, and from five keys on") {
+  const auto even = [](int count, double gap) {
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+      times.push_back(gap * i);
+    }
+    return times;
+  };
+  CHECK(isDenselyKeyed(even(11, 0.1), 0.0, 1.0, 10.0));
+  CHECK(isDenselyKeyed(even(8, 0.1), 0.0, 1.0, 10.0)); // 7 keys after the first in 10 frames
+  CHECK_FALSE(isDenselyKeyed(even(7, 0.1), 0.0, 1.0, 10.0));
+  CHECK_FALSE(isDenselyKeyed(even(4, 0.1), 0.0, 0.3, 10.0));
+  CHECK(isDenselyKeyed(even(5, 0.1), 0.0, 0.4, 10.0));
+  CHECK_FALSE(isDenselyKeyed(even(11, 0.1), 0.0, 1.0, 20.0)); // the same keys at twice the rate
+}
+
+TEST_CASE("the default range ends where the limb is farthest from where it began, not where it is longest") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex arm = moving.node.at("upperArm.l");
+  const Quat rest = moving.scene.nodes[at(arm)].rest.rotation;
+  const auto turned = [&](double degrees) {
+    const double half = 0.5 * degrees * pi / 180.0;
+    return Quat(std::cos(half), 0.0, std::sin(half), 0.0) * rest;
+  };
+  moving.clip.tracks.emplace_back(rotationTrack(
+      arm, Interpolation::linear, {{0.0, turned(0.0)}, {10.0 / 24.0, turned(-110.0)}, {1.0, turned(20.0)}}));
+  setEndsFromKeys(moving.clip);
+  const Vec2 range = defaultRange(moving.scene, moving.clip, moving.limb("left-arm"));
+  CHECK(range.x == 0.0);
+  CHECK(range.y == 10.0);
+}
+
+TEST_CASE("halfway between two times is half a frame exactly, where it is one") {
+  CHECK(timesBetween({0.0, 0.1, 0.2}, 10.0) == std::vector<double>{0.05, 0.15});
+  const std::vector<double> beside = timesBetween({0.0, 0.1, 0.14}, 10.0);
+  REQUIRE(beside.size() == 2);
+  CHECK(beside[1] == Approx(0.12));
+  CHECK(timesBetween({0.3}, 10.0).empty());
+}
+
+TEST_CASE("the keys of a limb in a range are those of its nodes that move, its ends among them") {
+  const MovingBiped moving = punchingBiped();
+  const NodeIndex arm = moving.node.at("upperArm.l");
+  const auto frames = [&](const std::vector<NodeIndex>& nodes, double first, double last) {
+    std::vector<double> found = keyTimesOf(moving.clip, nodes, first / 24.0, last / 24.0);
+    std::ranges::for_each(found, [](double& time) { time = std::round(24.0 * time * 100.0) / 100.0; });
+    return found;
+  };
+  CHECK(frames({arm}, 6, 18) == std::vector<double>{6, 12, 18});
+  CHECK(frames({arm}, 6.1, 17.9) == std::vector<double>{12});
+  CHECK(frames({arm, moving.node.at("foreArm.l")}, 0, 24) == std::vector<double>{0, 6, 12, 18, 24});
+  CHECK(frames({moving.node.at("upperArm.r")}, 0, 24).empty());
+}
+
+TEST_CASE(
+    "a path is drawn at every frame, or so many times in one, from where the trail begins to where it ends") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = solved(moving, {connectedTrail("left-arm", 6, 12, 2.0)});
+  const SolvedTrail& trail = motion.trails.front();
+  const double first = 24.0 * trail.windowStartSeconds;
+  const double last = 24.0 * std::min(trail.windowEndSeconds, moving.clip.endSeconds);
+  for (const std::size_t perFrame : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
+    const std::vector<double> frames = drawnFrames(moving.clip, trail, perFrame);
+    REQUIRE(frames.size() > 1);
+    CHECK(frames.front() == Approx(first).margin(1e-9));
+    CHECK(frames[1] - frames[0] == Approx(1.0 / static_cast<double>(perFrame)));
+    CHECK(frames.back() <= last + 1e-9);
+    CHECK(frames.back() > last - 1.0 / static_cast<double>(perFrame));
+  }
+  CHECK(drawnFrames(moving.clip, trail, 0) == drawnFrames(moving.clip, trail, 1));
 }
