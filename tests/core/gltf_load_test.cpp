@@ -6,7 +6,10 @@
 #include "core/gltf/json/json.h"
 #include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/source/problems.h"
+#include "core/gltf/source/uri.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/core/two_sheets.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -15,6 +18,7 @@ using test::armBuilder;
 using test::GlbBuilder;
 using test::loadBytes;
 using test::loaded;
+using test::TemporaryFolder;
 using test::warnsOf;
 
 namespace {
@@ -428,4 +432,79 @@ TEST_CASE("A file that is read as it stands is named in what refuses it, once") 
   const Result<gltf::Loaded> nothing = gltf::loadAsItStands(missing);
   REQUIRE_FALSE(nothing);
   CHECK(nothing.error().where == missing.string());
+}
+
+TEST_CASE("A sparse index may be that of the last element, and not one behind it") {
+  const int last = GENERATE(5, 6);
+  GlbBuilder glb = test::armBuilder();
+  const int position = glb.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>();
+  REQUIRE(glb.json["accessors"][static_cast<std::size_t>(position)]["count"] == 6);
+  const int indices =
+      glb.accessor(std::vector<std::uint16_t>{0, static_cast<std::uint16_t>(last)}, 5123, "SCALAR", 1);
+  const int values = glb.floats({7, 8, 9, 4, 5, 6}, "VEC3", 3);
+  const auto viewOf = [&](int accessor) {
+    return glb.json["accessors"][static_cast<std::size_t>(accessor)]["bufferView"];
+  };
+  Json& positions = glb.json["accessors"][static_cast<std::size_t>(position)];
+  positions["min"] = {-9, -9, -9};
+  positions["max"] = {9, 9, 9};
+  positions["sparse"] = {{"count", 2},
+                         {"indices", {{"bufferView", viewOf(indices)}, {"componentType", 5123}}},
+                         {"values", {{"bufferView", viewOf(values)}}}};
+  const Result<gltf::Loaded> file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  CHECK(file.ok() == (last == 5));
+  if (file) {
+    const Primitive& strip = file->scene->meshes[0].primitives[0];
+    CHECK(strip.positions.front() == glm::vec3(7, 8, 9));
+    CHECK(strip.positions[5] == glm::vec3(4, 5, 6));
+  } else {
+    CHECK(test::refusal(file).find("are not increasing or point past the last element") != std::string::npos);
+  }
+}
+
+TEST_CASE("Weights that are no numbers are mended from the neighbours, told and noted; others are not") {
+  GlbBuilder glb = test::armBuilder();
+  const bool isBroken = GENERATE(true, false);
+  if (isBroken) {
+    const auto weights = static_cast<std::size_t>(
+        glb.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"].get<int>());
+    const auto view = glb.json["accessors"][weights]["bufferView"].get<std::size_t>();
+    const auto offset = glb.json["bufferViews"][view]["byteOffset"].get<std::size_t>();
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(glb.binary.data() + offset, &none, sizeof(none));
+  }
+  const Result<gltf::Loaded> file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE(file);
+  CHECK(file->scene->meshes[0].primitives[0].areInfluencesMended == isBroken);
+  CHECK(test::warnsOf(*file, "no numbers for weights") == isBroken);
+  for (const VertexInfluences& vertex : file->scene->meshes[0].primitives[0].influences) {
+    float sum = 0.0F;
+    for (const float weight : vertex.weights) {
+      sum += weight;
+    }
+    CHECK(sum == Approx(1.0F));
+  }
+}
+
+TEST_CASE("A picture may lie in any view of the buffer, the first one among them") {
+  GlbBuilder glb = test::twoSheets();
+  const std::string uri = test::onePixelUri;
+  const gltf::Bytes picture = gltf::decodeDataUri(uri)->bytes;
+  for (Json& accessor : glb.json["accessors"]) {
+    accessor["bufferView"] = accessor["bufferView"].get<int>() + 1;
+  }
+  const std::size_t offset = (glb.binary.size() + 3) / 4 * 4;
+  glb.binary.resize(offset);
+  glb.binary.insert(glb.binary.end(), picture.begin(), picture.end());
+  Json views = Json::array();
+  views.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", picture.size()}});
+  for (const Json& view : glb.json["bufferViews"]) {
+    views.push_back(view);
+  }
+  glb.json["bufferViews"] = views;
+  glb.json["images"][0] = {{"bufferView", 0}, {"mimeType", "image/png"}};
+  const gltf::Loaded file = test::loaded(glb);
+  REQUIRE(file.scene->images.size() == 1);
+  CHECK(file.scene->images[0].width == 1);
+  CHECK(file.scene->images[0].rgba == test::loaded(test::twoSheets()).scene->images[0].rgba);
 }

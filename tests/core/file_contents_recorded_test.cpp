@@ -1,0 +1,264 @@
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "tests/support/core/compressed_files.h"
+#include "tests/support/core/foreign_text.h"
+#include "tests/support/core/two_sheets.h"
+#include "tests/support/recorded.h"
+#include "tests/support/refusal.h"
+#include "tests/support/row.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::GlbBuilder;
+
+namespace {
+
+/// Numbers added up, each by its place in the list, so that none can take another one's.
+class Sum {
+public:
+  void add(double number) { sum_ += number * static_cast<double>(1 + count_++ % 11); }
+  template <typename Vector>
+  void addVector(const Vector& vector) {
+    for (glm::length_t i = 0; i < vector.length(); ++i) {
+      add(static_cast<double>(vector[i]));
+    }
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{} : {:.3f}", count_, sum_); }
+
+private:
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+template <typename List>
+std::string sumOf(const List& vectors) {
+  Sum sum;
+  for (const auto& vector : vectors) {
+    sum.addVector(vector);
+  }
+  return sum.text();
+}
+
+std::string primitiveText(const Primitive& primitive) {
+  Sum indices;
+  for (const std::uint32_t index : primitive.indices) {
+    indices.add(index);
+  }
+  Sum influences;
+  for (const VertexInfluences& vertex : primitive.influences) {
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      influences.add(vertex.joints[i] * static_cast<double>(vertex.weights[i]));
+      influences.add(static_cast<double>(vertex.weights[i]));
+    }
+  }
+  std::string text = fmt::format(
+      "    places {} , normals {} , texture {} and {} , colours {} , indices {} , follow {} mended {} , "
+      "material {}\n",
+      sumOf(primitive.positions), sumOf(primitive.normals), sumOf(primitive.texCoords),
+      sumOf(primitive.emissiveTexCoords), sumOf(primitive.colors), indices.text(), influences.text(),
+      primitive.areInfluencesMended, primitive.material);
+  for (const MorphTarget& target : primitive.morphTargets) {
+    text +=
+        fmt::format("      target places {} , normals {}\n", sumOf(target.positions), sumOf(target.normals));
+  }
+  return text;
+}
+
+std::string textureText(const TextureUse& use) {
+  Sum transform;
+  for (glm::length_t column = 0; column < 3; ++column) {
+    transform.addVector(use.uvTransform[column]);
+  }
+  return fmt::format("picture {} , at {} , nearest {} , wraps {} {}", use.image, transform.text(),
+                     use.nearestFilter, static_cast<int>(use.wrapU), static_cast<int>(use.wrapV));
+}
+
+std::string sceneText(const Scene& scene) {
+  std::string text;
+  for (const Node& node : scene.nodes) {
+    Sum rest;
+    rest.addVector(node.rest.translation);
+    rest.addVector(
+        Vec4(node.rest.rotation.x, node.rest.rotation.y, node.rest.rotation.z, node.rest.rotation.w));
+    rest.addVector(node.rest.scale);
+    text += fmt::format("  node {} under {} , rests {} , mesh {} , skin {} , matrix {}\n", node.name,
+                        node.parent.value, rest.text(), node.mesh, node.skin, node.matrix.has_value());
+  }
+  text += "  roots";
+  for (const NodeIndex root : scene.roots) {
+    text += fmt::format(" {}", root.value);
+  }
+  text += "\n";
+  for (const Skin& skin : scene.skins) {
+    Sum bind;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      bind.add(skin.joints[i].value);
+      for (glm::length_t column = 0; column < 4; ++column) {
+        bind.addVector(skin.inverseBind[i][column]);
+      }
+    }
+    text += fmt::format("  skin {} of {} joints {}\n", skin.name, skin.joints.size(), bind.text());
+  }
+  for (const Mesh& mesh : scene.meshes) {
+    text += "  mesh " + mesh.name + " , weights";
+    for (const float weight : mesh.morphWeights) {
+      text += fmt::format(" {:.3f}", weight);
+    }
+    text += "\n";
+    for (const Primitive& primitive : mesh.primitives) {
+      text += primitiveText(primitive);
+    }
+  }
+  for (const Material& material : scene.materials) {
+    Sum colours;
+    colours.addVector(material.baseColor);
+    colours.addVector(material.emissive);
+    text += fmt::format(
+        "  material {} , colours {} , {} , emits {} , alpha {} {:.3f} , both sides {} , unlit {}\n",
+        material.name, colours.text(), textureText(material.baseColorTexture),
+        textureText(material.emissiveTexture), static_cast<int>(material.alphaMode), material.alphaCutoff,
+        material.doubleSided, material.unlit);
+  }
+  for (const Image& image : scene.images) {
+    Sum bytes;
+    for (const std::uint8_t byte : image.rgba) {
+      bytes.add(byte);
+    }
+    text += fmt::format("  picture {} by {} , {}\n", image.width, image.height, bytes.text());
+  }
+  for (const SceneCamera& camera : scene.cameras) {
+    text += fmt::format("  camera {} on {} , kind {} , sees {:.4f} {:.4f} {:.4f}\n", camera.name,
+                        camera.node.value, static_cast<int>(camera.kind), camera.fieldOfViewRadians,
+                        camera.halfHeight, camera.aspect.value_or(-1.0));
+  }
+  return text;
+}
+
+std::string contentsText(const std::string& title, const Result<gltf::Loaded>& file) {
+  if (!file) {
+    return title + "\n  refused: " + test::refusal(file) + "\n";
+  }
+  std::string text = title + "\n";
+  for (const std::string& warning : file->warnings) {
+    text += "  warns: " + warning + "\n";
+  }
+  text += sceneText(*file->scene);
+  for (const Clip& clip : file->clips) {
+    text += fmt::format("  clip {} , {:.4f} to {:.4f} at {:.3f}\n", clip.name, clip.startSeconds,
+                        clip.endSeconds, clip.framesPerSecond);
+    for (const CopyOnWrite<Track>& track : clip.tracks) {
+      Sum times;
+      Sum values;
+      for (const float time : track->times) {
+        times.add(static_cast<double>(time));
+      }
+      for (const float value : track->values) {
+        values.add(static_cast<double>(value));
+      }
+      text += fmt::format("    {} channel {} , kind {} , width {} , times {} , values {}\n",
+                          track->node.value, static_cast<int>(track->channel),
+                          static_cast<int>(track->interpolation), track->width, times.text(), values.text());
+    }
+  }
+  return text;
+}
+
+std::string foreignText(const std::string& title, const std::string& text) {
+  const test::TemporaryFolder folder;
+  return contentsText(title, gltf::load(folder.write("character.data", text), gltf::Tolerance::warn));
+}
+
+/// Some of the numbers in a text are others; numbers with a point, so that counts stay.
+std::string withOtherNumbers(std::string text, test::Row& row) {
+  std::vector<std::pair<std::size_t, std::size_t>> numbers;
+  for (std::size_t at = text.find_first_of("0123456789"); at != std::string::npos;
+       at = text.find_first_of("0123456789", at)) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.", at), text.size());
+    const std::string number = text.substr(at, end - at);
+    const bool stands = at > 0 && (text[at - 1] == ' ' || text[at - 1] == ',' || text[at - 1] == '-');
+    if (stands && number.find('.') != std::string::npos && number.back() != '.') {
+      numbers.emplace_back(at, end - at);
+    }
+    at = end;
+  }
+  for (int changes = 0; changes < 3 && !numbers.empty(); ++changes) {
+    const auto& [at, length] = row.oneOf(numbers);
+    const std::string other =
+        fmt::format("{:.{}f}", row.between(0.0, 9.0), std::max<std::size_t>(length, 3) - 2);
+    text.replace(at, length, other.substr(0, length));
+  }
+  return text;
+}
+
+void compareContents(const std::string& name, const std::string& text) {
+  const std::string difference = test::differenceFromRecord(name, text, 1e-3);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+} // namespace
+
+TEST_CASE("All that is read of files, packed and plain, is as it was looked at") {
+  const GlbBuilder tube = test::tubeBuilder();
+  std::string text = contentsText("arm", test::loadBytes(test::armBuilder().bytes()));
+  text += contentsText("sheets", test::loadBytes(test::twoSheets().bytes()));
+  text += contentsText("tube", test::loadBytes(tube.bytes()));
+  for (const test::Filters filters : {test::Filters::none, test::Filters::all}) {
+    text += contentsText("tube, packed views", test::loadBytes(test::packedByMeshopt(tube, filters).bytes()));
+  }
+  for (const test::DracoMethod method : {test::DracoMethod::sequential, test::DracoMethod::edgebreaker}) {
+    text += contentsText("tube, packed mesh", test::loadBytes(test::packedByDraco(tube, method).bytes()));
+  }
+  GlbBuilder materials = test::twoSheets();
+  materials.json["materials"] = Json::parse(R"([{"name": "cloth", "pbrMetallicRoughness":
+      {"baseColorFactor": [0.2, 0.4, 0.6, 0.8], "baseColorTexture": {"index": 0, "texCoord": 1, "extensions":
+      {"KHR_texture_transform": {"offset": [0.1, 0.2], "rotation": 0.5, "scale": [2, 3]}}}},
+      "emissiveFactor": [0.1, 0.2, 0.3], "emissiveTexture": {"index": 0}, "doubleSided": true,
+      "alphaMode": "BLEND", "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}}},
+      {"name": "glass", "extensions": {"KHR_materials_pbrSpecularGlossiness":
+      {"diffuseFactor": [0.9, 0.1, 0.2, 0.5], "diffuseTexture": {"index": 0}}}, "alphaMode": "MASK"}])");
+  materials.json["samplers"] =
+      Json::parse(R"([{"magFilter": 9728, "minFilter": 9728, "wrapS": 33071, "wrapT": 33648}])");
+  materials.json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
+  text += contentsText("sheets of other cloth", test::loadBytes(materials.bytes(), gltf::Tolerance::warn));
+  GlbBuilder posed = test::armBuilder();
+  posed.json["nodes"][1]["rotation"] = {0.5, 0.5, 0.5, 0.5};
+  posed.json["nodes"][1]["scale"] = {1, 2, -1};
+  posed.json["nodes"][2]["matrix"] = {0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 3, 0, 1, 2, 3, 1};
+  posed.json["nodes"][2].erase("translation");
+  text += contentsText("arm in a pose", test::loadBytes(posed.bytes(), gltf::Tolerance::warn));
+  compareContents("contents-of-files", text);
+}
+
+TEST_CASE("All that is read of files of other programs is as it was looked at") {
+  std::string text;
+  for (const auto& [said, held, unit] :
+       {std::tuple(3, 3, 1.0), {3, 5, 1.0}, {9, 9, 0.01}, {1, 1, 0.2}, {30, 30, 2.54}}) {
+    text += foreignText(fmt::format("BVH {} {} {}", said, held, unit), test::personBvh(said, held, unit));
+  }
+  for (const int inherits : {0, 1, 2}) {
+    for (const bool pivots : {false, true}) {
+      test::FbxText bones;
+      bones.childInherits = inherits;
+      bones.upperPivots = pivots;
+      bones.lowerPivots = inherits != 1;
+      bones.upperScale = pivots ? 2.0 : 1.0;
+      bones.upperStretch = inherits == 2 ? 1.5 : 1.0;
+      bones.isZUp = inherits == 0;
+      bones.centimetresOfUnit = pivots ? 1.0 : 2.54;
+      text += foreignText(fmt::format("FBX {} {}", inherits, pivots), test::twoBonesFbx(bones));
+    }
+  }
+  text += foreignText("Collada", test::postCollada());
+  test::Row row(17);
+  for (int i = 0; i < 12; ++i) {
+    text +=
+        foreignText(fmt::format("BVH of other numbers {}", i), withOtherNumbers(test::personBvh(4, 4), row));
+    text += foreignText(fmt::format("FBX of other numbers {}", i),
+                        withOtherNumbers(test::twoBonesFbx({.upperPivots = i % 2 == 0}), row));
+    text += foreignText(fmt::format("Collada of other numbers {}", i),
+                        withOtherNumbers(test::postCollada(), row));
+  }
+  compareContents("contents-of-foreign-files", text);
+}
