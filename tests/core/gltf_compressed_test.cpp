@@ -322,3 +322,17 @@ TEST_CASE("A file tells its extensions and which of them are not shown") {
   CHECK(uses[2].support == gltf::ExtensionSupport::read);
   CHECK(uses[2].isRequired);
 }
+
+TEST_CASE("A packed view that says another length than its data have breaks the rules, and its data count") {
+  GlbBuilder glb = packedByMeshopt(tubeBuilder(), Filters::none);
+  const std::size_t view = viewOf(glb, "POSITION");
+  const auto said = glb.json["bufferViews"][view]["byteLength"].get<std::size_t>();
+  glb.json["bufferViews"][view]["byteLength"] = said - 12;
+  const std::string told = "bufferViews[" + std::to_string(view) + "]: says " + std::to_string(said - 12) +
+                           " bytes, but its compressed data hold " + std::to_string(said);
+  CHECK_THAT(refusalOf(glb), Catch::StartsWith(told));
+  const Result<gltf::Loaded> file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE(file);
+  CHECK(test::warnsOf(*file, told));
+  CHECK(tubeOf(*file).positions == tubeOf(opened(packedByMeshopt(tubeBuilder(), Filters::none))).positions);
+}

@@ -4,6 +4,7 @@
 
 #include "core/gltf/json/json.h"
 #include "core/gltf/json/json_builder.h"
+#include "core/gltf/source/animation_target.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/problems.h"
 #include "core/gltf/source/uri.h"
@@ -194,4 +195,34 @@ TEST_CASE("A name of a file stands for a path beside the file alone, its escapes
   CHECK(escapesFolder("/a.bin"));
   CHECK_FALSE(escapesFolder("folder/../a.bin"));
   CHECK_FALSE(escapesFolder("..a.bin"));
+}
+
+TEST_CASE("A channel drives a part of a node, by its names or by a pointer, and a pointer elsewhere none") {
+  const auto pointed = [](const char* pointer) {
+    return animationTarget(
+        {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}});
+  };
+  const AnimationTarget plain = animationTarget({{"node", 3}, {"path", "rotation"}});
+  CHECK(plain.node == NodeIndex(3));
+  CHECK(plain.path == "rotation");
+  CHECK_FALSE(plain.isPointer);
+  for (const std::string property : {"translation", "rotation", "scale", "weights"}) {
+    for (const int node : {0, 7}) {
+      const AnimationTarget target = pointed(("/nodes/" + std::to_string(node) + "/" + property).c_str());
+      CHECK(target.node == NodeIndex(node));
+      CHECK(target.path == property);
+      CHECK(target.isPointer);
+    }
+  }
+  for (const char* const other : {"/nodes/3", "/nodes/3/", "/nodes/3/mesh", "/nodes/-1/scale",
+                                  "/nodes/x/scale", "/nodes//scale", "/materials/0/alphaCutoff",
+                                  "/meshes/0/weights", "nodes/3/scale", "", "/materials", "/x/3/rotation"}) {
+    CAPTURE(other);
+    CHECK_FALSE(pointed(other).node.exists());
+    CHECK(pointed(other).path == other);
+    CHECK(pointed(other).isPointer);
+  }
+  const AnimationTarget without = animationTarget({{"path", "pointer"}, {"node", 2}});
+  CHECK(without.path == "pointer");
+  CHECK_FALSE(without.isPointer);
 }

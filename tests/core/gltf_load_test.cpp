@@ -462,7 +462,7 @@ TEST_CASE("A sparse index may be that of the last element, and not one behind it
   }
 }
 
-TEST_CASE("Weights that are no numbers are mended from the neighbours, told and noted; others are not") {
+TEST_CASE("Weights that are no numbers are mended from the neighbours, told and noted, others are not") {
   GlbBuilder glb = test::armBuilder();
   const bool isBroken = GENERATE(true, false);
   if (isBroken) {
@@ -507,4 +507,36 @@ TEST_CASE("A picture may lie in any view of the buffer, the first one among them
   REQUIRE(file.scene->images.size() == 1);
   CHECK(file.scene->images[0].width == 1);
   CHECK(file.scene->images[0].rgba == test::loaded(test::twoSheets()).scene->images[0].rgba);
+}
+
+TEST_CASE("A channel of nothing that is shown is told and left out, whatever keeps it from being shown") {
+  struct Case {
+    Json target;
+    const char* told;
+  };
+  const auto odd = GENERATE(values<Case>({{{{"path", "rotation"}}, "drives 'rotation' of no node"},
+                                          {{{"path", "colour"}, {"node", 1}}, "drives 'colour' of no node"},
+                                          {{{"path", "weights"}, {"node", 1}}, "without morph targets"}}));
+  GlbBuilder glb = armBuilder();
+  CAPTURE(odd.told);
+  glb.json["animations"][0]["channels"][0]["target"] = odd.target;
+  const gltf::Loaded file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn).value();
+  REQUIRE(file.clips[0].tracks.size() == 2);
+  CHECK(file.clips[0].tracks[0]->sourceChannel == 1);
+  CHECK(file.clips[0].tracks[1]->sourceChannel == 2);
+  CHECK(warnsOf(file, odd.told));
+}
+
+TEST_CASE("Keys that have not one value each are refused with their place") {
+  GlbBuilder glb = armBuilder();
+  const bool isEven = GENERATE(true, false);
+  const std::vector<float> turns = isEven ? std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}
+                                          : std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1};
+  glb.json["animations"][0]["samplers"][0]["output"] = glb.floats(turns, "VEC4", 4);
+  const Result<gltf::Loaded> file = loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  CHECK(file.ok() == isEven);
+  if (!file) {
+    CHECK(file.error().where == "animations[0].samplers[0].output");
+    CHECK(file.error().what == "has 2 values for 3 keys, which need 3");
+  }
 }

@@ -142,3 +142,10 @@ TEST_CASE("a limb joint without a side is half as sure, a trunk joint with one i
   CHECK(readName("left hip").role(Role::thigh) == Approx(0.85));
   CHECK(readName("left right thigh").side == Side::none);
 }
+
+TEST_CASE("the words of a name stay apart in what a mirrored pair shares") {
+  CHECK(readName("hand_foot.L").key == readName("hand_foot.R").key);
+  CHECK(readName("back_fin.L").key != readName("back.L").key);
+  CHECK(readName("a_bc.L").key != readName("ab_c.L").key);
+  CHECK(readName("left_fin_a").key == readName("fin_right_a").key);
+}

@@ -282,3 +282,22 @@ TEST_CASE("past the last key a stretched limb is held, as the keys of the file h
   REQUIRE(miss(moving, motion, 24) > 0.01 * moving.body.height);
   CHECK(largestMatrixMiss(atFrame(moving, motion, 24.25), last) == 0.0);
 }
+
+TEST_CASE("a trail fades in beside its pivot where the sphere there is pulled, and only there") {
+  const MovingBiped moving = punchingBiped();
+  const Pivot pivot = GENERATE(Pivot::start, Pivot::end);
+  const double pulled = GENERATE(6.0, 9.0, 12.0);
+  CAPTURE(static_cast<int>(pivot), pulled);
+  Trail trail = connectedTrail("left-arm", 6, 12, 2.0);
+  trail.settings.pivot = pivot;
+  trail.settings.releaseFrames = 3.0;
+  trail.settings.spheres = {{pulled, Vec3(0.0, 0.1, 0.0)}};
+  const MotionState motion = solved(moving, {trail});
+  const SolvedTrail& made = motion.trails.front();
+  const bool fadesBefore = pivot == Pivot::start && pulled == 6.0;
+  const bool fadesAfter = pivot == Pivot::end && pulled == 12.0;
+  // Three frames of release beyond the tip, and as many to fade in before the pivot.
+  const bool releasesBefore = pivot == Pivot::end;
+  CHECK(24.0 * made.windowStartSeconds == Approx(releasesBefore || fadesBefore ? 3.0 : 6.0));
+  CHECK(24.0 * made.windowEndSeconds == Approx(!releasesBefore || fadesAfter ? 15.0 : 12.0));
+}

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "rig/reach/limb_topology.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -75,4 +76,27 @@ TEST_CASE("a heel that hangs elsewhere goes with the foot that it is near, as th
   };
   CHECK(goesWith("left-leg") == goes);
   CHECK_FALSE(goesWith("right-leg"));
+}
+
+TEST_CASE("all that rides on a bone, in a group of its own too, is among the nodes that a trail may change") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex arm = moving.node.at("foreArm.l");
+  const NodeIndex group = addNode(moving.scene, "group", arm, Vec3(0.05, 0.0, 0.0));
+  const NodeIndex inner = addNode(moving.scene, "inner", group, Vec3(0.02, 0.0, 0.0));
+  const NodeIndex part = addNode(moving.scene, "part", inner, Vec3(0.03, 0.0, 0.0));
+  const NodeIndex empty = addNode(moving.scene, "empty", inner, Vec3(0.03, 0.0, 0.0));
+  Primitive primitive;
+  primitive.positions = {{-0.05F, -0.02F, 0.0F}, {0.05F, -0.02F, 0.0F}, {0.0F, 0.02F, 0.02F}};
+  moving.scene.nodes[at(part)].mesh = static_cast<int>(moving.scene.meshes.size());
+  moving.scene.meshes.push_back({"part", {primitive}, {}});
+  const Limb& limb = moving.limb("left-arm");
+  const LimbTopology topology = topologyOf(moving, "left-arm");
+  CHECK(topology.bones[1].twistNodes == std::vector<NodeIndex>{group, inner, part}); // parents first
+  CHECK(topology.bones[0].twistNodes.empty());
+  const std::vector<NodeIndex> touched = touchedNodes(limb, topology);
+  CHECK(std::ranges::is_sorted(touched));
+  for (const NodeIndex node : {group, inner, part, arm, moving.node.at("upperArm.l"), limb.endNode}) {
+    CHECK(std::ranges::count(touched, node) == 1);
+  }
+  CHECK(std::ranges::count(touched, empty) == 0);
 }

@@ -246,3 +246,16 @@ TEST_CASE(
   }
   CHECK(drawnFrames(moving.clip, trail, 0) == drawnFrames(moving.clip, trail, 1));
 }
+
+TEST_CASE("the default range of a limb that stays where it is farthest ends where it gets there") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex arm = moving.node.at("upperArm.l");
+  const Quat rest = moving.scene.nodes[at(arm)].rest.rotation;
+  const Quat away = Quat(std::cos(0.8), 0.0, -std::sin(0.8), 0.0) * rest;
+  moving.clip.tracks.emplace_back(
+      rotationTrack(arm, Interpolation::linear, {{0.0, rest}, {0.25, away}, {0.75, away}, {1.0, rest}}));
+  setEndsFromKeys(moving.clip);
+  CHECK(defaultRange(moving.scene, moving.clip, moving.limb("left-arm")) == Vec2(0.0, 6.0));
+  moving.clip.tracks.clear(); // nothing moves: the whole clip
+  CHECK(defaultRange(moving.scene, moving.clip, moving.limb("left-arm")) == Vec2(0.0, 24.0));
+}
