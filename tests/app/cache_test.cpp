@@ -204,6 +204,30 @@ TEST_CASE("the cache sees every change that a frame is made from, and its undoin
   }
 }
 
+TEST_CASE("the cache sees a body whose bones are longer, whether or not it is adjusted or held") {
+  for (const auto& [name, make] :
+       {std::pair<const char*, Document (*)()>{"trails", busyBoxer},
+        {"offsets", [] { return orFail(placeAdjustments(busyBoxer(), std::vector{hipsLowered(8.0)})); }},
+        {"a pin",
+         [] {
+           return orFail(placeHolds(busyBoxer(), {{pinAt(8.0)}, {}, {}}));
+         }},
+        {"nothing", test::boxer}}) {
+    INFO(name);
+    const Document before = make();
+    Document after = before;
+    Scene scene = *before.scene;
+    scene.nodes[at(findLimb(before, "left-arm")->endNode)].rest.translation.x += 0.2;
+    after.scene = std::make_shared<const Scene>(std::move(scene));
+    EvaluationCache cache;
+    for (const Document& document : {before, after, before}) {
+      checkAnswers(cache, document);
+      CHECK(cache.original(document, 0, 0.3).worlds == evaluateOriginal(document, 0, 0.3).worlds);
+      CHECK(cache.keyed(document, 0) == EvaluationCache().keyed(document, 0));
+    }
+  }
+}
+
 TEST_CASE("the cache sees other hips where a trail is told from them") {
   Document before = busyBoxer();
   trailOf(before, "left-arm").settings.space = rig::TrailSpace::root;

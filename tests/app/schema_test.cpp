@@ -1,13 +1,19 @@
+#include <cmath>
+#include <optional>
 #include <set>
+#include <string>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/schema/parse_text.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/sequence_schema.h"
+#include "app/schema/style_schema.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "tests/support/app/other_value.h"
+#include "tests/support/recorded.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -219,4 +225,155 @@ TEST_CASE("The text of an option is one number, or nothing is taken") {
     REQUIRE_FALSE(number);
     CHECK(number.error().where == "--scale");
   }
+}
+
+namespace {
+
+std::string numberText(const std::optional<double>& number) {
+  return number ? fmt::format("{:g}", *number) : "-";
+}
+
+template <typename Settings>
+std::string tableOf(const std::string& title, const Schema<Settings>& schema) {
+  std::string text = title + "\n";
+  for (const Setting<Settings>& setting : schema) {
+    const SettingRow& row = setting.row;
+    std::string choices;
+    for (const SettingChoice& choice : setting.choices) {
+      choices += " " + choice.name;
+    }
+    text += fmt::format("{} {}: takes {}{}{}, at first {}\n", setting.option, setting.name,
+                        takenValues(setting), choices.empty() ? "" : " of", choices, setting.standard);
+    text +=
+        fmt::format("  shown in '{}' as '{}', from {} to {} by {:g} or {:g}, {}'{}' times {:g} in '{}'{}\n",
+                    row.section, labelOf(setting), numberText(row.minimum), numberText(row.maximum), row.step,
+                    row.fineStep, row.percent ? "per cent, " : "", row.prefix, row.shownFactor, row.shownUnit,
+                    row.typed ? ", typed" : "");
+  }
+  return text;
+}
+
+template <typename Settings>
+void checkEdges(const Schema<Settings>& schema) {
+  for (const Setting<Settings>& setting : schema) {
+    INFO(setting.name);
+    const bool isVector = setting.kind == SettingKind::vector;
+    const bool isNumber = setting.kind == SettingKind::number || setting.kind == SettingKind::whole ||
+                          setting.kind == SettingKind::optionalNumber;
+    if (!isVector && !isNumber) {
+      continue;
+    }
+    const auto takes = [&](double number) {
+      if (!isVector) {
+        return checkValue(setting, number).ok();
+      }
+      bool each = true;
+      bool any = false;
+      for (std::size_t place = 0; place < 3; ++place) {
+        Json vector = Json::array({setting.minimum, setting.maximum, setting.minimum});
+        vector[place] = number;
+        const bool taken = checkValue(setting, vector).ok();
+        each = each && taken;
+        any = any || taken;
+      }
+      CHECK(each == any); // each of the three is looked at
+      return each;
+    };
+    const double beside = 1e-9 + 1e-9 * std::abs(setting.maximum);
+    CHECK(takes(setting.minimum));
+    CHECK(takes(setting.maximum));
+    CHECK_FALSE(takes(setting.minimum - std::max(1e-9 * std::abs(setting.minimum), 1e-35)));
+    CHECK_FALSE(takes(setting.maximum + beside));
+    if (setting.kind == SettingKind::whole) {
+      CHECK_FALSE(takes(setting.minimum + 0.5));
+    }
+    CHECK(checkValue(setting, nullptr).ok() == (setting.kind == SettingKind::optionalNumber));
+  }
+}
+
+} // namespace
+
+TEST_CASE("Every setting is offered as it was looked at") {
+  CHECK(test::differenceFromRecord("settings",
+                                   tableOf("trail", trailSchema()) + tableOf("weight", weightSchema()) +
+                                       tableOf("sequence", sequenceSchema()) + tableOf("clip", clipSchema()) +
+                                       tableOf("style", styleSchema())) == "");
+}
+
+TEST_CASE(
+    "Every number of a setting is taken from its least to its largest, both included, and none beyond") {
+  checkEdges(trailSchema());
+  checkEdges(weightSchema());
+  checkEdges(sequenceSchema());
+  checkEdges(clipSchema());
+  checkEdges(styleSchema());
+}
+
+TEST_CASE("A setting says what it takes, and how it is called, by its kind") {
+  const auto taken = [](const auto& schema, const char* name) {
+    return takenValues(*findSetting(schema, name));
+  };
+  CHECK(taken(trailSchema(), "blend") == "a number from 0 to 2");
+  CHECK(taken(trailSchema(), "release") == "a number from 0 to 100000 frames");
+  CHECK(taken(sequenceSchema(), "bones") == "a whole number from 1 to 1000");
+  CHECK(taken(trailSchema(), "pull") == "true or false");
+  CHECK(taken(trailSchema(), "axes") == "any of x, y, z");
+  CHECK(taken(trailSchema(), "ease_in") == "a fraction below 1 and a value from 0 to 1");
+  CHECK(taken(weightSchema(), "gravity") == "three numbers from -1000 to 1000 m/s^2");
+  CHECK(taken(trailSchema(), "camera") == "a name");
+  CHECK(taken(trailSchema(), "pivot") == "one of start, end");
+  const auto label = [](const char* name) { return labelOf(*findSetting(trailSchema(), name)); };
+  CHECK(label("turn_end") == "Turn end");
+  CHECK(label("stay_in_world") == "Keep place");
+  CHECK(label("scale") == "Scale");
+}
+
+TEST_CASE("An ease is a fraction below the whole and a value within it, in two numbers") {
+  const SettingFacts& ease = *findSetting(trailSchema(), "ease_in");
+  for (const char* const good : {"[0, 0]", "[0.999, 1]", "[0.5, 0.25]"}) {
+    CHECK(checkValue(ease, Json::parse(good)));
+  }
+  for (const char* const bad : {"[1, 0]", "[-0.1, 0]", "[0, 1.1]", "[0, -0.1]", "[0]", "[0, 0, 0]",
+                                "[\"0\", 0]", "[0, null]", "0", "null"}) {
+    INFO(bad);
+    CHECK_FALSE(checkValue(ease, Json::parse(bad)));
+  }
+  CHECK(valueOfText(ease, "0.6,0.1").value() == Json::array({0.6, 0.1}));
+  const auto refused = [&](const char* text) { return valueOfText(ease, text).error().line(); };
+  CHECK(refused("0.6") == "--ease-in: '0.6' has no comma; give a fraction and a value, such as 0.6,0.1");
+  CHECK(refused("a,0.1") == "--ease-in: 'a' is not a number; give one number, such as 2 or 0.5");
+  CHECK(refused("0.6,b") == "--ease-in: 'b' is not a number; give one number, such as 2 or 0.5");
+  CHECK(refused("2,0") ==
+        "--ease-in: '2,0' is not possible; give a fraction below 1 and a value from 0 to 1");
+}
+
+TEST_CASE("Per cent may be written with its sign where it is the unit, and nowhere else") {
+  CHECK(valueOfText(*findSetting(sequenceSchema(), "tolerance"), "0.5%").value() == Json(0.5));
+  CHECK(valueOfText(*findSetting(clipSchema(), "key_tolerance"), "0.5%").value() == Json(0.5));
+  CHECK_FALSE(valueOfText(*findSetting(trailSchema(), "blend"), "0.5%"));
+  CHECK_FALSE(valueOfText(*findSetting(sequenceSchema(), "tolerance"), "%"));
+  // A switch that is given says the opposite of what stands without it.
+  CHECK(valueOfText(*findSetting(trailSchema(), "pull"), "").value() == Json(false));
+  CHECK(valueOfText(*findSetting(trailSchema(), "turn_end"), "").value() == Json(true));
+}
+
+TEST_CASE("A text that is no number, vector or range is told with what it was") {
+  const auto line = [](const auto& result) {
+    REQUIRE_FALSE(result);
+    return result.error().line();
+  };
+  CHECK(line(parseNumber("two", "--scale")) ==
+        "--scale: 'two' is not a number; give one number, such as 2 or 0.5");
+  CHECK(line(parseVector("1,2", "--gravity")) ==
+        "--gravity: '1,2' is not a vector; give three numbers, such as 0,-9.81,0");
+  CHECK(line(parseRange("5", "--range")) ==
+        "--range: '5' is not a range; give the first and the last frame, such as 0:12");
+  CHECK(line(parseRange("a:5", "--range")) ==
+        "--range: 'a' is not a number; give one number, such as 2 or 0.5");
+  CHECK(line(parseRange("5:", "--range")) ==
+        "--range: '' is not a number; give one number, such as 2 or 0.5");
+  CHECK(line(parseRange("6:5", "--range")) ==
+        "--range: the first frame comes after the last; give them in order");
+  CHECK(parseRange("5:5", "--range").value() == Vec2(5.0, 5.0));
+  CHECK(parseRange("-2.5:12", "--range").value() == Vec2(-2.5, 12.0));
 }

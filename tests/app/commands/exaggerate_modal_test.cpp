@@ -227,3 +227,145 @@ TEST_CASE("The modal's settings carry over to another limb without its range") {
   CHECK(result.startFrame == 4.0);
   CHECK(result.spheres == other.spheres);
 }
+
+TEST_CASE(
+    "Each number of the modal carries over, and what the modal does not set stays the other limb's own") {
+  using Settings = rig::TrailSettings;
+  const std::vector<std::pair<const char*, void (*)(Settings&)>> carried{
+      {"scale", [](Settings& s) { s.scale = 3.5; }},
+      {"axes",
+       [](Settings& s) {
+         s.axes = {true, false, false};
+       }},
+      {"pivot", [](Settings& s) { s.pivot = rig::Pivot::end; }},
+      {"ease-in",
+       [](Settings& s) {
+         s.easeIn = {0.3, 0.2};
+       }},
+      {"ease-out",
+       [](Settings& s) {
+         s.easeOut = {0.2, 0.7};
+       }},
+      {"volume", [](Settings& s) { s.volume = 0.4; }},
+      {"release", [](Settings& s) { s.releaseFrames = 7.0; }}};
+  Settings other;
+  other.startFrame = 4.0;
+  other.endFrame = 9.0;
+  other.overshoot = 0.3;
+  other.blend = 1.0;
+  for (const auto& [name, change] : carried) {
+    CAPTURE(name);
+    ExaggerateModal modal = punch();
+    modal.settings = Settings{};
+    change(modal.settings);
+    Settings wanted = other;
+    change(wanted);
+    CHECK(withModal(other, modal) == wanted);
+  }
+  ExaggerateModal modal = punch();
+  modal.settings = other;
+  CHECK(withModal(Settings{}, modal) == Settings{});
+}
+
+TEST_CASE("The ease steps by its field, its value within its half and its percent beside the other one") {
+  ExaggerateModal modal = punch();
+  type(modal, "I Ctrl+Up Ctrl+Up Ctrl+Up");
+  CHECK(modal.settings.easeIn.value == 0.5);
+  type(modal, "Ctrl+Down Ctrl+Down Ctrl+Down");
+  CHECK(modal.settings.easeIn.value == 0.0);
+  type(modal, "Ctrl+Right Ctrl+Right Ctrl+Right Shift+Left");
+  CHECK(modal.settings.easeIn.percent == Approx(0.74));
+  type(modal, "O Ctrl+Right");
+  CHECK(modal.settings.easeOut.percent == Approx(0.21)); // 95 percent together are the most.
+  type(modal, "Ctrl+Down Ctrl+Down Ctrl+Down");
+  CHECK(modal.settings.easeOut.value == 0.5);
+  type(modal, "Ctrl+Up Ctrl+Up Ctrl+Up");
+  CHECK(modal.settings.easeOut.value == 1.0);
+  type(modal, "Ctrl+Left");
+  CHECK(modal.settings.easeOut.percent == 0.0);
+  CHECK(modal.settings.easeIn.percent == Approx(0.74));
+  CHECK(modal.settings.scale == 2.0);
+}
+
+TEST_CASE("The release and the volume step by any arrow, the scale by those up and down alone") {
+  ExaggerateModal modal = punch();
+  type(modal, "Left Right");
+  CHECK(modal.settings.scale == 2.0);
+  type(modal, "L Up");
+  CHECK(modal.settings.releaseFrames == 5.0);
+  type(modal, "Left Down");
+  CHECK(modal.settings.releaseFrames == 3.0);
+  type(modal, "Ctrl+Right");
+  CHECK(modal.settings.releaseFrames == 8.0);
+  type(modal, "Ctrl+Left Ctrl+Down");
+  CHECK(modal.settings.releaseFrames == 0.0);
+  type(modal, "V Up Shift+Right");
+  CHECK(modal.settings.volume == Approx(0.06));
+  type(modal, "Down Down");
+  CHECK(modal.settings.volume == 0.0);
+  type(modal, "1 5 0");
+  CHECK(modal.settings.volume == 1.0);
+  type(modal, "V");
+  CHECK(modal.settings.volume == 0.0);
+  type(modal, "V");
+  CHECK(modal.settings.volume == 1.0);
+}
+
+TEST_CASE("The modal tells what is set, of what its keys change always and of the rest what is not plain") {
+  ExaggerateModal modal = punch();
+  const auto told = [&] { return modalText(modal, "arm"); };
+  CHECK(told() == "arm x2.00, axes X Y Z");
+  type(modal, "R");
+  CHECK(told() == "arm x2.00, axes X Y Z, pivot at the end");
+  type(modal, "R I");
+  CHECK(told() == "arm x2.00, axes X Y Z, ease-in 0 % to 0.10");
+  type(modal, "3 0 O 2 5");
+  CHECK(told() == "arm x2.00, axes X Y Z, ease-in 30 % to 0.10, ease-out 25 % to 0.90");
+  type(modal, "I 0 O 0 L");
+  CHECK(told() == "arm x2.00, axes X Y Z, release 4 frames");
+  type(modal, "Ctrl+Up E");
+  CHECK(told() == "arm x2.00, axes X Y Z, release 9 frames");
+  type(modal, "V");
+  CHECK(told() == "arm x2.00, axes X Y Z, release 9 frames, volume 0 %");
+  type(modal, "V");
+  CHECK(told() == "arm x2.00, axes X Y Z, release 9 frames, volume 100 %");
+  type(modal, "E");
+  CHECK(told() == "arm x2.00, axes X Y Z, release 9 frames");
+  modal = punch();
+  type(modal, "5");
+  CHECK(told() == "arm x5.00, axes X Y Z");
+  type(modal, "E 6");
+  CHECK(told() == "arm x5.00, axes X Y Z (5 is the most)");
+  modal = punch();
+  modal.settings.stopAt = rig::StopPlane{};
+  modal.settings.stopAt->normal = Vec3(0.0, -1.0, 0.0);
+  CHECK(told() == "arm x2.00, axes X Y Z, stops at the floor");
+  modal.settings.stopAt->normal = Vec3(1.0, 0.0, 0.0);
+  CHECK(told() == "arm x2.00, axes X Y Z, stops at a plane");
+}
+
+TEST_CASE(
+    "The hints of the modal say what digits and arrows mean now, and name the next stroke where there is "
+    "one") {
+  ExaggerateModal modal = punch();
+  const auto hinted = [&] {
+    std::string text;
+    for (const ModalHint& hint : modalHints(modal)) {
+      text += (text.empty() ? "" : ", ") + hint.key + ": " + hint.does;
+    }
+    return text;
+  };
+  const std::string first = "Enter: keep, Esc: restore, ";
+  const std::string last = ", X Y Z: axes, R: pivot, I O: ease, L: release, V: volume";
+  CHECK(hinted() == first + "0-9: scale, Up Down: by 0.05" + last);
+  modal.hasStrokes = true;
+  CHECK(hinted() == first + "0-9: scale, Up Down: by 0.05, N: next stroke" + last);
+  for (const char* const ease : {"I", "O"}) {
+    type(modal, ease);
+    CHECK(hinted() == first + "0-9: percent, Left Right: percent, Up Down: value" + last);
+  }
+  type(modal, "L");
+  CHECK(hinted() == first + "0-9: frames, Left Right: one frame" + last);
+  type(modal, "V");
+  CHECK(hinted() == first + "0-9: percent, Up Down: volume" + last);
+}

@@ -107,3 +107,27 @@ TEST_CASE("Groups and tangents are kept with the work and in recipes") {
   REQUIRE(sphere.tangent);
   CHECK(sphere.tangent->y == Approx(0.03));
 }
+
+TEST_CASE(
+    "Of limbs that are exaggerated at once the one that moves most leads, and of limbs that rest the first "
+    "that was selected") {
+  const auto leaderOf = [](const std::vector<std::string>& limbs) {
+    std::vector<std::string> leaders;
+    Session session(test::boxer()); // whose left arm punches
+    session.view().selection.editTrails().limbs = limbs;
+    for (const Result<ExaggerateTargets>& made :
+         {exaggerateTargets(session), exaggerateTargets(session, OverlapChoice::beside),
+          newTrails(session, false)}) {
+      REQUIRE(made);
+      CHECK(made->trailIds.size() == limbs.size());
+      leaders.push_back(findTrail(made->document, made->trailIds.front())->limb);
+    }
+    CHECK(leaders == std::vector<std::string>(3, leaders.front()));
+    return leaders.front();
+  };
+  CHECK(leaderOf({"right-arm", "left-arm"}) == "left-arm");
+  CHECK(leaderOf({"left-arm", "right-arm"}) == "left-arm");
+  CHECK(leaderOf({"spine", "left-arm", "right-arm"}) == "left-arm");
+  CHECK(leaderOf({"right-arm", "spine"}) == "right-arm");
+  CHECK(leaderOf({"spine", "right-arm"}) == "spine");
+}

@@ -13,6 +13,7 @@
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -180,4 +181,33 @@ TEST_CASE("The bat of the bundled swing is held by both hands, until one lets go
   REQUIRE(right != hands.end());
   CHECK(right->keys.back().frame == 23.0);
   CHECK(right->keys.back().value == 0.0);
+}
+
+TEST_CASE("Of the things that a hand can hold it takes the nearest, wherever that stands in the file") {
+  for (const bool nearFirst : {true, false}) {
+    for (const char* const arm : {"left-arm", "right-arm"}) {
+      CAPTURE(nearFirst, arm);
+      Document document = test::boxer();
+      Scene scene = *document.scene;
+      scene.meshes.resize(1);
+      const double side = std::string(arm) == "left-arm" ? 1.0 : -1.0;
+      // The hand is 0.8 aside and 1.5 high.
+      for (const double apart : nearFirst ? std::vector{0.1, 0.4, 0.7} : std::vector{0.7, 0.4, 0.1}) {
+        const NodeIndex thing = test::addNode(scene, apart < 0.2 ? "Near" : "Far", NodeIndex::none,
+                                              {side * (0.8 + apart), 1.5, 0.0});
+        scene.nodes[at(thing)].mesh = 0;
+      }
+      test::addNode(scene, "Nothing to see", NodeIndex::none, {side * 0.8, 1.5, 0.0});
+      document.scene = std::make_shared<const Scene>(std::move(scene));
+      Session session(document);
+      selectLimb(session, arm, false);
+      REQUIRE(runHold(session, command::holdProp).empty());
+      const std::vector<rig::Prop>& props = session.document().holds.props;
+      REQUIRE(props.size() == 1);
+      const std::string held = props[0].node;
+      CHECK((held == "Near" || held == "#" + std::to_string(nearFirst ? 9 : 11)));
+      REQUIRE(props[0].hands.size() == 1);
+      CHECK(props[0].hands[0].limb == arm);
+    }
+  }
 }

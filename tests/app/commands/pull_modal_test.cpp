@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/commands/table/modal.h"
 #include "core/math/rotation.h"
 
 using namespace stretch;
@@ -195,4 +196,50 @@ TEST_CASE("spheres are pulled by arrows and with a minus") {
   CHECK(worldChange(modal).y == Approx(0.1));
   type(modal, "Z 3 -");
   CHECK(worldChange(modal).z == Approx(-3.0));
+}
+
+TEST_CASE(
+    "Arrows nudge along the view's axes and pages towards it and away, ten times as far with Shift and a "
+    "tenth with Ctrl") {
+  const Mat3 axes(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0)); // right, up, to the viewer
+  const std::vector<std::pair<const char*, Vec3>> ways{
+      {"Right", {0.0, 0.0, -1.0}}, {"Left", {0.0, 0.0, 1.0}},     {"Up", {0.0, 1.0, 0.0}},
+      {"Down", {0.0, -1.0, 0.0}},  {"PageDown", {1.0, 0.0, 0.0}}, {"PageUp", {-1.0, 0.0, 0.0}}};
+  for (const auto& [key, way] : ways) {
+    CAPTURE(key);
+    for (const auto& [before, factor] :
+         {std::pair("", 1.0), std::pair("Shift+", 10.0), std::pair("Ctrl+", 0.1)}) {
+      const auto chord = parseChord(std::string(before) + key);
+      REQUIRE(chord);
+      CHECK(glm::length(nudgeOf(*chord, axes, 0.02) - 0.02 * factor * way) < 1e-12);
+    }
+  }
+  CHECK(nudgeOf(*parseChord("Home"), axes, 0.02) == Vec3(0.0));
+}
+
+TEST_CASE("A number is typed digit by digit, turned round by a minus and taken back") {
+  TypedNumber number;
+  const auto type = [&](const std::vector<const char*>& keys) {
+    bool taken = true;
+    for (const char* const key : keys) {
+      taken = typeNumber(number, *parseChord(key)) && taken;
+    }
+    return taken;
+  };
+  CHECK(type({"1", "2", ".", "5"}));
+  CHECK(number.text == "12.5");
+  CHECK(type({"."}));
+  CHECK(number.text == "12.5");
+  CHECK(type({"-"}));
+  CHECK(number.text == "-12.5");
+  CHECK(number.value() == Approx(-12.5));
+  CHECK(type({"-", "Backspace", "Backspace"}));
+  CHECK(number.text == "12");
+  CHECK(type({"Backspace", "Backspace", "Backspace"}));
+  CHECK(number.text.empty());
+  CHECK(type({"1", "2", "3", "4", "5", "6", "7", "8", "9"}));
+  type({"0"});
+  CHECK(number.text == "123456789");
+  CHECK_FALSE(type({"Home"}));
+  CHECK(number.text == "123456789");
 }

@@ -1,10 +1,12 @@
 #include <functional>
+#include <limits>
 
 #include <catch2/catch.hpp>
 
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/keys/rate_edits.h"
 #include "app/edits/keys/retime.h"
+#include "app/edits/keys/track_edits.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
 #include "app/edits/pose/offset_edits.h"
@@ -292,4 +294,63 @@ TEST_CASE("Making everything slower, with what comes after moving along, and qui
   const Result<Document> back = retimed(*slower, 0, {0.0, 40.0, 20.0, true, {}});
   REQUIRE(back);
   CHECK(sameThings(*back, start));
+}
+
+TEST_CASE(
+    "A curve in a range that is made slower rises as slowly in every axis, and its slopes outside of the "
+    "range stay") {
+  // Keys at the frames 0, 6, 12, 18 and 24 whose slopes differ on each side of each key and in each axis.
+  const KeyRow row{NodeIndex(4), Channel::translation, {}};
+  Track track;
+  track.node = row.node;
+  track.channel = Channel::translation;
+  track.width = 3;
+  track.interpolation = Interpolation::cubicSpline;
+  for (int key = 0; key < 5; ++key) {
+    const auto number = static_cast<float>(key);
+    track.times.push_back(number / 5.0F);
+    for (const float first : {1.0F + number, 0.1F * number, -2.0F + 0.25F * number}) { // in, value, out
+      track.values.insert(track.values.end(), {first, first + 0.25F, first - 0.5F});
+    }
+  }
+  const Document start = setTracks(test::boxer(), 0, {track});
+  const std::vector<RowKey> before = readRow(start, 0, row).keys;
+  for (const double factor : {2.0, 0.5}) {
+    CAPTURE(factor);
+    const Result<Document> made = retimed(start, 0, {6.0, 18.0, 12.0 * factor});
+    REQUIRE(made);
+    const std::vector<RowKey> after = readRow(*made, 0, row).keys;
+    REQUIRE(after.size() == 5);
+    const std::vector<double> frames{0.0, 6.0, 6.0 + 6.0 * factor, 6.0 + 12.0 * factor, 12.0 + 12.0 * factor};
+    for (std::size_t key = 0; key < 5; ++key) {
+      CHECK(after[key].frame == Approx(frames[key]).margin(1e-4));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        CAPTURE(key, axis);
+        const double in = key == 2 || key == 3 ? factor : 1.0;
+        const double out = key == 1 || key == 2 ? factor : 1.0;
+        CHECK(after[key].values[axis] == Approx(before[key].values[axis]).margin(1e-6));
+        CHECK(after[key].inSlopes[axis] == Approx(before[key].inSlopes[axis] / in).margin(1e-6));
+        CHECK(after[key].outSlopes[axis] == Approx(before[key].outSlopes[axis] / out).margin(1e-6));
+      }
+    }
+  }
+}
+
+TEST_CASE("A range without a length, with none to get or of a limb that is not there is refused") {
+  const Document start = test::boxer();
+  const std::string told =
+      "the range has no length, or none that it could get; choose a range of frames and a "
+      "new length above 0";
+  for (const Retime& wanted :
+       {Retime{5.0, 5.0, 3.0}, Retime{5.0, 4.0, 3.0}, Retime{-1.0, 4.0, 3.0}, Retime{5.0, 10.0, 0.0},
+        Retime{5.0, 10.0, 1.1e6}, Retime{5.0, std::numeric_limits<double>::infinity(), 3.0},
+        Retime{5.0, 10.0, std::numeric_limits<double>::quiet_NaN()}}) {
+    CHECK(test::refusal(retimed(start, 0, wanted)) == told);
+  }
+  CHECK(retimed(start, 0, {5.0, 10.0, 1e6}));
+  CHECK(retimed(start, 0, {0.0, 10.0, 0.01}));
+  Retime limb{5.0, 10.0, 3.0};
+  limb.limb = "tail";
+  CHECK(test::refusal(retimed(start, 0, limb)) ==
+        "tail: there is no such limb; select a limb, or retime the whole body");
 }

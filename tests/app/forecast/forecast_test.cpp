@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <iterator>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
+#include "app/edits/keys/track_edits.h"
 #include "app/files/save.h"
 #include "app/forecast/clip_changes.h"
 #include "app/forecast/forecast.h"
@@ -203,4 +206,156 @@ TEST_CASE("Before and after: a file of another character is refused") {
   const test::VerbAnswer answer =
       test::runVerb({"check", punchGlb, "--before", STRETCH_SOURCE_DIR "/assets/dummy.glb.missing"});
   CHECK(answer.exitCode == 1);
+}
+
+namespace {
+
+// A track in the punch of the bundled boxer: one key each second, with tangents of 5 where it is a curve.
+Document withPunchTrack(const char* name, Channel channel, const std::vector<Vec3>& keys,
+                        Interpolation interpolation = Interpolation::linear) {
+  const Result<Document> source = openDocument(punchGlb);
+  REQUIRE(source);
+  const auto node = std::ranges::find(source->scene->nodes, name, &Node::name);
+  REQUIRE(node != source->scene->nodes.end());
+  Track track;
+  track.node = NodeIndex(static_cast<std::size_t>(node - source->scene->nodes.begin()));
+  track.channel = channel;
+  track.width = 3;
+  track.interpolation = interpolation;
+  const bool isCurve = interpolation == Interpolation::cubicSpline;
+  const auto add = [&](const Vec3& value) {
+    for (const double number : {value.x, value.y, value.z}) {
+      track.values.push_back(static_cast<float>(number));
+    }
+  };
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    track.times.push_back(static_cast<float>(key));
+    for (const Vec3& value : isCurve ? std::vector<Vec3>{Vec3(5.0, 0.0, 0.0), keys[key], Vec3(0.0, 5.0, 0.0)}
+                                     : std::vector<Vec3>{keys[key]}) {
+      add(value);
+    }
+  }
+  return setTracks(*source, 0, {track});
+}
+
+std::vector<ForecastFinding> findingsOf(const Document& document, const char* engine, const std::string& id) {
+  const std::vector<EngineForecast> forecasts = forecast(document, {engine});
+  REQUIRE(forecasts.size() == 1);
+  std::vector<ForecastFinding> found;
+  std::ranges::copy_if(forecasts[0].findings, std::back_inserter(found),
+                       [&](const ForecastFinding& finding) { return finding.id == id; });
+  return found;
+}
+
+Vec3 restOf(const char* name) {
+  const Result<Document> source = openDocument(punchGlb);
+  REQUIRE(source);
+  return std::ranges::find(source->scene->nodes, name, &Node::name)->rest.translation;
+}
+
+} // namespace
+
+TEST_CASE(
+    "Scale that any one key has along any one axis is forecast, and one that every key and axis shares is "
+    "not") {
+  const auto isTold = [](const std::vector<Vec3>& keys, Interpolation interpolation = Interpolation::linear) {
+    const Document document = withPunchTrack("LeftForeArm", Channel::scale, keys, interpolation);
+    const std::vector<ForecastFinding> found = findingsOf(document, "roblox", "scale-not-supported");
+    for (const ForecastFinding& finding : found) {
+      CHECK(finding.what == "Roblox does not play 1 channels that scale joints (left-arm)");
+      CHECK(finding.limb == "left-arm");
+      CHECK(finding.clip == "One-two punch");
+    }
+    CHECK(findingsOf(document, "unreal", "scale-may-be-dropped").size() == found.size());
+    CHECK(findingsOf(document, "three", "scale-not-supported").empty());
+    return !found.empty();
+  };
+  for (std::size_t key = 0; key < 3; ++key) {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+      for (const auto& [scale, seen] : {std::pair(1.002, true), std::pair(1.0005, false),
+                                        std::pair(0.998, true), std::pair(0.9995, false)}) {
+        CAPTURE(key, axis, scale);
+        std::vector<Vec3> keys(3, Vec3(1.0));
+        keys[key][axis] = scale;
+        CHECK(isTold(keys) == seen);
+        if (axis == 0) {
+          keys[key] = Vec3(scale);
+          CHECK(isTold(keys) == seen);
+          CHECK(isTold(keys, Interpolation::cubicSpline) == seen); // whatever its tangents are
+        }
+      }
+    }
+  }
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    Vec3 always(1.0);
+    always[axis] = 1.2;
+    CHECK(isTold({always, always}));
+  }
+  CHECK_FALSE(isTold({Vec3(2.0), Vec3(2.0)}));
+}
+
+TEST_CASE(
+    "Bones of a humanoid map that move by more than a hundredth of their length are forecast to stay, but "
+    "for those that a map lets move") {
+  const auto isTold = [](const char* bone, double share) {
+    const Vec3 rest = restOf(bone);
+    const Vec3 moved = rest + Vec3(share * glm::length(rest), 0.0, 0.0);
+    const Document document = withPunchTrack(bone, Channel::translation, {moved, rest});
+    CHECK(findingsOf(document, "unity-generic", "translation-of-mapped-bones").empty());
+    return !findingsOf(document, "unity-humanoid", "translation-of-mapped-bones").empty();
+  };
+  for (const char* const held : {"LeftForeArm", "RightForeArm", "LeftHand", "RightLeg", "LeftFoot"}) {
+    CAPTURE(held);
+    CHECK(isTold(held, 0.011));
+    CHECK(isTold(held, -0.011));
+    CHECK_FALSE(isTold(held, 0.009));
+  }
+  for (const char* const free : {"Hips", "LeftUpLeg", "RightUpLeg", "LeftHandThumb1"}) {
+    CAPTURE(free);
+    CHECK_FALSE(isTold(free, 0.5));
+  }
+  for (const char* const bone : {"Hips", "LeftUpLeg", "RightForeArm", "LeftHand"}) {
+    CAPTURE(bone);
+    const Document document = withPunchTrack(bone, Channel::scale, {Vec3(1.5), Vec3(1.0)});
+    const std::vector<ForecastFinding> found =
+        findingsOf(document, "unity-humanoid", "scale-of-mapped-bones");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].what.starts_with("Unity, humanoid rig leaves out 1 channels that scale mapped bones ("));
+    CHECK(findingsOf(document, "unity-generic", "scale-of-mapped-bones").empty());
+  }
+}
+
+TEST_CASE("Keys that are not lines are left unjudged by the engines that read them otherwise") {
+  const std::string subject = "keys that are not LINEAR";
+  const auto notJudged = [&](const Document& document, const char* engine) {
+    const std::vector<std::string> subjects = forecast(document, {engine}).front().notJudged;
+    return std::ranges::find(subjects, subject) != subjects.end();
+  };
+  for (const Interpolation kind : {Interpolation::linear, Interpolation::step, Interpolation::cubicSpline}) {
+    Document document = withPunchTrack("Head", Channel::scale, {Vec3(1.0), Vec3(1.0)}, kind);
+    Clip alone = clipOf(document, 0);
+    std::erase_if(alone.tracks, [](const auto& track) { return track->channel != Channel::scale; });
+    document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{alone});
+    CHECK_FALSE(notJudged(document, "three"));
+    CHECK_FALSE(notJudged(document, "babylon"));
+    for (const char* const engine : {"godot", "unity-generic", "unity-humanoid", "unreal", "roblox"}) {
+      CHECK(notJudged(document, engine) == (kind != Interpolation::linear));
+    }
+  }
+}
+
+TEST_CASE("Engines are asked for by their names, some, all, or none") {
+  const Result<std::vector<std::string>> two = engineIdsOf("roblox,three");
+  REQUIRE(two);
+  CHECK(*two == std::vector<std::string>{"roblox", "three"});
+  const std::vector<std::string> all{"three",          "godot",  "babylon", "unity-generic",
+                                     "unity-humanoid", "unreal", "roblox"};
+  REQUIRE(engineIdsOf("all"));
+  CHECK(*engineIdsOf("all") == all);
+  const std::string some = "some of three, godot, babylon, unity-generic, unity-humanoid, unreal, roblox, ";
+  REQUIRE_FALSE(engineIdsOf("three,quake"));
+  CHECK(engineIdsOf("three,quake").error().line() ==
+        "--engine: 'quake' is no engine that is known here; give " + some + "or all");
+  REQUIRE_FALSE(engineIdsOf(""));
+  CHECK(engineIdsOf("").error().line() == "--engine: names no engine; give all, or " + some);
 }
