@@ -167,3 +167,125 @@ TEST_CASE("sequences that do not match are refused") {
   CHECK(compareSequences(a, waving(5)).error().line().find("4 frames against 5") != std::string::npos);
   CHECK_FALSE(compareSequences(a, test::still(test::sphere(1))));
 }
+
+namespace {
+
+/// Frames of one triangle.
+MeshSequence triangleOver(const std::vector<std::vector<glm::vec3>>& frames) {
+  MeshSequence sequence;
+  sequence.name = "triangle";
+  sequence.vertexCount = 3;
+  sequence.triangles = {{0, 1, 2}};
+  for (const std::vector<glm::vec3>& frame : frames) {
+    sequence.positions.insert(sequence.positions.end(), frame.begin(), frame.end());
+  }
+  return sequence;
+}
+
+// With the sides 3, 4 and 5.
+const std::vector<glm::vec3> rightTriangle{{0.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}, {0.0F, 4.0F, 0.0F}};
+
+} // namespace
+
+TEST_CASE(
+    "the spatial part of STED is how unequally the edges around each vertex changed, by their lengths") {
+  const MeshSequence reference = triangleOver({rightTriangle});
+  const MeshSequence other = triangleOver({{{0.0F, 0.0F, 0.0F}, {3.6F, 0.0F, 0.0F}, {0.0F, 4.0F, 0.0F}}});
+  // The sides became 1.2, 1 and hypot(3.6, 4) / 5 times as long.
+  const double third = std::hypot(3.6, 4.0) / 5.0 - 1.0;
+  const double mean = (3.0 * 0.2 + 5.0 * third) / 12.0;
+  const double square = (3.0 * 0.04 + 5.0 * third * third) / 12.0;
+  const SequenceMetrics metrics = compared(reference, other);
+  CHECK(metrics.stedSpatial == Approx(std::sqrt(square - mean * mean)).epsilon(1e-5));
+  CHECK(metrics.stedTemporal == 0.0); // of one frame
+  CHECK(metrics.sted == Approx(metrics.stedSpatial));
+  CHECK(metrics.mse == Approx(0.36 / 3.0).epsilon(1e-5));
+  CHECK(metrics.rmsePercent == Approx(100.0 * std::sqrt(0.12) / 5.0).epsilon(1e-5));
+  CHECK(metrics.largestPercent == Approx(100.0 * 0.6 / 5.0).epsilon(1e-5));
+  // From the centroid (1, 4/3, 0): 1 + 16/9, 4 + 16/9 and 1 + 64/9.
+  CHECK(metrics.kgError == Approx(100.0 * std::sqrt(0.36 / (6.0 + 96.0 / 9.0))).epsilon(1e-5));
+  CHECK(metrics.stedSettings.timeStep == Approx(0.4)); // a tenth of the mean edge
+  // An edge of the reference that has no length has no share.
+  const MeshSequence flat = triangleOver({{{0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 4.0F, 0.0F}}});
+  const SequenceMetrics opened = compared(flat, reference);
+  CHECK(opened.stedSpatial == Approx(0.5 * 0.25).epsilon(1e-5)); // 4 and 5 where both were 4
+  CHECK(opened.kgError > 0.0);
+}
+
+TEST_CASE("the diagonal and the edges are those of the reference's first frame") {
+  std::vector<glm::vec3> large = rightTriangle;
+  std::vector<glm::vec3> off = rightTriangle;
+  for (glm::vec3& place : large) {
+    place *= 10.0F;
+  }
+  off[1].z = 1.0F;
+  const MeshSequence reference = triangleOver({rightTriangle, large});
+  const MeshSequence other = triangleOver({off, large});
+  const SequenceMetrics metrics = compared(reference, other);
+  CHECK(metrics.largestPercent == Approx(20.0));
+  CHECK(metrics.mse == Approx(1.0 / 6.0));
+  CHECK(metrics.rmsePercent == Approx(20.0 * std::sqrt(1.0 / 6.0)).epsilon(1e-5));
+  CHECK(metrics.stedSettings.timeStep == Approx(0.4));
+  const double spread = 6.0 + 96.0 / 9.0;
+  CHECK(metrics.kgError == Approx(100.0 * std::sqrt(1.0 / (spread + 100.0 * spread))).epsilon(1e-5));
+}
+
+TEST_CASE("the neighbourhood of a vertex is as many rings of triangles as are asked for") {
+  // A strip of four triangles: the far edge changes alone.
+  MeshSequence strip;
+  strip.vertexCount = 6;
+  strip.triangles = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}};
+  strip.positions = {{0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F},
+                     {1.0F, 1.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, {2.0F, 1.0F, 0.0F}};
+  MeshSequence other = strip;
+  other.positions[5].x = 2.5F;
+  const auto spatial = [&](int rings) {
+    StedSettings settings;
+    settings.rings = rings;
+    const auto metrics = compareSequences(strip, other, settings);
+    REQUIRE(metrics);
+    return metrics->stedSpatial;
+  };
+  // Edges 3-5 (1 long, 1.5 after) and 4-5 (1 long) belong to the last triangle.
+  const double slanted = std::hypot(0.5, 1.0) - 1.0;
+  const auto deviation = [&](double others) {
+    const double whole = others + 2.0;
+    const double mean = (0.5 + slanted) / whole;
+    return std::sqrt((0.25 + slanted * slanted) / whole - mean * mean);
+  };
+  const double diagonal = std::sqrt(2.0);
+  // One ring: 3 sees the triangles 2 to 4, 4 the last two, 5 the last.
+  const double lastTriangle = diagonal;          // 3-4
+  const double lastTwo = 2.0 + diagonal;         // 2-3, 2-4 and 3-4
+  const double lastThree = 3.0 + 2.0 * diagonal; // 1-2, 1-3 and 2-3 too
+  const double all = 5.0 + 2.0 * diagonal;       // 0-1 and 0-2 too
+  CHECK(spatial(1) ==
+        Approx((deviation(lastThree) + deviation(lastTwo) + deviation(lastTriangle)) / 6.0).epsilon(1e-5));
+  // Two: 1 to 4 see all, as 2 and 3 do or 2 alone; 5 what 3 sees, and 0 not the last.
+  CHECK(spatial(2) == Approx((4.0 * deviation(all) + deviation(lastThree)) / 6.0).epsilon(1e-5));
+  CHECK(spatial(3) == Approx(deviation(all)).epsilon(1e-5));
+}
+
+TEST_CASE("sequences of other vertices, frames and triangles are refused, each with both counts") {
+  const MeshSequence one = triangleOver({rightTriangle});
+  const auto refused = [&](const MeshSequence& a, const MeshSequence& b) {
+    const auto metrics = compareSequences(a, b);
+    REQUIRE_FALSE(metrics);
+    return metrics.error().line();
+  };
+  MeshSequence four = one;
+  four.vertexCount = 4;
+  four.positions.emplace_back(1.0F);
+  const std::string place = "triangle against triangle: ";
+  CHECK(refused(one, four) == place + "3 vertices against 4; compare sequences of one mesh");
+  CHECK(refused(one, triangleOver({rightTriangle, rightTriangle})) ==
+        place + "1 frames against 2; compare the same range of frames");
+  MeshSequence twice = one;
+  twice.triangles.push_back({0, 2, 1});
+  CHECK(refused(one, twice) == place + "1 triangles against 2; compare sequences of one mesh");
+  MeshSequence none;
+  none.name = "triangle";
+  CHECK(refused(none, none) == place + "0 vertices against 0; compare sequences of one mesh");
+  const MeshSequence frameless = triangleOver({});
+  CHECK(refused(frameless, frameless) == place + "0 frames against 0; compare the same range of frames");
+}
