@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,4 +154,33 @@ TEST_CASE("a table beside a recipe whose grips lead in a circle writes nothing, 
   CHECK_THAT(tabled.answer.told, Catch::Contains("grips lead in a circle"));
   CHECK(std::ranges::count(tabled.answer.told, '\n') == 1);
   CHECK(folder.fileCount() == 2);
+}
+
+TEST_CASE(
+    "keys of one controller in a table are one adjustment for each range that they name, in order of time") {
+  const test::TemporaryFolder folder;
+  const Tabled tabled = poseByTable(folder, "offsets.csv",
+                                    "controller,frame,move_x,first,last\n"
+                                    "left-hand,14,0.1,12,18\n"
+                                    "left-hand,6,0.2,2,8\n"
+                                    "right-hand,14,0.3,12,18\n"
+                                    "left-hand,4,0.4,2,8\n");
+  REQUIRE(tabled.answer.exitCode == 0);
+  const Document document = openedFile(tabled.path);
+  const auto told = [&](const std::string& controller, const Vec2& range) {
+    std::vector<std::pair<double, double>> keys;
+    for (const rig::Adjustment& adjustment : document.adjustments) {
+      if (adjustment.controller == controller && adjustment.rangeFrames == range) {
+        for (const rig::OffsetKey& key : adjustment.keys) {
+          keys.emplace_back(key.frame, std::round(1000.0 * key.move.x) / 1000.0);
+        }
+      }
+    }
+    return keys;
+  };
+  using Keys = std::vector<std::pair<double, double>>;
+  CHECK(document.adjustments.size() == 3);
+  CHECK(told("left-hand", Vec2(2.0, 8.0)) == Keys{{4.0, 0.4}, {6.0, 0.2}});
+  CHECK(told("left-hand", Vec2(12.0, 18.0)) == Keys{{14.0, 0.1}});
+  CHECK(told("right-hand", Vec2(12.0, 18.0)) == Keys{{14.0, 0.3}});
 }
