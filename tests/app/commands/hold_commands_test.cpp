@@ -211,3 +211,26 @@ TEST_CASE("Of the things that a hand can hold it takes the nearest, wherever tha
     }
   }
 }
+
+TEST_CASE("Of what is selected hands and feet are pinned, and what has neither is passed over") {
+  const auto pinned = [](Session& session) {
+    session.view().rangeStart = 2.0;
+    session.view().rangeEnd = 12.0;
+    REQUIRE(runHold(session, command::holdPin).empty());
+    std::vector<std::string> limbs;
+    for (const rig::Pin& pin : session.document().holds.pins) {
+      limbs.push_back(pin.limb);
+    }
+    return limbs;
+  };
+  Session limbs(test::boxer());
+  selectLimb(limbs, "spine", false);
+  CHECK(runHold(limbs, command::holdPin) == "select an arm or a leg, a hand or a foot");
+  selectLimb(limbs, "right-arm", true);
+  CHECK(pinned(limbs) == std::vector<std::string>{"right-arm"});
+  Session controllers(test::boxer());
+  selectControllers(controllers, {"hips"});
+  CHECK(runHold(controllers, command::holdPin) == "select an arm or a leg, a hand or a foot");
+  selectControllers(controllers, {"hips", "left-hand"});
+  CHECK(pinned(controllers) == std::vector<std::string>{"left-arm"});
+}
