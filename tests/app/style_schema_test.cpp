@@ -7,6 +7,7 @@
 #include "app/schema/style_schema.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/other_value.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
@@ -101,4 +102,39 @@ TEST_CASE(
   style.arm.usual = 7.0;
   CHECK_THAT(test::refusal(saveStyle(style, folder.path() / "large.json")), Catch::Contains("arm"));
   CHECK_FALSE(std::filesystem::exists(folder.path() / "large.json"));
+}
+
+TEST_CASE(
+    "The verb of styles lists each with where it is from, and writes out one with all of its settings") {
+  const test::VerbAnswer list = test::runVerb({"styles"});
+  REQUIRE(list.exitCode == 0);
+  const std::string lines = "\n" + list.output;
+  CHECK_THAT(lines, Catch::Contains("\nAverage of the six (measured)\n"));
+  CHECK_THAT(lines, Catch::Contains("\nRubber hose (ours)\n"));
+  const test::VerbAnswer one = test::runVerb({"styles", "--style", "Rubber hose"});
+  REQUIRE(one.exitCode == 0);
+  CHECK_THAT(one.output, Catch::StartsWith("Rubber hose (ours)\n"));
+  for (const auto& setting : styleSchema()) {
+    CHECK_THAT(one.output, Catch::Contains("\n  " + setting.name + ": "));
+  }
+}
+
+TEST_CASE("The verb of styles refuses what it cannot do together, and names that are no style's") {
+  const auto refused = [](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"styles"};
+    all.insert(all.end(), words.begin(), words.end());
+    const test::VerbAnswer answer = test::runVerb(all);
+    CHECK(answer.exitCode != 0);
+    CHECK(answer.output.empty());
+    return answer.told;
+  };
+  CHECK_THAT(refused({"-o", "a.json"}), Catch::Contains("-o: says no style; give --style or --take as well"));
+  CHECK_THAT(refused({"--style", "Subtle", "--take", "a.glb"}),
+             Catch::Contains("--style: stands beside --take; give one of them"));
+  CHECK_THAT(refused({"--style", "Subtle", "--name", "Mine"}),
+             Catch::Contains("--name: says how a style is taken; give --take as well"));
+  CHECK_THAT(refused({"--style", "Subtle", "--clip", "Punch"}),
+             Catch::Contains("--clip: says how a style is taken; give --take as well"));
+  CHECK_THAT(refused({"--style", "Subtle", "-o", "a.txt"}),
+             Catch::Contains("a.txt: is no name for a style; let it end in .json"));
 }
