@@ -47,11 +47,23 @@ TEST_CASE("Between directions that are the same, opposite or none the shortest a
     CHECK(shortestArc(Vec3(0.0), direction) == Quat(1.0, 0.0, 0.0, 0.0));
     CHECK(glm::length(anyPerpendicular(direction)) == Approx(1.0));
     CHECK(std::abs(glm::dot(anyPerpendicular(direction), direction)) < 1e-12);
-    const Vec3 unit = glm::normalize(direction);
-    CHECK(glm::length(anyAcross(unit)) == Approx(1.0));
-    CHECK(std::abs(glm::dot(anyAcross(unit), unit)) < 1e-12);
   }
   CHECK(anyPerpendicular(Vec3(0.0)) == Vec3(1, 0, 0));
+}
+
+TEST_CASE("The angle between rotations is the smaller one, and a cosine that of directions of any length") {
+  const Quat half(std::cos(0.2), 0.0, 0.0, std::sin(0.2)); // 0.4 radians about z
+  CHECK(angleBetween(half, Quat(1.0, 0.0, 0.0, 0.0)) == Approx(0.4));
+  CHECK(angleBetween(-half, Quat(1.0, 0.0, 0.0, 0.0)) == Approx(0.4));
+  CHECK(angleBetween(half, half) == Approx(0.0).margin(1e-7));
+  CHECK(angleBetween(Quat(0.0, 1.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)) == Approx(pi));
+  CHECK(cosineBetween(Vec3(2, 0, 0), Vec3(3, 3, 0)) == Approx(std::sqrt(0.5)));
+  CHECK(cosineBetween(Vec3(0, 2, 0), Vec3(0, -0.1, 0)) == Approx(-1.0));
+  CHECK(cosineBetween(Vec3(0.0), Vec3(0, 1, 0)) == 0.0);
+  CHECK(isTurn(half));
+  CHECK(isTurn(Quat(1.0, 1e-10, 0.0, 0.0)));
+  CHECK_FALSE(isTurn(Quat(1.0, 1e-12, 0.0, 0.0)));
+  CHECK_FALSE(isTurn(Quat(-1.0, 0.0, 0.0, 0.0)));
 }
 
 TEST_CASE("A rotation about an axis is right-handed, and an angle is told from 0 to a half turn") {

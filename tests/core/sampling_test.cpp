@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/anim/sampling.h"
+#include "core/math/rotation.h"
 
 using namespace stretch;
 
@@ -27,10 +28,6 @@ Track moves(Interpolation interpolation) {
 
 Track turns(std::vector<float> values) {
   return {NodeIndex(0), Channel::rotation, Interpolation::linear, 4, {0, 1}, std::move(values), -1};
-}
-
-double angleBetween(const Quat& a, const Quat& b) {
-  return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
 }
 
 } // namespace
