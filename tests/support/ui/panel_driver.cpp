@@ -14,8 +14,9 @@ constexpr float width = 1280.0F;
 constexpr float height = 3200.0F; // tall enough for every panel to be drawn whole
 
 std::vector<ui::CommandInfo> allCommands(const app::OpenDocument& open) {
+  static const std::vector<app::DocumentCommand> commands = app::documentCommands();
   std::vector<ui::CommandInfo> infos;
-  for (const app::DocumentCommand& command : app::documentCommands()) {
+  for (const app::DocumentCommand& command : commands) {
     const bool enabled = app::isEnabled(command, open);
     infos.push_back({command.id, app::labelNow(command, open), app::helpNow(command, open),
                      command.keys.empty() ? "" : command.keys.front(), enabled, app::isChecked(command, open),
@@ -28,6 +29,27 @@ std::vector<ui::CommandInfo> allCommands(const app::OpenDocument& open) {
   return infos;
 }
 
+/// Fonts and theme, which all drivers share: they are made once.
+struct Lettering {
+  Lettering() {
+    ImGuiContext* const gui = ImGui::CreateContext(&fonts);
+    theme = ui::makeTheme(ui::ThemeKind::dark, 1.0F);
+    unsigned char* pixels = nullptr;
+    int atlasWidth = 0;
+    int atlasHeight = 0;
+    fonts.GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
+    ImGui::DestroyContext(gui);
+  }
+
+  ImFontAtlas fonts;
+  ui::Theme theme;
+};
+
+Lettering& lettering() {
+  static Lettering shared;
+  return shared;
+}
+
 bool beginPane(const char* name, float x, float y, float w, float h) {
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({w, h});
@@ -38,7 +60,8 @@ bool beginPane(const char* name, float x, float y, float w, float h) {
 
 } // namespace
 
-PanelDriver::PanelDriver(std::optional<app::Document> document) : gui_(ImGui::CreateContext()) {
+PanelDriver::PanelDriver(std::optional<app::Document> document)
+    : theme(lettering().theme), gui_(ImGui::CreateContext(&lettering().fonts)) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.DisplaySize = {width, height};
@@ -48,12 +71,7 @@ PanelDriver::PanelDriver(std::optional<app::Document> document) : gui_(ImGui::Cr
                         ImGuiKey_UpArrow, ImGuiKey_Backspace, ImGuiKey_A}) {
     io.KeyMap[key] = key + 1;
   }
-  theme = ui::makeTheme(ui::ThemeKind::dark, 1.0F);
   ui::applyStyle(theme);
-  unsigned char* pixels = nullptr;
-  int atlasWidth = 0;
-  int atlasHeight = 0;
-  io.Fonts->GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
   if (document) {
     open.open(std::move(*document));
   }
@@ -65,7 +83,7 @@ PanelDriver::~PanelDriver() {
 }
 
 app::Document PanelDriver::bundledCharacter() {
-  const Result<app::Document> document = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  static const Result<app::Document> document = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
   REQUIRE(document.ok());
   return *document;
 }

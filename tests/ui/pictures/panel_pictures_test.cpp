@@ -4,10 +4,13 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/weight_edits.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
+#include "tests/support/ui/work.h"
 
 using namespace stretch;
 using namespace stretch::ui;
@@ -16,48 +19,7 @@ using test::GuiStage;
 
 namespace {
 
-using Prepare = void (*)(GuiStage&);
-
-/// The bundled character; its left arm is selected and has an exaggerated trail.
-void withTrail(GuiStage& stage) {
-  const app::Document document =
-      test::withNewTrail(test::PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
-  stage.open.open(document);
-  app::selectTrail(*stage.open.character(), document.trails.front().id);
-  stage.open.character()->view().frame = 12.0;
-}
-
-void withLimb(GuiStage& stage) {
-  stage.open.open(test::PanelDriver::bundledCharacter());
-  app::selectLimb(*stage.open.character(), "left-arm", false);
-}
-
-void withWeight(GuiStage& stage) {
-  withLimb(stage);
-  stage.open.character()->edit(*app::switchWeight(stage.open.character()->document(), {"left-arm"}, 0, true),
-                               "Give weight");
-}
-
-void withSequence(GuiStage& stage) {
-  app::SequenceDocument document;
-  document.paths = {"tube"};
-  document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(12, 2.0, 0.06, 0.1));
-  document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
-  document.settings.bones = 8;
-  stage.open.open(std::move(document));
-  stage.open.sequence()->view().frame = 5.0;
-}
-
-void withCompression(GuiStage& stage) {
-  withSequence(stage);
-  app::SequenceDocument document = stage.open.sequence()->document();
-  auto made = app::makeCompression(*document.mesh, document.settings);
-  REQUIRE(made);
-  document.result = std::make_shared<const app::Compression>(std::move(made).value());
-  stage.open.sequence()->edit(std::move(document), "Compress");
-}
-
-void withNothing(GuiStage&) {}
+using Prepare = void (*)(const test::Work&);
 
 struct Panel {
   const char* name;
@@ -68,43 +30,43 @@ struct Panel {
 };
 
 const Panel panels[] = {
-    {"rig", drawRigPanel, withLimb},
+    {"rig", drawRigPanel, test::withLimb},
     {"rig-reasons", drawRigPanel,
-     [](GuiStage& stage) {
-       withLimb(stage);
-       stage.ui.body.expandedLimb = "left-arm";
+     [](const test::Work& work) {
+       test::withLimb(work);
+       work.ui.body.expandedLimb = "left-arm";
      }},
-    {"rig-empty", drawRigPanel, withNothing},
-    {"limb", drawLimbPanel, withLimb},
-    {"trails", drawTrailsPanel, withTrail},
-    {"trails-none", drawTrailsPanel, withLimb},
-    {"trail-settings", drawTrailSettingsPanel, withTrail},
-    {"weight", drawTrailSettingsPanel, withWeight},
-    {"timeline", drawBottomPanel, withTrail, 960.0F, 192.0F},
+    {"rig-empty", drawRigPanel, test::withNothing},
+    {"limb", drawLimbPanel, test::withLimb},
+    {"trails", drawTrailsPanel, test::withTrail},
+    {"trails-none", drawTrailsPanel, test::withLimb},
+    {"trail-settings", drawTrailSettingsPanel, test::withTrail},
+    {"weight", drawTrailSettingsPanel, test::withWeight},
+    {"timeline", drawBottomPanel, test::withTrail, 960.0F, 192.0F},
     {"graph", drawBottomPanel,
-     [](GuiStage& stage) {
-       withTrail(stage);
-       stage.ui.time.tab = BottomTab::graph;
+     [](const test::Work& work) {
+       test::withTrail(work);
+       work.ui.time.tab = BottomTab::graph;
      },
      960.0F, 192.0F},
     {"dope-sheet", drawBottomPanel,
-     [](GuiStage& stage) {
-       withTrail(stage);
-       stage.ui.time.tab = BottomTab::dopeSheet;
+     [](const test::Work& work) {
+       test::withTrail(work);
+       work.ui.time.tab = BottomTab::dopeSheet;
      },
      960.0F, 192.0F},
-    {"sequence-facts", drawSequenceFacts, withSequence, 264.0F},
-    {"sequence", drawSequencePanel, withSequence},
-    {"sequence-result", drawSequencePanel, withCompression},
-    {"sequence-timeline", drawSequenceTimeline, withSequence, 960.0F, 192.0F},
-    {"sequence-bar", drawSequenceBar, withCompression, 640.0F, 42.0F},
-    {"viewport-bar", drawViewportBar, withTrail, 712.0F, 42.0F},
-    {"status-bar", drawStatusBar, withTrail, 712.0F, 42.0F},
+    {"sequence-facts", drawSequenceFacts, test::withSequence, 264.0F},
+    {"sequence", drawSequencePanel, test::withSequence},
+    {"sequence-result", drawSequencePanel, test::withCompression},
+    {"sequence-timeline", drawSequenceTimeline, test::withSequence, 960.0F, 192.0F},
+    {"sequence-bar", drawSequenceBar, test::withCompression, 640.0F, 42.0F},
+    {"viewport-bar", drawViewportBar, test::withTrail, 712.0F, 42.0F},
+    {"status-bar", drawStatusBar, test::withTrail, 712.0F, 42.0F},
     {"status-bar-tool", drawStatusBar,
-     [](GuiStage& stage) {
-       withTrail(stage);
-       stage.status.modalText = "left arm x3.00, axes X Z";
-       stage.status.keyHints = {{"X Y Z", "axes"}, {"Enter", "keep"}, {"Esc", "back"}};
+     [](const test::Work& work) {
+       test::withTrail(work);
+       work.status.modalText = "left arm x3.00, axes X Z";
+       work.status.keyHints = {{"X Y Z", "axes"}, {"Enter", "keep"}, {"Esc", "back"}};
      },
      712.0F, 42.0F},
 };
@@ -114,7 +76,7 @@ struct Dialog {
   float width;
   float height;
   void (*open)(UiState&);
-  Prepare prepare = withNothing;
+  Prepare prepare = test::withNothing;
 };
 
 const Dialog dialogs[] = {
@@ -129,8 +91,8 @@ const Dialog dialogs[] = {
        files.highlighted = 1;
      }},
     {"palette", 680.0F, 470.0F, [](UiState& ui) { ui.dialogs.palette = {.open = true, .typed = "trail"}; },
-     withTrail},
-    {"keys", 760.0F, 620.0F, [](UiState& ui) { ui.dialogs.keys.open = true; }, withTrail},
+     test::withTrail},
+    {"keys", 760.0F, 620.0F, [](UiState& ui) { ui.dialogs.keys.open = true; }, test::withTrail},
     {"settings", 560.0F, 540.0F, [](UiState& ui) { ui.dialogs.settingsOpen = true; }},
     {"about", 520.0F, 340.0F, [](UiState& ui) { ui.dialogs.aboutOpen = true; }},
     {"joints", 560.0F, 620.0F,
@@ -138,16 +100,16 @@ const Dialog dialogs[] = {
        ui.body.jointPick.open = true;
        ui.body.jointPick.limbId = "left-arm";
      },
-     withLimb},
+     test::withLimb},
     {"unsaved", 560.0F, 240.0F, [](UiState&) {},
-     [](GuiStage& stage) {
-       withTrail(stage);
-       stage.status.question.kind = app::FileQuestion::Kind::unsaved;
+     [](const test::Work& work) {
+       test::withTrail(work);
+       work.status.question.kind = app::FileQuestion::Kind::unsaved;
      }},
     {"first-start", 620.0F, 320.0F, [](UiState& ui) { ui.dialogs.navigationChoiceOpen = true; }},
     {"restore", 560.0F, 240.0F, [](UiState&) {},
-     [](GuiStage& stage) {
-       stage.status.question = {app::FileQuestion::Kind::restore, "boxer.glb"};
+     [](const test::Work& work) {
+       work.status.question = {app::FileQuestion::Kind::restore, "boxer.glb"};
      }},
     {"toasts", 520.0F, 200.0F,
      [](UiState& ui) {
@@ -171,40 +133,53 @@ void compare(const std::string& name, ThemeKind kind, const Image& picture) {
   CHECK(difference.empty());
 }
 
+/// Adds what the last frame draws in the dark theme, which is compared number by number.
+void tell(std::string& text, const std::string& name, ThemeKind kind) {
+  if (kind == ThemeKind::dark) {
+    text += name + "\n" + test::drawnText();
+  }
+}
+
 constexpr ThemeKind bothThemes[] = {ThemeKind::dark, ThemeKind::light};
 
 } // namespace
 
 TEST_CASE("Picture: every panel in both themes") {
   GuiPainter painter;
+  std::string drawn;
   for (const Panel& panel : panels) {
     for (const ThemeKind kind : bothThemes) {
       GuiStage stage(painter, kind, panel.width, panel.height > 0.0F ? panel.height : 1800.0F);
-      panel.prepare(stage);
+      panel.prepare({stage.open, stage.ui, stage.status});
       const float height = stage.showPanel(panel.draw, panel.height);
+      tell(drawn, panel.name, kind);
       compare(std::string("panel-") + panel.name, kind, stage.picture(height));
     }
   }
+  test::compareWithRecord("drawn-panels", drawn);
 }
 
 TEST_CASE("Picture: every dialog in both themes") {
   GuiPainter painter;
+  std::string drawn;
   for (const Dialog& dialog : dialogs) {
     for (const ThemeKind kind : bothThemes) {
       GuiStage stage(painter, kind, dialog.width, dialog.height);
-      dialog.prepare(stage);
+      dialog.prepare({stage.open, stage.ui, stage.status});
       dialog.open(stage.ui);
       stage.showDialogs();
+      tell(drawn, dialog.name, kind);
       compare(std::string("dialog-") + dialog.name, kind, stage.picture());
     }
   }
+  test::compareWithRecord("drawn-dialogs", drawn);
 }
 
 TEST_CASE("Picture: the menus in both themes") {
   GuiPainter painter;
   for (const ThemeKind kind : bothThemes) {
     GuiStage stage(painter, kind, 480.0F, 360.0F);
-    withTrail(stage);
+    test::withTrail({stage.open, stage.ui, stage.status});
     stage.show(drawMenus);
     compare("menu-bar", kind, stage.picture(32.0F));
     stage.click("menu/Trail", drawMenus);
@@ -216,7 +191,7 @@ TEST_CASE("Picture: a tooltip beside its panel in both themes") {
   GuiPainter painter;
   for (const ThemeKind kind : bothThemes) {
     GuiStage stage(painter, kind, 660.0F, 140.0F);
-    withTrail(stage);
+    test::withTrail({stage.open, stage.ui, stage.status});
     const auto draw = [](PanelContext& context) {
       ImGui::SetNextWindowPos({0.0F, 0.0F});
       ImGui::SetNextWindowSize({304.0F, 640.0F});

@@ -11,9 +11,12 @@
 #include "app/things/place.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/things_of_clip.h"
+#include "tests/support/recorded.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
+#include "tests/support/ui/work.h"
 #include "ui/panels/menus/context_menu.h"
 #include "ui/panels/rows/shown_holds.h"
 #include "ui/panels/rows/timeline_model.h"
@@ -28,69 +31,7 @@ using test::GuiStage;
 
 namespace {
 
-using Prepare = void (*)(GuiStage&);
-
-app::Session& session(GuiStage& stage) {
-  return *stage.open.character();
-}
-
-/// As the user would, by its key or its button.
-void run(GuiStage& stage, const char* id) {
-  const auto& commands = app::documentCommands();
-  const auto found = std::ranges::find(commands, std::string(id), &app::DocumentCommand::id);
-  REQUIRE(found != commands.end());
-  INFO(id);
-  REQUIRE(app::isEnabled(*found, stage.open));
-  REQUIRE(app::run(*found, stage.open));
-}
-
-/// The bundled character with two trails that are one group, and a third of another time by itself.
-void withGroup(GuiStage& stage) {
-  app::Document document = test::PanelDriver::bundledCharacter();
-  document = test::withNewTrail(document, {.startFrame = 4.0, .endFrame = 24.0, .scale = 3.0});
-  document = test::withNewTrail(document, {"right-arm", 4.0, 24.0, 3.0, true});
-  const std::vector<int> both{document.trails[0].id, document.trails[1].id};
-  Result<app::Document> grouped = app::groupTrails(document, both);
-  REQUIRE(grouped);
-  stage.open.open(test::withNewTrail(*grouped, {"left-leg", 30.0, 44.0, 1.5, false}));
-  app::selectGroup(session(stage), both.front());
-  session(stage).view().frame = 12.0;
-}
-
-/// The boxer with a pin, a grip, a prop, weight, offsets and a trail.
-void withEverything(GuiStage& stage) {
-  const auto made = app::place(test::twoPunches(), test::oneOfEach(0, 0.5), app::Entry::request);
-  REQUIRE(made);
-  stage.open.open(made->document);
-  session(stage).view().frame = 8.0;
-}
-
-void withControllers(GuiStage& stage) {
-  stage.open.open(test::PanelDriver::bundledCharacter());
-  session(stage).view().frame = 12.0;
-  app::selectControllers(session(stage), {"left-hand", "right-hand"});
-  run(stage, app::command::poseKey);
-}
-
-void withArmsGraph(GuiStage& stage) {
-  stage.open.open(test::PanelDriver::bundledCharacter());
-  app::selectLimb(session(stage), "left-arm", false);
-  stage.ui.time.tab = BottomTab::graph;
-}
-
-void pickAll(app::Session& session) {
-  const std::vector<app::KeyRow> rows = app::rowsOfSelection(session);
-  app::pickKeys(session, app::allKeys(session.document(), session.view().clip, rows), false);
-  REQUIRE(app::hasPickedKeys(session));
-}
-
-void withTwoTrails(GuiStage& stage) {
-  const app::Document one =
-      test::withNewTrail(test::PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
-  stage.open.open(one);
-  session(stage).edit(test::withNewTrail(one, {"right-arm", 30.0, 40.0, 2.0, true}), "Exaggerate right arm");
-  app::selectTrail(session(stage), one.trails.front().id);
-}
+using Prepare = void (*)(const test::Work&);
 
 void drawRightPanels(PanelContext& context) {
   panelSetOf(context).right(context);
@@ -106,113 +47,113 @@ struct State {
 };
 
 const State panelStates[] = {
-    {"trails-group", drawTrailsPanel, withGroup},
-    {"trails-group-folded", drawTrailsPanel, withGroup, 304.0F, 0.0F, {"trails/group-1/fold"}},
-    {"trails-group-hidden", drawTrailsPanel, withGroup, 304.0F, 0.0F, {"trails/group-1/visible"}},
-    {"trails-holds", drawTrailsPanel, withEverything},
-    {"trail-settings-group", drawTrailSettingsPanel, withGroup},
+    {"trails-group", drawTrailsPanel, test::withGroup},
+    {"trails-group-folded", drawTrailsPanel, test::withGroup, 304.0F, 0.0F, {"trails/group-1/fold"}},
+    {"trails-group-hidden", drawTrailsPanel, test::withGroup, 304.0F, 0.0F, {"trails/group-1/visible"}},
+    {"trails-holds", drawTrailsPanel, test::withEverything},
+    {"trail-settings-group", drawTrailSettingsPanel, test::withGroup},
     {"trail-settings-slow", drawTrailSettingsPanel,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       app::selectTrail(session(stage), session(stage).document().trails.back().id);
+     [](const test::Work& work) {
+       test::withGroup(work);
+       app::selectTrail(work.session(), work.session().document().trails.back().id);
      }},
-    {"controllers", drawRightPanels, withControllers},
+    {"controllers", drawRightPanels, test::withControllers},
     {"controller-of-body", drawRightPanels,
-     [](GuiStage& stage) {
-       stage.open.open(test::PanelDriver::bundledCharacter());
-       app::selectController(session(stage), "body", false);
+     [](const test::Work& work) {
+       work.open.open(test::PanelDriver::bundledCharacter());
+       app::selectController(work.session(), "body", false);
      }},
-    {"limb-controllers", drawLimbPanel, withControllers},
+    {"limb-controllers", drawLimbPanel, test::withControllers},
     {"limb-controller", drawLimbPanel,
-     [](GuiStage& stage) {
-       withControllers(stage);
-       app::selectController(session(stage), "left-foot", false);
+     [](const test::Work& work) {
+       test::withControllers(work);
+       app::selectController(work.session(), "left-foot", false);
      }},
-    {"limb-trails", drawLimbPanel, withGroup},
-    {"rig-boxer", drawRigPanel, withEverything},
+    {"limb-trails", drawLimbPanel, test::withGroup},
+    {"rig-boxer", drawRigPanel, test::withEverything},
     {"skin", drawSkinPanel,
-     [](GuiStage& stage) {
-       withControllers(stage);
-       stage.ui.overlays.weights = true;
+     [](const test::Work& work) {
+       test::withControllers(work);
+       work.ui.overlays.weights = true;
      }},
-    {"timeline-everything", drawBottomPanel, withEverything, 960.0F, 192.0F},
-    {"timeline-controllers", drawBottomPanel, withControllers, 960.0F, 192.0F},
+    {"timeline-everything", drawBottomPanel, test::withEverything, 960.0F, 192.0F},
+    {"timeline-controllers", drawBottomPanel, test::withControllers, 960.0F, 192.0F},
     {"timeline-range", drawBottomPanel,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       session(stage).view().rangeStart = 10.0;
-       session(stage).view().rangeEnd = 20.0;
-       stage.ui.time.timeline.viewStart = 6.0;
-       stage.ui.time.timeline.viewEnd = 30.0;
+     [](const test::Work& work) {
+       test::withGroup(work);
+       work.session().view().rangeStart = 10.0;
+       work.session().view().rangeEnd = 20.0;
+       work.ui.time.timeline.viewStart = 6.0;
+       work.ui.time.timeline.viewEnd = 30.0;
      },
      960.0F, 192.0F},
     {"timeline-playing", drawBottomPanel,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       stage.ui.time.timeline.playing = true;
-       stage.ui.time.timeline.speed = 0.5;
-       stage.ui.time.timeline.snapToFrames = false;
+     [](const test::Work& work) {
+       test::withGroup(work);
+       work.ui.time.timeline.playing = true;
+       work.ui.time.timeline.speed = 0.5;
+       work.ui.time.timeline.snapToFrames = false;
      },
      960.0F, 192.0F},
     {"graph-keys-picked", drawBottomPanel,
-     [](GuiStage& stage) {
-       withArmsGraph(stage);
-       pickAll(session(stage));
+     [](const test::Work& work) {
+       test::withArmsGraph(work);
+       test::pickAll(work);
      },
      960.0F, 240.0F},
     {"dope-sheet-keys-picked", drawBottomPanel,
-     [](GuiStage& stage) {
-       withArmsGraph(stage);
-       stage.ui.time.tab = BottomTab::dopeSheet;
-       pickAll(session(stage));
+     [](const test::Work& work) {
+       test::withArmsGraph(work);
+       work.ui.time.tab = BottomTab::dopeSheet;
+       test::pickAll(work);
      },
      960.0F, 240.0F},
     {"graph-translation", drawBottomPanel,
-     [](GuiStage& stage) {
-       withArmsGraph(stage);
-       stage.ui.time.graph.channels = GraphChannels::translation;
+     [](const test::Work& work) {
+       test::withArmsGraph(work);
+       work.ui.time.graph.channels = GraphChannels::translation;
      },
      960.0F, 240.0F},
     {"graph-stretch", drawBottomPanel,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       stage.ui.time.tab = BottomTab::graph;
-       stage.ui.time.graph.channels = GraphChannels::stretch;
+     [](const test::Work& work) {
+       test::withGroup(work);
+       work.ui.time.tab = BottomTab::graph;
+       work.ui.time.graph.channels = GraphChannels::stretch;
      },
      960.0F, 240.0F},
     {"graph-controllers", drawBottomPanel,
-     [](GuiStage& stage) {
-       withControllers(stage);
-       stage.ui.time.tab = BottomTab::graph;
+     [](const test::Work& work) {
+       test::withControllers(work);
+       work.ui.time.tab = BottomTab::graph;
      },
      960.0F, 240.0F},
     {"dope-sheet-everything", drawBottomPanel,
-     [](GuiStage& stage) {
-       withEverything(stage);
-       stage.ui.time.tab = BottomTab::dopeSheet;
+     [](const test::Work& work) {
+       test::withEverything(work);
+       work.ui.time.tab = BottomTab::dopeSheet;
      },
      960.0F, 240.0F},
     {"dope-sheet-controllers", drawBottomPanel,
-     [](GuiStage& stage) {
-       withControllers(stage);
-       stage.ui.time.tab = BottomTab::dopeSheet;
+     [](const test::Work& work) {
+       test::withControllers(work);
+       work.ui.time.tab = BottomTab::dopeSheet;
      },
      960.0F, 240.0F},
-    {"status-controllers", drawStatusBar, withControllers, 960.0F, 42.0F},
+    {"status-controllers", drawStatusBar, test::withControllers, 960.0F, 42.0F},
     {"status-nothing-selected", drawStatusBar,
-     [](GuiStage& stage) { stage.open.open(test::PanelDriver::bundledCharacter()); }, 960.0F, 42.0F},
+     [](const test::Work& work) { work.open.open(test::PanelDriver::bundledCharacter()); }, 960.0F, 42.0F},
     {"status-limb", drawStatusBar,
-     [](GuiStage& stage) {
-       stage.open.open(test::PanelDriver::bundledCharacter());
-       app::selectLimb(session(stage), "left-arm", false);
+     [](const test::Work& work) {
+       work.open.open(test::PanelDriver::bundledCharacter());
+       app::selectLimb(work.session(), "left-arm", false);
      },
      960.0F, 42.0F},
-    {"status-no-file", drawStatusBar, [](GuiStage&) {}, 960.0F, 42.0F},
+    {"status-no-file", drawStatusBar, test::withNothing, 960.0F, 42.0F},
     {"status-busy", drawStatusBar,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       stage.status.busyText = "Opening punch.glb";
-       stage.status.busyFraction = 0.6F;
+     [](const test::Work& work) {
+       test::withGroup(work);
+       work.status.busyText = "Opening punch.glb";
+       work.status.busyFraction = 0.6F;
      },
      960.0F, 42.0F},
 };
@@ -226,85 +167,85 @@ struct StateOfDialogs {
 
 const StateOfDialogs dialogStates[] = {
     {"history", 560.0F, 300.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       session(stage).undo();
-       stage.ui.dialogs.history.open = true;
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.session().undo();
+       work.ui.dialogs.history.open = true;
      }},
     {"rename-trail", 480.0F, 200.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.trails.rename = {.open = true, .trail = 1, .present = "Left arm", .typed = "Left arm"};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.trails.rename = {.open = true, .trail = 1, .present = "Left arm", .typed = "Left arm"};
      }},
     {"rename-group", 480.0F, 200.0F,
-     [](GuiStage& stage) {
-       withGroup(stage);
-       stage.ui.trails.rename = {.open = true, .trail = 1, .ofGroup = true, .present = "Both", .typed = ""};
+     [](const test::Work& work) {
+       test::withGroup(work);
+       work.ui.trails.rename = {.open = true, .trail = 1, .ofGroup = true, .present = "Both", .typed = ""};
      }},
     {"retime", 480.0F, 360.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.time.retime = {.open = true, .firstFrame = 4.0, .lastFrame = 24.0, .newFrames = 10.0};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.time.retime = {.open = true, .firstFrame = 4.0, .lastFrame = 24.0, .newFrames = 10.0};
      }},
     {"retime-past-end", 480.0F, 420.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.time.retime = {
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.time.retime = {
            .open = true, .firstFrame = 0.0, .lastFrame = 24.0, .newFrames = 4.0, .movesAfter = false};
      }},
     {"range-clash", 600.0F, 240.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.rangeClash =
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.rangeClash =
            app::RangeClash{"left-arm", Vec2(4.0, 24.0), Vec2(10.0, 40.0), Vec2(25.0, 40.0)};
      }},
     {"range-clash-no-room", 600.0F, 240.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.rangeClash =
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.rangeClash =
            app::RangeClash{"left-arm", Vec2(4.0, 24.0), Vec2(6.0, 20.0), std::nullopt};
      }},
     {"dropped", 600.0F, 240.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.dropped = {"/props/bat.glb", true, true};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.dropped = {"/props/bat.glb", true, true};
      }},
     {"dropped-thing", 600.0F, 240.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.dropped = {"/props/bat.glb", true, false};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.dropped = {"/props/bat.glb", true, false};
      }},
     {"clips-of-a-file", 560.0F, 360.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.clipPick = {
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.clipPick = {
            "/clips/moves.glb", {{"Walk", 1.2}, {"", 0.5}, {"Jump over", 2.25}}, "", 2};
      }},
     {"clips-none-found", 560.0F, 360.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.clipPick = {"/clips/moves.glb", {{"Walk", 1.2}, {"Jump", 0.5}}, "swim"};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.clipPick = {"/clips/moves.glb", {{"Walk", 1.2}, {"Jump", 0.5}}, "swim"};
      }},
     {"palette-nothing-found", 680.0F, 470.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.palette = {.open = true, .typed = "zzzz"};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.palette = {.open = true, .typed = "zzzz"};
      }},
     {"keys-waiting", 760.0F, 620.0F,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.dialogs.keys = {.open = true,
-                                .filter = "undo",
-                                .waitingFor = app::command::undo,
-                                .clash = "Ctrl+Z belonged to Undo."};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.dialogs.keys = {.open = true,
+                               .filter = "undo",
+                               .waitingFor = app::command::undo,
+                               .clash = "Ctrl+Z belonged to Undo."};
      }},
     {"overwrite", 560.0F, 260.0F,
-     [](GuiStage& stage) {
-       stage.status.question = {app::FileQuestion::Kind::overwrite, "boxer.glb"};
+     [](const test::Work& work) {
+       work.status.question = {app::FileQuestion::Kind::overwrite, "boxer.glb"};
      }},
     {"files-save", 720.0F, 560.0F,
-     [](GuiStage& stage) {
-       FileDialogState& files = stage.ui.dialogs.file;
+     [](const test::Work& work) {
+       FileDialogState& files = work.ui.dialogs.file;
        setenv("HOME", "/characters", 1);
        files.open = files.wasOpen = true;
        files.purpose = FilePurpose::saveModel;
@@ -315,8 +256,8 @@ const StateOfDialogs dialogStates[] = {
        files.confirmOverwrite = true;
      }},
     {"files-new-folder", 720.0F, 560.0F,
-     [](GuiStage& stage) {
-       FileDialogState& files = stage.ui.dialogs.file;
+     [](const test::Work& work) {
+       FileDialogState& files = work.ui.dialogs.file;
        setenv("HOME", "/characters", 1);
        files.open = files.wasOpen = true;
        files.purpose = FilePurpose::saveFrames;
@@ -333,32 +274,32 @@ struct StateOfMenu {
 
 const StateOfMenu menuStates[] = {
     {"limb", MenuTarget::limb,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       app::selectLimb(session(stage), "left-arm", false);
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       app::selectLimb(work.session(), "left-arm", false);
      }},
-    {"trail", MenuTarget::trail, withTwoTrails},
-    {"group", MenuTarget::group, withGroup},
+    {"trail", MenuTarget::trail, test::withTwoTrails},
+    {"group", MenuTarget::group, test::withGroup},
     {"sphere", MenuTarget::sphere,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       session(stage).view().selection.editTrails().spheres = {4.0, 24.0};
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.session().view().selection.editTrails().spheres = {4.0, 24.0};
      }},
-    {"controller", MenuTarget::controller, withControllers},
+    {"controller", MenuTarget::controller, test::withControllers},
     {"hold", MenuTarget::hold,
-     [](GuiStage& stage) {
-       withEverything(stage);
-       const auto holds = shownHolds(session(stage).document(), 0);
-       stage.ui.menu.hold = barOfHold(holds.at(1).place);
+     [](const test::Work& work) {
+       test::withEverything(work);
+       const auto holds = shownHolds(work.session().document(), 0);
+       work.ui.menu.hold = barOfHold(holds.at(1).place);
      }},
     {"key", MenuTarget::key,
-     [](GuiStage& stage) {
-       withTwoTrails(stage);
-       stage.ui.menu.frame = 7.0;
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       work.ui.menu.frame = 7.0;
      }},
-    {"range", MenuTarget::range, withTwoTrails},
-    {"time", MenuTarget::time, withTwoTrails},
-    {"viewport", MenuTarget::viewport, withControllers},
+    {"range", MenuTarget::range, test::withTwoTrails},
+    {"time", MenuTarget::time, test::withTwoTrails},
+    {"viewport", MenuTarget::viewport, test::withControllers},
 };
 
 /// Fails with where to look when the picture is another than its baseline.
@@ -373,37 +314,46 @@ void compareState(const std::string& name, const Image& picture) {
 
 TEST_CASE("Picture: panels in the states that work brings them to") {
   GuiPainter painter;
+  std::string drawn;
   for (const State& state : panelStates) {
     INFO(state.name);
     GuiStage stage(painter, ThemeKind::dark, state.width, state.height > 0.0F ? state.height : 1800.0F);
-    state.prepare(stage);
+    state.prepare({stage.open, stage.ui, stage.status});
     float height = stage.showPanel(state.draw, state.height);
     for (const std::string& widget : state.clicks) {
       height = stage.clickInPanel(widget, state.draw, state.height);
     }
+    drawn += state.name + ("\n" + test::drawnText());
     compareState(state.name, stage.picture(height));
   }
+  test::compareWithRecord("drawn-panels-in-work", drawn);
 }
 
 TEST_CASE("Picture: dialogs in the states that work brings them to") {
   GuiPainter painter;
+  std::string drawn;
   for (const StateOfDialogs& state : dialogStates) {
     INFO(state.name);
     GuiStage stage(painter, ThemeKind::dark, state.width, state.height);
-    state.prepare(stage);
+    state.prepare({stage.open, stage.ui, stage.status});
     stage.showDialogs();
+    drawn += state.name + ("\n" + test::drawnText());
     compareState(std::string("dialog-") + state.name, stage.picture());
   }
+  test::compareWithRecord("drawn-dialogs-in-work", drawn);
 }
 
 TEST_CASE("Picture: the menu of each thing under the mouse") {
   GuiPainter painter;
+  std::string drawn;
   for (const StateOfMenu& state : menuStates) {
     INFO(state.name);
     GuiStage stage(painter, ThemeKind::dark, 360.0F, 620.0F);
-    state.prepare(stage);
+    state.prepare({stage.open, stage.ui, stage.status});
     askForMenu(stage.ui, state.target, MenuPlace{10.0F, 4.0F, 8.0F});
     stage.show(drawContextMenu);
+    drawn += state.name + ("\n" + test::drawnText());
     compareState(std::string("menu-") + state.name, stage.picture());
   }
+  test::compareWithRecord("drawn-menus-in-work", drawn);
 }
