@@ -19,7 +19,8 @@ void addJson(Lines& lines, const std::string& name, const gltf::Json& json) {
   }
   const gltf::Json flat = json.flatten();
   for (const auto& [path, value] : flat.items()) {
-    if (!path.starts_with("/limbs") && !path.starts_with("/camera")) {
+    const bool isLeftOut = path.starts_with("/camera") || (name == "work " && path.starts_with("/limbs"));
+    if (!isLeftOut) {
       const std::string told =
           value.is_number_float() ? fmt::format("{:.4g}", value.get<double>()) : value.dump();
       ++lines[name + path + " " + told];

@@ -82,6 +82,14 @@ PanelDriver::~PanelDriver() {
   ImGui::DestroyContext(gui_);
 }
 
+ImFontAtlas& PanelDriver::fonts() {
+  return lettering().fonts;
+}
+
+const ui::Theme& PanelDriver::sharedTheme() {
+  return lettering().theme;
+}
+
 app::Document PanelDriver::bundledCharacter() {
   static const Result<app::Document> document = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
   REQUIRE(document.ok());

@@ -23,6 +23,10 @@ public:
   /// The bundled character with its clip.
   [[nodiscard]] static app::Document bundledCharacter();
 
+  /// The fonts that all drivers share, and the theme that is made with them.
+  [[nodiscard]] static ImFontAtlas& fonts();
+  [[nodiscard]] static const ui::Theme& sharedTheme();
+
   void frame();
   void frames(int count);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -214,6 +215,28 @@ std::string gesturesText(const GestureState (&shown)[States], const Gesture (&ge
   return text;
 }
 
+/// What a drag does from many places of a widget that has parts of its own.
+std::string placesText(const GestureState& state, const std::string& widget) {
+  PanelsInState panels(state);
+  const std::vector<ui::Item> widgets = panels.widgets();
+  const auto whole = std::ranges::find(widgets, widget, &ui::Item::id);
+  REQUIRE(whole != widgets.end());
+  std::string text = std::string(state.name) + " , " + widget + "\n";
+  std::string before;
+  for (float y = whole->min.y + 4.0F; y < whole->max.y; y += 19.0F) {
+    for (float x = whole->min.x + 5.0F; x < whole->max.x; x += 71.0F) {
+      ui::Item place = *whole;
+      place.min = place.max = {x, y};
+      const std::string done = panels.changedBy(drags[0], place);
+      if (done != before) {
+        text += fmt::format("    from {:.0f} {:.0f}\n", x, y) + done;
+      }
+      before = done;
+    }
+  }
+  return text;
+}
+
 std::string widgetsText() {
   std::string text;
   std::map<std::string, std::string> told;
@@ -251,4 +274,10 @@ TEST_CASE("What dragging and typing at each widget of the panels does is as it w
 TEST_CASE("What each gesture in graph and dope sheet does is as it was looked at") {
   test::compareWithRecord("clicks-in-time", gesturesText(statesOfTime, clicks, isInTime));
   test::compareWithRecord("drags-in-time", gesturesText(statesOfTime, drags, isInTime));
+}
+
+TEST_CASE("What a drag does from each place of timeline, graph and dope sheet is as it was looked at") {
+  test::compareWithRecord("drags-from-places", placesText(gestureStates[2], "timeline") +
+                                                   placesText(statesOfTime[0], "graph") +
+                                                   placesText(statesOfTime[1], "dope-sheet"));
 }

@@ -8,6 +8,7 @@
 #include "tests/support/app/new_trail.h"
 #include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
@@ -318,6 +319,72 @@ TEST_CASE("What is drawn over the character in each state of the view is as it w
   const std::string difference = test::differenceFromRecord("overlays", text, 2e-3);
   INFO(difference);
   CHECK(difference.empty());
+}
+
+TEST_CASE("Labels and legends over the character in each state of the view are as they were looked at") {
+  GuiPainter painter;
+  std::string words;
+  for (const Overlays& wanted : overlays) {
+    const std::string name = wanted.name;
+    if (name == "empty" || name == "welcome-wide") {
+      continue; // Nothing is over a character.
+    }
+    GuiStage stage(painter, ThemeKind::dark, 640.0F, 420.0F);
+    openCharacter(stage);
+    wanted.set(stage);
+    stage.showViewport();
+    words += name + "\n" + test::drawnText();
+  }
+  test::compareWithRecord("drawn-viewports", words);
+}
+
+TEST_CASE(
+    "What is offered while nothing is open is drawn as it was looked at, under each place of the mouse") {
+  GuiPainter painter;
+  const auto welcome = std::ranges::find(overlays, std::string("welcome-wide"), &Overlays::name);
+  REQUIRE(welcome != std::end(overlays));
+  GuiStage stage(painter, ThemeKind::dark, 640.0F, 420.0F);
+  welcome->set(stage);
+  std::string words;
+  for (const float y : {20.0F, 120.0F, 268.0F, 315.0F, 340.0F}) {
+    for (const float x : {100.0F, 320.0F, 520.0F}) {
+      ImGui::GetIO().MousePos = {x, y};
+      stage.showViewport();
+      words += fmt::format("at {} {}\n", x, y) + test::drawnText();
+    }
+  }
+  test::compareWithRecord("drawn-welcome", words);
+}
+
+TEST_CASE("What is told beside the mouse over the character is as it was looked at") {
+  GuiPainter painter;
+  std::string words;
+  for (const Overlays& wanted : overlays) {
+    const std::string name = wanted.name;
+    const bool isMeant = name == "handles" || name == "controllers-selected" || name == "skeleton" ||
+                         name == "sequence-thickness-wide";
+    if (!isMeant) {
+      continue;
+    }
+    GuiStage stage(painter, ThemeKind::dark, 640.0F, 420.0F);
+    openCharacter(stage);
+    wanted.set(stage);
+    stage.showViewport();
+    words += name + "\n";
+    std::string before;
+    for (float y = 60.0F; y < 400.0F; y += 36.0F) {
+      for (float x = 80.0F; x < 600.0F; x += 40.0F) {
+        ImGui::GetIO().MousePos = {x, y};
+        stage.showViewport();
+        const std::string drawn = test::drawnText();
+        if (drawn != before) {
+          words += fmt::format(" at {} {}\n", x, y) + drawn;
+        }
+        before = drawn;
+      }
+    }
+  }
+  test::compareWithRecord("told-beside-the-mouse", words);
 }
 
 TEST_CASE("Picture: the viewport with each of its overlays in both themes") {

@@ -1,0 +1,67 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "tests/support/ui/gui_stage.h"
+#include "tests/support/ui/panel_driver.h"
+#include "ui/render/picking/picking.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+/// Where a place of the world is seen, pixels.
+Vec2 seen(const test::GuiStage& stage, const Vec3& world) {
+  const auto place = projectToPixels(stage.viewport.view, world);
+  REQUIRE(place);
+  return place->pixels;
+}
+
+} // namespace
+
+TEST_CASE("The space View of a trail is right, up and towards the viewer, as the picture shows it") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 320.0F, 240.0F);
+  stage.open.open(test::PanelDriver::bundledCharacter());
+  for (const double yaw : {0.0, 0.7, 2.0, -1.4}) {
+    for (const double pitch : {0.0, 0.5, -0.6}) {
+      CAPTURE(yaw, pitch);
+      stage.viewport.camera.yawRadians = yaw;
+      stage.viewport.camera.pitchRadians = pitch;
+      stage.showViewport();
+      const Mat3& axes = stage.open.character()->view().cameraAxes;
+      const Vec3 middle = stage.viewport.camera.target;
+      const Vec2 from = seen(stage, middle);
+      const Vec2 right = seen(stage, middle + 0.1 * axes[0]) - from;
+      const Vec2 up = seen(stage, middle + 0.1 * axes[1]) - from;
+      CHECK(right.x > 5.0);
+      CHECK(std::abs(right.y) < 0.01 * right.x);
+      CHECK(up.y < -5.0); // Pixels count downwards.
+      CHECK(std::abs(up.x) < -0.01 * up.y);
+      CHECK(glm::distance(glm::cross(axes[0], axes[1]), axes[2]) < 1e-9);
+      // What comes nearer looks larger.
+      const Vec3 nearer = middle + 0.3 * axes[2];
+      CHECK(glm::distance(seen(stage, nearer + 0.1 * axes[0]), seen(stage, nearer)) > 1.02 * right.x);
+      const CameraPlace& told = stage.open.character()->view().camera;
+      CHECK(told.kind == CameraKind::perspective);
+      CHECK(glm::distance(told.right, axes[0]) < 1e-9);
+      CHECK(glm::distance(told.up, axes[1]) < 1e-9);
+      CHECK(glm::distance(told.forward, -axes[2]) < 1e-9);
+      const Vec3 eye = middle + stage.viewport.camera.distance * axes[2];
+      CHECK(glm::distance(told.position, eye) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("A point of the overlays is as many pixels as the theme's scale says") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 320.0F, 240.0F);
+  stage.open.open(test::PanelDriver::bundledCharacter());
+  for (const float scale : {1.0F, 2.0F, 1.5F}) {
+    stage.theme.scale = scale;
+    stage.showViewport();
+    CHECK(stage.viewport.view.viewport.pixelsPerPoint == Approx(scale));
+    CHECK(stage.viewport.view.viewport.widthPixels == Approx(stage.viewport.box.width()));
+    CHECK(stage.viewport.view.viewport.heightPixels == Approx(stage.viewport.box.height()));
+  }
+}
