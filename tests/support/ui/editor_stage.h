@@ -24,7 +24,7 @@ public:
   EditorStage& operator=(const EditorStage&) = delete;
 
   /// What is open, for bringing a state about.
-  [[nodiscard]] Work work() { return {shell.open, shell.ui, status_}; }
+  [[nodiscard]] Work work() { return {shell.open, shell.ui, status_, folder / "HOME/dummy.glb"}; }
   [[nodiscard]] app::Session& session() { return *shell.open.character(); }
 
   void frame();

@@ -21,6 +21,20 @@ namespace stretch::test {
 
 using namespace ui;
 
+namespace {
+
+app::Document characterOf(const Work& work) {
+  app::Document document = PanelDriver::bundledCharacter();
+  if (!work.place.empty()) {
+    auto source = std::make_shared<std::remove_cvref_t<decltype(*document.source)>>(*document.source);
+    source->path = work.place;
+    document.source = std::move(source);
+  }
+  return document;
+}
+
+} // namespace
+
 void run(const Work& work, const char* command) {
   const auto& commands = app::documentCommands();
   const auto found = std::ranges::find(commands, std::string(command), &app::DocumentCommand::id);
@@ -33,13 +47,12 @@ void run(const Work& work, const char* command) {
 void withNothing(const Work&) {}
 
 void withLimb(const Work& work) {
-  work.open.open(PanelDriver::bundledCharacter());
+  work.open.open(characterOf(work));
   app::selectLimb(work.session(), "left-arm", false);
 }
 
 void withTrail(const Work& work) {
-  const app::Document document =
-      withNewTrail(PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
+  const app::Document document = withNewTrail(characterOf(work), {.startFrame = 4.0, .endFrame = 24.0});
   work.open.open(document);
   app::selectTrail(work.session(), document.trails.front().id);
   work.session().view().frame = 12.0;
@@ -70,7 +83,7 @@ void withCompression(const Work& work) {
 }
 
 void withGroup(const Work& work) {
-  app::Document document = PanelDriver::bundledCharacter();
+  app::Document document = characterOf(work);
   document = withNewTrail(document, {.startFrame = 4.0, .endFrame = 24.0, .scale = 3.0});
   document = withNewTrail(document, {"right-arm", 4.0, 24.0, 3.0, true});
   const std::vector<int> both{document.trails[0].id, document.trails[1].id};
@@ -89,21 +102,20 @@ void withEverything(const Work& work) {
 }
 
 void withControllers(const Work& work) {
-  work.open.open(PanelDriver::bundledCharacter());
+  work.open.open(characterOf(work));
   work.session().view().frame = 12.0;
   app::selectControllers(work.session(), {"left-hand", "right-hand"});
   run(work, app::command::poseKey);
 }
 
 void withArmsGraph(const Work& work) {
-  work.open.open(PanelDriver::bundledCharacter());
+  work.open.open(characterOf(work));
   app::selectLimb(work.session(), "left-arm", false);
   work.ui.time.tab = BottomTab::graph;
 }
 
 void withTwoTrails(const Work& work) {
-  const app::Document one =
-      withNewTrail(PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
+  const app::Document one = withNewTrail(characterOf(work), {.startFrame = 4.0, .endFrame = 24.0});
   work.open.open(one);
   work.session().edit(withNewTrail(one, {"right-arm", 30.0, 40.0, 2.0, true}), "Exaggerate right arm");
   app::selectTrail(work.session(), one.trails.front().id);

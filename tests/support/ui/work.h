@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "app/open_document.h"
 #include "ui/panels/state/ui_state.h"
 
@@ -10,6 +12,7 @@ struct Work {
   app::OpenDocument& open;
   ui::UiState& ui;
   ui::EditorStatus& status;
+  std::filesystem::path place = {}; ///< Where the character's file is said to lie; empty: where it does.
 
   [[nodiscard]] app::Session& session() const { return *open.character(); }
 };
