@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/recorded.h"
@@ -12,6 +13,7 @@
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
+#include "tests/support/ui/work.h"
 #include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -354,6 +356,29 @@ TEST_CASE(
     }
   }
   test::compareWithRecord("drawn-welcome", words);
+}
+
+TEST_CASE("Locators over the character, sure and guessed, are drawn as they were looked at") {
+  GuiPainter painter;
+  GuiStage stage(painter, ThemeKind::dark, 640.0F, 420.0F);
+  openCharacter(stage);
+  app::Session& session = *stage.open.character();
+  if (session.document().locators.empty()) {
+    test::run({stage.open, stage.ui, stage.status}, app::command::locatorsFit);
+  }
+  app::Document document = session.document();
+  for (std::size_t i = 0; i < document.locators.list.size(); i += 3) {
+    document.locators.list[i].confidence = 0.3;
+  }
+  session.edit(std::move(document), "Doubt locators");
+  session.view().showLocators = true;
+  stage.showViewport();
+  std::string text = drawnText(stage, painter.viewportGpu()) + test::drawnText();
+  REQUIRE(session.document().locators.list.size() > 10);
+  app::selectLocators(session, {session.document().locators.list[4].name});
+  stage.showViewport();
+  text += "one is selected\n" + drawnText(stage, painter.viewportGpu()) + test::drawnText();
+  test::compareWithRecord("drawn-locators", text);
 }
 
 TEST_CASE("What is told beside the mouse over the character is as it was looked at") {
