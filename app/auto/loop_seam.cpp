@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/evaluate/evaluate.h"
-#include "core/math/polyline.h"
 
 namespace stretch::app {
 
@@ -43,13 +42,8 @@ LoopSeam seamOfSource(const ClipGround& ground) {
 bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& source, std::size_t limb) {
   constexpr double seamMetres = 0.008; // of a person
   constexpr double seamSpeed = 0.06;   // of a person, m/s; keys add as much again
-  constexpr double sharper = 1.5;      // as the stretch of its bones changes, too
   const double metre = ground.document.body.size / characterSizeMetres;
-  const double before = polylineLength(source.last[limb]);
-  const double excess = before > 0.0 ? polylineLength(now.last[limb]) / before - 1.0 : 0.0;
-  const double longer = 1.0 + sharper * std::max(0.0, excess);
   for (std::size_t k = 0; k < now.first[limb].size(); ++k) {
-    const bool isEnd = k == 0 || k + 1 == now.first[limb].size();
     const auto gap = [&](const LoopSeam& seam) {
       return glm::length(seam.last[limb][k] - seam.first[limb][k]);
     };
@@ -58,8 +52,7 @@ bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& 
                          (seam.afterFirst[limb][k] - seam.first[limb][k])) /
              seamSeconds(ground);
     };
-    if (gap(now) - gap(source) > seamMetres * metre ||
-        turn(now) - (isEnd ? 1.0 : longer) * turn(source) > seamSpeed * metre) {
+    if (gap(now) - gap(source) > seamMetres * metre || turn(now) - turn(source) > seamSpeed * metre) {
       return true;
     }
   }

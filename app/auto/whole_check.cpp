@@ -188,6 +188,22 @@ private:
     }
   }
 
+  // Whether the ends of two sides pass each other where those of the source do not.
+  [[nodiscard]] bool changesSides(double frame, std::size_t place, const LimbPlaces& places) const {
+    const rig::Limb& limb = ground_.limbs[place];
+    const rig::Limb* const across = rig::limbAt(ground_.limbs, rig::mirrored(limb));
+    if (limb.side == rig::LimbSide::middle || across == nullptr) {
+      return false;
+    }
+    const auto i = static_cast<std::size_t>(across - ground_.limbs.data());
+    const LimbPlaces& source = ground_.placesAt(frame);
+    const Vec3 apart = source[place].front() - source[i].front();
+    const auto seen = [&](const LimbPlaces& shown) { // apart as the bases are
+      return glm::dot(shown[place].back() - shown[i].back(), apart);
+    };
+    return seen(source) > 0.0 && seen(places) < 0.0;
+  }
+
   // Nothing where the limb looks right.
   [[nodiscard]] std::optional<FaultKind> problemOf(double frame, std::size_t place,
                                                    const LimbPlaces& places) const {
@@ -207,6 +223,9 @@ private:
       if (now[k].y < std::min(source[k].y, ground_.lowest) - unseen) {
         return FaultKind::floor;
       }
+    }
+    if (changesSides(frame, place, places)) {
+      return FaultKind::sides;
     }
     const bool stands = std::ranges::any_of(
         ground_.standsOf(limb.id), [&](const Vec2& stand) { return stand.x <= frame && frame <= stand.y; });
@@ -273,10 +292,10 @@ private:
 } // namespace
 
 const char* textOf(FaultKind kind) {
-  constexpr std::array<const char*, 5> texts{
+  constexpr std::array<const char*, 6> texts{
       "it would leave the style's lengths", "it would go through the floor",
-      "the foot carries the body there", "it would pull against a stronger limb of its chain",
-      "the loop would not close"};
+      "the foot carries the body there",    "it would pull against a stronger limb of its chain",
+      "the loop would not close",           "it would pass through the limb on the other side"};
   return texts[static_cast<std::size_t>(kind)];
 }
 

@@ -11,7 +11,8 @@ enum class FaultKind {
   floor,   ///< Something goes through the floor.
   stand,   ///< A foot that stands is moved.
   chain,   ///< Limbs of one chain pull opposite ways.
-  seam     ///< From the clip's last pose to its first.
+  seam,    ///< From the clip's last pose to its first.
+  sides    ///< Limbs of two sides whose ends change sides.
 };
 
 /// Words that an animator is told it in.
@@ -24,9 +25,10 @@ struct Fault {
 };
 
 /// Looks at every frame on which a trail acts: limbs through the floor where the source has them above it,
-/// limbs longer or shorter than the style lets them be, feet that stand and are moved, trails that pull one
-/// chain opposite ways, and a seam that is wider than the source's. At most one for each trail: of
-/// several that move a limb the weakest is meant without which nothing is wrong.
+/// limbs longer or shorter than the style lets them be, feet
+/// that stand and are moved, trails that pull one chain opposite ways, wings and the like that pass through
+/// each other, and a seam that is wider than the source's. At most one for each trail: of several that move a
+/// limb the weakest is meant without which nothing is wrong.
 [[nodiscard]] std::vector<Fault> faultsOf(const ClipGround& ground, const AutoSettings& settings,
                                           const AutoPlan& plan);
 

@@ -118,6 +118,19 @@ Document swinger(int lastKey = 24) {
   return withTracks(document, std::move(tracks));
 }
 
+// Both arms close in front of the chest, so far that longer ones would pass each other, and open again.
+Document closer() {
+  const Document document = test::boxer();
+  std::vector<Track> tracks;
+  for (const bool isLeft : {true, false}) {
+    tracks.push_back(turnsOf(document, isLeft ? "left-arm" : "right-arm"));
+    for (const auto& [frame, angle] : {std::pair(0, 0.0), {6, 0.1}, {12, 1.5}, {18, 1.45}, {30, 0.0}}) {
+      addKey(tracks.back(), frame, glm::angleAxis(angle, Vec3(0.0, isLeft ? -1.0 : 1.0, 0.0)));
+    }
+  }
+  return withTracks(document, std::move(tracks));
+}
+
 Vec3 handAt(const Document& document, const rig::MotionState& motion, const char* limb, double frame) {
   return rig::endPosition(*findLimb(document, limb), evaluate(document, motion, frame / 30.0));
 }
@@ -331,7 +344,7 @@ TEST_CASE("A clip that is no loop ends in the pose in which it did, and comes ba
     REQUIRE_FALSE(made.trailIds.empty());
     CHECK_FALSE(made.madeLoop);
     const rig::MotionState motion = prepareMotion(made.document, 0);
-    const double end = last / 24.0;
+    const double end = last / 30.0;
     for (const char* const arm : {"left-arm", "right-arm"}) {
       CAPTURE(last, arm);
       const rig::Limb& limb = *findLimb(before, arm);
@@ -351,7 +364,25 @@ TEST_CASE("A way back takes a sixth of a second or more where there is room for 
   const rig::TrailSettings& settings = made.document.trails.front().settings;
   REQUIRE(settings.releaseFrames);
   CHECK(*settings.releaseFrames ==
-        Approx(std::max(0.4 * (settings.endFrame - settings.startFrame), 24.0 / 6.0)));
+        Approx(std::max(0.4 * (settings.endFrame - settings.startFrame), 30.0 / 6.0)));
+}
+
+TEST_CASE("Arms that close in front of the chest get longer only so far that they do not pass each other") {
+  const Document before = closer();
+  for (const char* const style : {"Subtle", "Rubber hose"}) {
+    const AutoClip made = exaggerated(before, in(style));
+    const rig::MotionState motion = prepareMotion(made.document, 0);
+    double nearest = 1.0;
+    for (double frame = 0.0; frame <= 30.0; frame += 1.0) {
+      nearest = std::min(nearest, handAt(made.document, motion, "left-arm", frame).x -
+                                      handAt(made.document, motion, "right-arm", frame).x);
+    }
+    CAPTURE(style, strongest(made).scale, strongest(made).why);
+    CHECK(nearest >= 0.0);
+    CHECK(strongest(made).scale > 1.0);
+    CHECK((strongest(made).why == "it would pass through the limb on the other side") ==
+          (std::string(style) == "Rubber hose"));
+  }
 }
 
 TEST_CASE(
