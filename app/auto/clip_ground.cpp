@@ -50,9 +50,9 @@ std::vector<Vec3> poseAt(const ClipGround& ground, double seconds) {
   return points;
 }
 
-// Whether the limbs are at the clip's end where they are at its beginning, or no farther from there than they
-// go on to move there from frame to frame, as in clips that leave out the last frame because it is the first;
-// wherever the body got to and whatever else moves.
+// Whether the limbs are at the clip's end where they are at its beginning, or before that by no more than
+// they go on to move in two and a half frames, as in clips that leave out the last frame because it is the
+// first; wherever the body got to and whatever else moves.
 bool limbsMeet(const ClipGround& ground) {
   const double same = 0.02 * ground.document.body.height;
   constexpr double uneven = 1.5; // of a step, which is seldom like the next
@@ -68,7 +68,7 @@ bool limbsMeet(const ClipGround& ground) {
   for (std::size_t i = 0; i < first.size(); ++i) {
     const Vec3 gap = first[i] - last[i];
     const Vec3 step = 0.5 * (second[i] - first[i] + last[i] - beforeLast[i]);
-    if (glm::length(gap) > same && glm::length(gap - step) > uneven * glm::length(step)) {
+    if (glm::length(gap) > same && glm::length(gap - step) > std::max(same, uneven * glm::length(step))) {
       return false;
     }
   }

@@ -144,13 +144,25 @@ bool isHeldBy(const rig::Prop& prop, const std::string& arm) {
 }
 
 bool isHeldBy(const rig::Prop& prop, const std::string& arm, double frame) {
+  constexpr double half = 0.5;
   const auto hand = std::ranges::find(prop.hands, arm, &rig::PropHand::limb);
   if (hand == prop.hands.end()) {
     return false;
   }
   const auto next =
       std::ranges::find_if(hand->keys, [&](const rig::OffsetKey& key) { return key.frame > frame; });
-  return next != hand->keys.begin() && std::prev(next)->value > 0.5;
+  if (next == hand->keys.begin()) {
+    return false;
+  }
+  const auto key = std::prev(next);
+  const bool fades = next != hand->keys.end() && next->value < half && key->frame < frame;
+  return key->value > half && !fades;
+}
+
+bool areOnProp(const AutoPlan& plan, const std::string& arm, const std::string& other, double frame) {
+  return std::ranges::any_of(plan.holds.props, [&](const rig::Prop& prop) {
+    return isHeldBy(prop, arm, frame) && isHeldBy(prop, other, frame);
+  });
 }
 
 } // namespace stretch::app

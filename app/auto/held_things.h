@@ -15,7 +15,11 @@ namespace stretch::app {
 /// Whether this arm's hand holds the prop at some time.
 [[nodiscard]] bool isHeldBy(const rig::Prop& prop, const std::string& arm);
 
-/// Whether it does at this frame.
+/// Whether it does at this frame, and does not just let go.
 [[nodiscard]] bool isHeldBy(const rig::Prop& prop, const std::string& arm, double frame);
+
+/// Whether both arms' hands hold one of the plan's props at this frame.
+[[nodiscard]] bool areOnProp(const AutoPlan& plan, const std::string& arm, const std::string& other,
+                             double frame);
 
 } // namespace stretch::app

@@ -52,9 +52,9 @@ public:
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       plan_.leftOut[i] = tried(i);
     }
-    addTrunk();
     plan_.holds.props = propsFor(ground_, plan_);
     swingTogether();
+    addTrunk();
     giveRoom();
     plan_.holds.grips = gripsFor(ground_, plan_);
     return std::move(plan_);
@@ -95,6 +95,9 @@ private:
     if (hasOwnTrail(moment)) {
       return "a trail is there already";
     }
+    if (endOf(moment) - moment.startFrame < shortestRange) {
+      return "there is no room for the way back";
+    }
     const std::optional<Vec2> range = rangeOf(moment, *limb);
     if (!range) {
       return textOf(FaultKind::stand);
@@ -102,9 +105,16 @@ private:
     return carriesStandingLeg(*limb, *range) ? "it carries a leg that stands" : "";
   }
 
+  // A clip that is no loop ends as it did: a stroke that its end cuts off comes back before that.
+  [[nodiscard]] double endOf(const rig::Moment& moment) const {
+    const double back = std::max(shortestRelease, std::round(0.3 * (moment.endFrame - moment.startFrame)));
+    const bool isCutOff = !ground_.wraps && moment.endFrame > ground_.lastFrame - shortestRelease;
+    return isCutOff ? ground_.lastFrame - back : moment.endFrame;
+  }
+
   // A leg that stands has no stroke; one that is put down comes back to its place before.
   [[nodiscard]] std::optional<Vec2> rangeOf(const rig::Moment& moment, const rig::Limb& limb) const {
-    Vec2 range(moment.startFrame, moment.endFrame);
+    Vec2 range(moment.startFrame, endOf(moment));
     for (const Vec2& stand : isLeg(limb) ? ground_.standsOf(limb.id) : std::vector<Vec2>{}) {
       if (stand.x <= range.x) {
         range.x = std::max(range.x, std::min(stand.y - 1.0, range.y));
@@ -176,7 +186,7 @@ private:
   }
 
   [[nodiscard]] bool isFree(const rig::Limb& limb, const Vec2& range) const {
-    return range.y < ground_.lastFrame && !carriesStandingLeg(limb, range) &&
+    return range.y <= ground_.lastFrame - shortestRelease && !carriesStandingLeg(limb, range) &&
            overlappingTrail(ground_.document, limb.id, ground_.clip, range.x, range.y) == nullptr &&
            std::ranges::none_of(plan_.trails, [&](const PlannedTrail& other) {
              const rig::TrailSettings& settings = other.trail.settings;
@@ -211,32 +221,41 @@ private:
   }
 
   // What two hands swing goes where the stronger arm takes it: the other one reaches as far, at the same
-  // time.
+  // time, where nothing else has it.
   void swingTogether() {
     for (std::size_t i = 0; i < plan_.trails.size(); ++i) { // strongest first
       const rig::Trail lead = plan_.trails[i].trail;
-      bool isAlong = false; // a trail of the other arm
-      for (std::size_t k = i + 1; k < plan_.trails.size();) {
-        rig::TrailSettings& other = plan_.trails[k].trail.settings;
-        if (!areOnOneThing(lead, plan_.trails[k].trail) || other.startFrame >= lead.settings.endFrame ||
-            lead.settings.startFrame >= other.endFrame) {
-          ++k;
-        } else if (isAlong) {
-          leaveOut(plan_, k, "its hand holds what " + lead.limb + " holds, and goes along with it");
-        } else {
-          other = lead.settings;
-          isAlong = true;
-          ++k;
+      for (std::size_t k = i + 1; k < plan_.trails.size(); ++k) {
+        rig::Trail& other = plan_.trails[k].trail;
+        if (areOnOneThing(lead, other) && areMostlyAtOnce(lead.settings, other.settings) &&
+            isFreeBut(k, lead.settings)) {
+          other.settings = lead.settings;
+          break;
         }
       }
     }
   }
 
+  [[nodiscard]] static bool areMostlyAtOnce(const rig::TrailSettings& a, const rig::TrailSettings& b) {
+    const double shared = std::min(a.endFrame, b.endFrame) - std::max(a.startFrame, b.startFrame);
+    return shared >= 0.5 * std::min(a.endFrame - a.startFrame, b.endFrame - b.startFrame);
+  }
+
+  // Whether no other trail of this one's limb is in the range.
+  [[nodiscard]] bool isFreeBut(std::size_t place, const rig::TrailSettings& range) const {
+    const std::string& limb = plan_.trails[place].trail.limb;
+    bool isFree =
+        overlappingTrail(ground_.document, limb, ground_.clip, range.startFrame, range.endFrame) == nullptr;
+    for (std::size_t i = 0; i < plan_.trails.size(); ++i) {
+      const rig::TrailSettings& other = plan_.trails[i].trail.settings;
+      isFree = isFree && (i == place || plan_.trails[i].trail.limb != limb ||
+                          other.endFrame <= range.startFrame || range.endFrame <= other.startFrame);
+    }
+    return isFree;
+  }
+
   [[nodiscard]] bool areOnOneThing(const rig::Trail& lead, const rig::Trail& other) const {
-    return lead.limb != other.limb && std::ranges::any_of(plan_.holds.props, [&](const rig::Prop& prop) {
-             return isHeldBy(prop, lead.limb, lead.settings.endFrame) &&
-                    isHeldBy(prop, other.limb, lead.settings.endFrame);
-           });
+    return lead.limb != other.limb && areOnProp(plan_, lead.limb, other.limb, lead.settings.endFrame);
   }
 
   void stopAtGround(const rig::Limb& limb, rig::TrailSettings& settings) const {
@@ -249,29 +268,19 @@ private:
     }
   }
 
-  // A clip that is no loop ends as it did: a stroke that its end cuts off comes back before that.
-  void endBeforeClip(rig::TrailSettings& settings) const {
-    const double back =
-        std::max(shortestRelease, std::round(0.3 * (settings.endFrame - settings.startFrame)));
-    if (!ground_.wraps && settings.endFrame > ground_.lastFrame - shortestRelease) {
-      settings.endFrame = std::max(ground_.lastFrame - back, settings.startFrame + shortestRange);
-    }
-  }
-
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
   // where the clip is no loop, before its end.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
-      endBeforeClip(planned.trail.settings);
       rig::TrailSettings& settings = planned.trail.settings;
       const double wanted = settings.releaseFrames.value_or(0.5 * (settings.endFrame - settings.startFrame));
       const double seen = std::max(shortestRelease, std::round(seenRelease * ground_.framesPerSecond));
-      settings.releaseFrames = std::min(std::max(wanted, seen), roomAfter(planned.trail));
+      settings.releaseFrames = std::clamp(roomAfter(planned.trail), 0.0, std::max(wanted, seen));
     }
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }
 
-  // Frames after the tip; lastFrame and more: nothing is in the way.
+  // Frames after the tip.
   [[nodiscard]] double roomAfter(const rig::Trail& trail) const {
     const double tip = trail.settings.endFrame;
     const double turn = ground_.wraps ? ground_.lastFrame : 0.0;

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/auto/held_things.h"
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
 #include "app/evaluate/evaluate.h"
@@ -300,6 +301,12 @@ bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Mo
          isMirrored(ground, one, other);
 }
 
+bool swingOneThing(const AutoPlan& plan, const PlannedTrail& one, const PlannedTrail& other) {
+  const rig::TrailSettings& settings = one.trail.settings;
+  return settings.startFrame == other.trail.settings.startFrame &&
+         areOnProp(plan, one.trail.limb, other.trail.limb, settings.endFrame);
+}
+
 // A step on one side alone limps: each has one on the other side that goes the same way, and no larger one.
 // What both sides do at once, as arms that are thrown up, is as large on both.
 void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
@@ -314,8 +321,11 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
     double most = 0.0;
     for (const PlannedTrail& other : plan.trails) {
       if (other.trail.limb == across->id && !other.follows &&
-          arePartners(ground, moments[one.moment], moments[other.moment])) {
+          (arePartners(ground, moments[one.moment], moments[other.moment]) ||
+           swingOneThing(plan, one, other))) {
         most = std::max(most, excessOf(ground, other));
+        one.trail.settings.bend =
+            other.trail.settings.bend == rig::Bend::keep ? rig::Bend::keep : one.trail.settings.bend;
         one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
       }
     }

@@ -26,6 +26,7 @@ namespace {
 constexpr double margin = 0.004;          // of the height: less is not seen
 constexpr double floorMargin = 0.001;     // of the height
 constexpr double shorter = 1.5;           // a limb that turns on its way may come nearer than it is squashed
+constexpr double besideEachOther = 0.5;   // of a limb: the ends of two that could meet
 constexpr double againstEachOther = -0.3; // cosine between the ways of two limbs of one chain
 
 // The clip with a plan's trails, or with all but one of them.
@@ -188,20 +189,34 @@ private:
     }
   }
 
-  // Whether the ends of two sides pass each other where those of the source do not.
+  // Whether the ends of limbs of two sides, near each other, have changed sides along the line between their
+  // bases. Hands that hold one thing do as that does.
   [[nodiscard]] bool changesSides(double frame, std::size_t place, const LimbPlaces& places) const {
     const rig::Limb& limb = ground_.limbs[place];
     const rig::Limb* const across = rig::limbAt(ground_.limbs, rig::mirrored(limb));
-    if (limb.side == rig::LimbSide::middle || across == nullptr) {
+    if (limb.side == rig::LimbSide::middle || across == nullptr || areTogether(limb.id, across->id)) {
       return false;
     }
-    const auto i = static_cast<std::size_t>(across - ground_.limbs.data());
+    const auto other = static_cast<std::size_t>(across - ground_.limbs.data());
     const LimbPlaces& source = ground_.placesAt(frame);
-    const Vec3 apart = source[place].front() - source[i].front();
-    const auto seen = [&](const LimbPlaces& shown) { // apart as the bases are
-      return glm::dot(shown[place].back() - shown[i].back(), apart);
+    const Vec3 bases = source[place].front() - source[other].front();
+    const double length = glm::length(bases);
+    const Vec3 before = source[place].back() - source[other].back();
+    const Vec3 after = places[place].back() - places[other].back();
+    const double unseen = margin * ground_.document.body.height * length;
+    const bool changes = glm::dot(before, bases) > unseen && glm::dot(after, bases) < -unseen;
+    return changes && glm::length(after - glm::dot(after, bases) / (length * length) * bases) <
+                          besideEachOther * limb.restLength;
+  }
+
+  [[nodiscard]] bool areTogether(const std::string& arm, const std::string& other) const {
+    const auto holds = [&](const rig::Grip& grip) {
+      return (grip.leader == arm && grip.follower == other) || (grip.leader == other && grip.follower == arm);
     };
-    return seen(source) > 0.0 && seen(places) < 0.0;
+    return std::ranges::any_of(plan_.holds.grips, holds) ||
+           std::ranges::any_of(plan_.holds.props, [&](const rig::Prop& prop) {
+             return isHeldBy(prop, arm) && isHeldBy(prop, other);
+           });
   }
 
   // Nothing where the limb looks right.

@@ -5,7 +5,8 @@ namespace stretch::rig {
 namespace {
 
 // Scales of arm, torso and leg as measured; nobody squashes, and five times is the most that was seen in any
-// (docs/exaggeration.md, How far cartoons go). All else was not measured.
+// (docs/exaggeration.md, How far cartoons go). A limb straightens first, as in the
+// thesis. All else was not measured.
 Style measured(const char* name, double arm, double torso, double leg) {
   Style style;
   style.name = name;

@@ -294,10 +294,12 @@ void checkEdges(const Schema<Settings>& schema) {
 } // namespace
 
 TEST_CASE("Every setting is offered as it was looked at") {
-  CHECK(test::differenceFromRecord("settings",
-                                   tableOf("trail", trailSchema()) + tableOf("weight", weightSchema()) +
-                                       tableOf("sequence", sequenceSchema()) + tableOf("clip", clipSchema()) +
-                                       tableOf("style", styleSchema())) == "");
+  const std::string difference = test::differenceFromRecord(
+      "settings", tableOf("trail", trailSchema()) + tableOf("weight", weightSchema()) +
+                      tableOf("sequence", sequenceSchema()) + tableOf("clip", clipSchema()) +
+                      tableOf("style", styleSchema()));
+  INFO(difference);
+  CHECK(difference.empty());
 }
 
 TEST_CASE(

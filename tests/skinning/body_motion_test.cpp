@@ -75,7 +75,7 @@ TEST_CASE("joints of a straight body run along its middle from end to end, evenl
   const bool isTurned = body.joints[0].front().x > 5.0;
   for (std::size_t joint = 0; joint <= body.segmentCount(); ++joint) {
     const Vec3& place = body.joints[0][joint];
-    const double along = static_cast<double>(joint);
+    const auto along = static_cast<double>(joint);
     CHECK(place.x == Approx(isTurned ? 10.0 - along : along).margin(0.15));
     CHECK(std::hypot(place.y, place.z) < 0.02);
   }

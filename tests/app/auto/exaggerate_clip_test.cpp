@@ -360,7 +360,7 @@ TEST_CASE("A clip that is no loop ends in the pose in which it did, and comes ba
 }
 
 TEST_CASE("A way back takes a sixth of a second or more where there is room for it") {
-  const AutoClip made = exaggerated(test::boxer(), in("Snappy")); // whose way back is short
+  const AutoClip made = exaggerated(lowStriker(), in("Snappy")); // whose way back is short
   const rig::TrailSettings& settings = made.document.trails.front().settings;
   REQUIRE(settings.releaseFrames);
   CHECK(*settings.releaseFrames ==

@@ -177,10 +177,8 @@ TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere
 
 TEST_CASE("a limb counts as densely keyed from more than 0.6 keys in a frame on, and from five keys on") {
   const auto even = [](int count, double gap) {
-    std::vector<double> times;
-    for (int i = 0; i < count; ++i) {
-      times.push_back(gap * i);
-    }
+    std::vector<double> times(static_cast<std::size_t>(count));
+    std::ranges::generate(times, [&, i = 0]() mutable { return gap * i++; });
     return times;
   };
   CHECK(isDenselyKeyed(even(11, 0.1), 0.0, 1.0, 10.0));

@@ -343,7 +343,7 @@ TEST_CASE("Labels and legends over the character in each state of the view are a
 TEST_CASE(
     "What is offered while nothing is open is drawn as it was looked at, under each place of the mouse") {
   GuiPainter painter;
-  const auto welcome = std::ranges::find(overlays, std::string("welcome-wide"), &Overlays::name);
+  const auto* const welcome = std::ranges::find(overlays, std::string("welcome-wide"), &Overlays::name);
   REQUIRE(welcome != std::end(overlays));
   GuiStage stage(painter, ThemeKind::dark, 640.0F, 420.0F);
   welcome->set(stage);
