@@ -7,7 +7,6 @@
 
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
-#include "app/commands/table/frames.h"
 #include "ui/panels/rows/timeline_model.h"
 
 namespace stretch::ui {

@@ -1,5 +1,6 @@
 #include "ui/shell/shell.h"
 
+#include "app/commands/table/frames.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/tour.h"

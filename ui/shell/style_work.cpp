@@ -6,7 +6,6 @@
 
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
-#include "app/commands/table/frames.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/clip_moments.h"
