@@ -147,7 +147,7 @@ public:
     const test::Lines before = linesOf(*driver_);
     gesture.make(*driver_);
     constexpr int most = 7;
-    const std::string done = test::changeText(before, linesOf(*driver_), most);
+    std::string done = test::changeText(before, linesOf(*driver_), most);
     if (!done.empty()) {
       begin();
     }
