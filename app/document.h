@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/selection_set.h"
 #include "app/weight/weight_settings.h"
 #include "core/anim/clip.h"
 #include "core/gltf/source/source.h"
@@ -73,6 +74,7 @@ struct Document {
   std::vector<WeightedLimb> weights;        ///< Limbs with weight, by clip.
   std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.
   std::vector<ClipRate> rates;              ///< Clips that are worked on at another rate than their own.
+  std::vector<SelectionSet> selectionSets;  ///< In the order in which they were kept.
   int nextTrailId = 1;
 };
 

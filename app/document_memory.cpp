@@ -112,7 +112,11 @@ std::size_t bytesBeyond(const Document& document, const Document& other) {
                       bytesOfScene(document.scene, other.scene) +
                       bytesOfSource(document.source, other.source);
   bytes += bytesOf(document.followingKeys, [](const FollowingKeys& keys) { return bytesOf(keys.keys); });
-  bytes += bytesOf(document.warnings, [](const std::string& warning) { return warning.size(); });
+  const auto textBytes = [](const std::string& text) { return text.size(); };
+  bytes += bytesOf(document.warnings, textBytes);
+  bytes += bytesOf(document.selectionSets, [&](const SelectionSet& set) {
+    return set.name.size() + bytesOf(set.limbs, textBytes) + bytesOf(set.controllers, textBytes);
+  });
   return bytes + bytesOfLimbs(document.body.limbs) + bytesOfLimbs(document.chains) + bytesOfThings(document) +
          bytesOf(document.loopingClips) + bytesOf(document.rates);
 }

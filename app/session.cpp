@@ -88,6 +88,11 @@ const Document* Session::posedWithoutKey(double frame) {
   return &posed_->made;
 }
 
+const Document& Session::posedDocument() {
+  const Document* const posed = posedWithoutKey(view_.frame);
+  return posed != nullptr ? *posed : document();
+}
+
 const std::vector<rig::PlacedController>& Session::controllersAt(double frame) {
   const Document& shown = document();
   const double fps = shown.clips->empty() ? 1.0 : clipOf(shown, view_.clip).framesPerSecond;

@@ -74,6 +74,8 @@ public:
   [[nodiscard]] const FrameState& shownAt(double frame);
   /// Returns the frame without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
+  /// The document with what is posed at the playhead without a key.
+  [[nodiscard]] const Document& posedDocument();
   /// Returns the places of all controllers at a frame of the viewed clip, as frameAt shows it, and what each
   /// is drawn as.
   [[nodiscard]] const std::vector<rig::PlacedController>& controllersAt(double frame);

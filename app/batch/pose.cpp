@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/batch/library_pose.h"
 #include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -42,6 +43,7 @@ struct PoseArguments {
   std::string prop;
   std::string hand = "right-arm";
   double propFrame = 0.0;
+  PoseRequest library;
   JsonOutput json;
 };
 
@@ -135,7 +137,18 @@ void printHold(const Json& hold) {
   fmt::print("{} of {}: {}\n", hold["hold"].get<std::string>(), hold["limb"].get<std::string>(), held);
 }
 
+void printTakenPose(const Json& pose) {
+  fmt::print("{}: frame {:g}: taken by {} controllers\n", pose["name"].get<std::string>(),
+             pose["frame"].get<double>(), pose["controllers"].size());
+  for (const Json& missed : pose["missed"]) {
+    fmt::print("warning: {} is held elsewhere\n", missed.get<std::string>());
+  }
+}
+
 void printPose(const Json& report) {
+  if (report.contains("pose")) {
+    printTakenPose(report["pose"]);
+  }
   for (const Json& controller : report["controllers"]) {
     for (const Json& key : controller["keys"]) {
       const std::string place =
@@ -166,10 +179,10 @@ Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& docum
 }
 
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() &&
-      !arguments.pinsFeet) {
+  const bool asksMore = arguments.pinsFeet || !arguments.prop.empty() || !arguments.library.pose.empty();
+  if (arguments.recipe.empty() && arguments.offsets.empty() && !asksMore) {
     return Error{"nothing was asked for", "--recipe",
-                 "give a recipe, a table of offset keys by --offsets, --prop or --pin-feet"};
+                 "give a recipe, a table of offset keys by --offsets, --pose, --prop or --pin-feet"};
   }
   Result<Recipe> recipe = arguments.recipe.empty() ? emptyRecipe(arguments, document)
                                                    : loadRecipe(arguments.recipe, arguments.input, document);
@@ -181,8 +194,7 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     }
     std::ranges::move(*table, std::back_inserter(recipe->adjustments));
   }
-  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet &&
-      arguments.prop.empty()) {
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !asksMore) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
@@ -213,6 +225,23 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
   return posed && !arguments.prop.empty() ? withProp(arguments, recipe, *posed) : posed;
 }
 
+// The pose of the library that was asked for, and what is told of it; nothing where none was.
+Status takePose(const PoseRequest& request, int clip, Document& document, Json& report) {
+  if (request.pose.empty()) {
+    return Success{};
+  }
+  Result<TakenPose> taken = withPose(document, clip, request);
+  if (!taken) {
+    return taken.error();
+  }
+  document = std::move(taken->document);
+  report = {{"name", taken->name},
+            {"frame", request.frame},
+            {"controllers", taken->controllers},
+            {"missed", taken->missed}};
+  return Success{};
+}
+
 Status runPose(const PoseArguments& arguments) {
   if (Status apart = checkOutput(arguments.output.file,
                                  {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
@@ -230,11 +259,18 @@ Status runPose(const PoseArguments& arguments) {
   if (Status bounded = checkFrameCount(clipOf(*document, recipe->clip)); !bounded) {
     return bounded;
   }
-  const Result<Document> posed = posedBy(arguments, *recipe, *document);
+  Result<Document> posed = posedBy(arguments, *recipe, *document);
   if (!posed) {
     return posed.error();
   }
+  Json taken = Json::object();
+  if (Status took = takePose(arguments.library, recipe->clip, *posed, taken); !took) {
+    return took;
+  }
   Json report = poseJson(*posed, *recipe);
+  if (!taken.empty()) {
+    report["pose"] = std::move(taken);
+  }
   if (Status saved = saveReported(*posed, arguments.output, report); !saved) {
     return saved;
   }
@@ -252,12 +288,14 @@ Status runPose(const PoseArguments& arguments) {
 Verb poseVerb() {
   return {
       "pose",
-      "Adjusts a clip by the controllers that a recipe or a table keys and the pins, grips and props that a "
-      "recipe holds, puts the thing of another file into a hand, and saves the file.",
+      "Adjusts a clip by the controllers that a recipe or a table keys, a pose of the library, and the pins, "
+      "grips "
+      "and props that a recipe holds, puts the thing of another file into a hand, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",
                        "dummy.glb -o low.glb --offsets offsets.csv --units metres",
+                       "dummy.glb -o guarded.glb --pose guard.json --pose-frame 12 --pose-range 6:20",
                        "dummy.glb -o armed.glb --prop bat.glb --prop-hand both"});
         addFileArguments(line, arguments->input);
         addPlan(line, arguments->input);
@@ -275,6 +313,7 @@ Verb poseVerb() {
             .oneOf({"left-arm", "right-arm", "both"})
             .showDefault();
         line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it").showDefault();
+        addPoseRequest(line, arguments->library);
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

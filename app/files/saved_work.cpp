@@ -17,6 +17,7 @@
 #include "app/schema/hold_json.h"
 #include "app/schema/locator_json.h"
 #include "app/schema/schema_json.h"
+#include "app/schema/selection_set_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json/json.h"
@@ -402,6 +403,13 @@ Status restoreParts(const Json& work, Document& document) {
     }
     document.locators = std::move(*locators);
   }
+  if (work.contains("selection_sets")) {
+    Result<std::vector<SelectionSet>> sets = selectionSetsFromJson(work["selection_sets"]);
+    if (!sets) {
+      return sets.error();
+    }
+    document.selectionSets = std::move(*sets);
+  }
   document.loopingClips = gltf::integersOf(work.at("loops"));
   Status adjusted = restoreAdjustments(work.value("adjustments", Json::array()), document);
   return adjusted ? restoreHolds(work, document) : adjusted;
@@ -413,7 +421,8 @@ Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
       document.rates.empty() && !document.limbsCorrected && document.locators.empty() &&
-      !hasEditedKeys(document) && document.followingKeys.empty() && document.addedFiles.empty()) {
+      !hasEditedKeys(document) && document.followingKeys.empty() && document.addedFiles.empty() &&
+      document.selectionSets.empty()) {
     return nullptr;
   }
   Json work;
@@ -428,6 +437,9 @@ Json workOf(const Document& document) {
   work["chains"] = limbsToJson(document.chains);
   if (!document.locators.empty()) {
     work["locators"] = locatorsToJson(document.locators);
+  }
+  if (!document.selectionSets.empty()) {
+    work["selection_sets"] = selectionSetsToJson(document.selectionSets);
   }
   work["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
@@ -465,6 +477,7 @@ Document withoutEdits(Document document) {
   document.weights.clear();
   document.chains.clear();
   document.locators = {};
+  document.selectionSets.clear();
   document.loopingClips.clear();
   for (ClipRate& rate : document.rates) {
     rate.framesPerSecond = rate.own;

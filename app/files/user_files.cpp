@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -73,6 +74,28 @@ bool isWritableFolder(const fs::path& folder) {
   std::error_code ignored;
   const fs::path named = folder.empty() ? fs::path(".") : folder;
   return fs::is_directory(named, ignored) && ::access(named.c_str(), W_OK | X_OK) == 0;
+}
+
+fs::path fileOfName(const fs::path& folder, const std::string& name) {
+  const auto isRefused = [](char c) {
+    return static_cast<unsigned char>(c) < ' ' ||
+           std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+  };
+  std::string file = name;
+  std::ranges::replace_if(file, isRefused, '_');
+  return folder / (file + ".json");
+}
+
+std::vector<fs::path> jsonFilesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    if (entry->path().extension() == ".json") {
+      files.push_back(entry->path());
+    }
+  }
+  return files;
 }
 
 std::string nameFor(const fs::path& path) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stretch::app {
 
@@ -16,6 +17,12 @@ namespace stretch::app {
 [[nodiscard]] std::filesystem::path documentsFolder();
 /// Whether the folder is there and this user may make files in it. An empty path is the current folder.
 [[nodiscard]] bool isWritableFolder(const std::filesystem::path& folder);
+
+/// The file in `folder` that something of the user's own is kept in by its name, with what a file's name may
+/// not have replaced.
+[[nodiscard]] std::filesystem::path fileOfName(const std::filesystem::path& folder, const std::string& name);
+/// The files in a folder that end with ".json", in no order; none where it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> jsonFilesIn(const std::filesystem::path& folder);
 
 /// A short name for a path that is the same at every start: "punch-1f03a9c2".
 [[nodiscard]] std::string nameFor(const std::filesystem::path& path);

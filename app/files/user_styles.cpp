@@ -41,27 +41,11 @@ fs::path stylesFolder() {
   return configFolder() / "styles";
 }
 
-fs::path fileOfStyle(const fs::path& folder, const std::string& name) {
-  std::string file = name;
-  std::ranges::replace_if(
-      file,
-      [](char c) {
-        return static_cast<unsigned char>(c) < ' ' ||
-               std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
-      },
-      '_');
-  return folder / (file + ".json");
-}
-
 std::vector<rig::Style> userStyles(const fs::path& folder) {
   std::vector<rig::Style> styles;
-  std::error_code problem;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
-       entry.increment(problem)) {
-    if (entry->path().extension() == ".json") {
-      if (Result<rig::Style> style = loadStyle(entry->path())) {
-        styles.push_back(std::move(*style));
-      }
+  for (const fs::path& file : jsonFilesIn(folder)) {
+    if (Result<rig::Style> style = loadStyle(file)) {
+      styles.push_back(std::move(*style));
     }
   }
   std::ranges::sort(styles, {}, &rig::Style::name);

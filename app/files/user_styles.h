@@ -20,10 +20,6 @@ namespace stretch::app {
 
 [[nodiscard]] std::filesystem::path stylesFolder();
 
-/// The file in `folder` that a style of this name is kept in: the name with what a file's name may not have
-/// replaced.
-[[nodiscard]] std::filesystem::path fileOfStyle(const std::filesystem::path& folder, const std::string& name);
-
 /// The user's styles by name, from files that can be read as one.
 [[nodiscard]] std::vector<rig::Style> userStyles(const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/files/user_files.h"
 #include "app/files/user_styles.h"
 #include "app/schema/style_schema.h"
 #include "core/gltf/json/json.h"
@@ -86,7 +87,7 @@ TEST_CASE(
   const test::TemporaryFolder folder;
   rig::Style style = rig::builtInStyles().front();
   style.name = "Mine: a/b";
-  REQUIRE(saveStyle(style, fileOfStyle(folder.path(), style.name)));
+  REQUIRE(saveStyle(style, fileOfName(folder.path(), style.name)));
   std::ofstream(folder.path() / "broken.json") << "{";
   std::ofstream(folder.path() / "notes.txt") << "none";
   const std::vector<rig::Style> all = allStyles(folder.path());

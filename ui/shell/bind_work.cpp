@@ -9,8 +9,8 @@
 #include "app/commands/table/selection.h"
 #include "app/locators/build_rig.h"
 #include "skinning/linear_blend_skinning.h"
-#include "ui/shell/input.h"
 #include "ui/shell/shell.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 

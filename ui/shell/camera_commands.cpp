@@ -7,14 +7,13 @@
 #include "app/commands/table/tables.h"
 #include "app/evaluate/seen.h"
 #include "ui/panels/context/panel_support.h"
-#include "ui/shell/shell.h"
+#include "ui/shell/shell_command.h"
 
 namespace stretch::ui {
 
 namespace {
 
 namespace command = app::command;
-using ShellCommand = app::Command<Shell>;
 
 bool hasCameras(const Shell& shell) {
   const app::Session* const session = shell.open.character();
@@ -25,25 +24,7 @@ bool hasSeenTrail(const Shell& shell) {
   return shell.open.character() != nullptr && app::hasSelectedTrail(*shell.open.character());
 }
 
-/// When a command is on, and what to do first while it is off.
-struct Need {
-  bool (*holds)(const Shell&);
-  const char* text;
-};
-constexpr Need viewNeeded{hasPicture, "open a file first"};
-
-ShellCommand commandOf(const char* id, std::string label, std::string help, const std::string& key,
-                       const Need& need, std::function<void(Shell&)> run) {
-  ShellCommand command;
-  command.id = id;
-  command.label = std::move(label);
-  command.help = std::move(help);
-  command.keys = key.empty() ? std::vector<std::string>{} : std::vector<std::string>{key};
-  command.enabled = need.holds;
-  command.needs = [need](const Shell& shell) { return need.holds(shell) ? "" : need.text; };
-  command.run = app::doing(std::move(run));
-  return command;
-}
+constexpr ShellNeed viewNeeded{hasPicture, "open a file first"};
 
 /// From one camera of the file to the next, and after the last one back to the view's own.
 void nextCamera(Shell& shell) {
@@ -118,24 +99,25 @@ void show(Shell& shell, std::size_t number) {
 
 } // namespace
 
-std::vector<app::Command<Shell>> cameraCommands() {
+std::vector<ShellCommand> cameraCommands() {
   std::vector<ShellCommand> all{
-      commandOf(command::viewCamera, "Look through the next camera",
-                "Goes through the cameras of the file, and back to the view that moves freely.", "Numpad 0",
-                {hasCameras, "open a file that has a camera first"}, nextCamera),
-      commandOf(command::viewBest, "Best view", "Looks at the selected trail from where most of it is seen.",
-                "", {hasSeenTrail, "select a trail first"}, showBest)};
+      shellCommand(command::viewCamera, "Look through the next camera",
+                   "Goes through the cameras of the file, and back to the view that moves freely.",
+                   {"Numpad 0"}, {hasCameras, "open a file that has a camera first"}, app::doing(nextCamera)),
+      shellCommand(command::viewBest, "Best view",
+                   "Looks at the selected trail from where most of it is seen.", {},
+                   {hasSeenTrail, "select a trail first"}, app::doing(showBest))};
   for (std::size_t i = 0; i < command::keepView.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     all.push_back(
-        commandOf(command::keepView[i], "Keep the view as " + number,
-                  "Keeps what is looked at, and through which camera, with the settings of this file.",
-                  "Ctrl+" + number, viewNeeded, [i](Shell& shell) { keep(shell, i); }));
+        shellCommand(command::keepView[i], "Keep the view as " + number,
+                     "Keeps what is looked at, and through which camera, with the settings of this file.",
+                     {"Ctrl+" + number}, viewNeeded, app::doing([i](Shell& shell) { keep(shell, i); })));
     all.push_back(
-        commandOf(command::keptView[i], "Kept view " + number,
-                  "Goes to the view that is kept as " + number +
-                      (standardOf(i) ? "; before there is one, to the standard view of this key." : "."),
-                  "Numpad " + number, viewNeeded, [i](Shell& shell) { show(shell, i); }));
+        shellCommand(command::keptView[i], "Kept view " + number,
+                     "Goes to the view that is kept as " + number +
+                         (standardOf(i) ? "; before there is one, to the standard view of this key." : "."),
+                     {"Numpad " + number}, viewNeeded, app::doing([i](Shell& shell) { show(shell, i); })));
   }
   return all;
 }

@@ -10,13 +10,14 @@
 
 #include "ui/panels/context/panels.h"
 #include "ui/shell/file_work.h"
-#include "ui/shell/gui.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
+#include "ui/shell/pose_library.h"
 #include "ui/shell/shell_commands.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 #include "ui/shell/welcome_keys.h"
+#include "ui/shell/window/gui.h"
 #include "ui/viewport/viewport_pane.h"
 
 namespace stretch::ui {
@@ -31,6 +32,7 @@ struct Editor {
   Window window;
   Gui gui;
   std::unique_ptr<ViewportGpu> gpu;
+  PosePictures poses;
   Shell shell;
   EditorHand* hand = nullptr;
   float scaleOption = 0.0F;
@@ -284,6 +286,7 @@ void drawFrame(Editor& editor) {
   editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
   updateTour(shell);
+  updatePosePictures(editor.poses, shell.ui.body.library);
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
   shell.ui.time.keys.hovered = false;
@@ -347,13 +350,8 @@ Result<Editor> openEditor(const EditorOptions& options) {
   if (!gpu) {
     return gpu.error();
   }
-  return Editor{std::move(window).value(),
-                std::move(gui).value(),
-                std::move(gpu).value(),
-                std::move(shell),
-                options.hand,
-                options.scale,
-                0.0};
+  return Editor{std::move(window).value(), std::move(gui).value(), std::move(gpu).value(), {},
+                std::move(shell),          options.hand,           options.scale,          0.0};
 }
 
 } // namespace

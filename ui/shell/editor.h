@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ui/shell/shell.h"
-#include "ui/shell/window.h"
+#include "ui/shell/window/window.h"
 
 namespace stretch::ui {
 

@@ -9,6 +9,7 @@
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/hand_place.h"
 #include "app/files/bundled_folder.h"
+#include "app/files/user_files.h"
 #include "app/files/user_styles.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
@@ -234,7 +235,7 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
   }
   const fs::path near = character->proposedSavePath();
   return purpose == FilePurpose::exportClean  ? near.stem().string() + "-clean.glb"
-         : purpose == FilePurpose::saveStyle  ? app::fileOfStyle({}, chosenStyle(shell).name).string()
+         : purpose == FilePurpose::saveStyle  ? app::fileOfName({}, chosenStyle(shell).name).string()
          : purpose == FilePurpose::saveRecipe ? near.stem().string() + "-recipe.json"
          : purpose == FilePurpose::saveFilm   ? near.stem().string() + ".mp4"
                                               : near.filename().string();
@@ -306,6 +307,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   updateFitting(shell);
   updateClipImport(shell);
   updateClipStyle(shell);
+  updatePoseLibrary(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/shell/input.h"
 #include "ui/shell/shell.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 

@@ -16,6 +16,7 @@
 #include "ui/shell/bind_work.h"
 #include "ui/shell/film_work.h"
 #include "ui/shell/fit_work.h"
+#include "ui/shell/pose_library.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -36,6 +37,7 @@ struct WorkBeside {
   FitWork fitting;
   ClipImport clipImport;
   StyleWork styling;
+  PoseLibraryWork library;
   FilmWork film;
 };
 

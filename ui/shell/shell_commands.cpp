@@ -14,28 +14,26 @@
 #include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/pose/offset_edits.h"
+#include "app/edits/pose/selection_set_edits.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/bind_work.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/fit_work.h"
-#include "ui/shell/input.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/shell_command.h"
 #include "ui/shell/stroke_news.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 
 namespace {
 
-using ShellCommand = app::Command<Shell>;
 using app::doing;
 
-bool always(const Shell&) {
-  return true;
-}
 bool hasFile(const Shell& shell) {
   return shell.open.character() != nullptr;
 }
@@ -77,6 +75,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::viewHeatMap, &overlays.heatMap},
       {command::viewWeights, &overlays.weights},
       {command::viewGrid, &overlays.grid},
+      {command::viewCube, &overlays.viewCube},
       {command::viewFrameNumbers, &overlays.trailFrameNumbers},
       {command::viewSafeFrame, &overlays.safeFrame},
       {command::viewSideBySide, &overlays.sideBySide},
@@ -88,47 +87,29 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
   return found == std::end(switches) ? nullptr : found->second;
 }
 
-/// When a command of the window is on, and what to do first while it is off.
-struct ShellNeed {
-  bool (*holds)(const Shell&) = always;
-  const char* text = "";
-};
 constexpr ShellNeed nothingNeeded{};
 constexpr ShellNeed characterNeeded{hasFile, "open a character first"};
 constexpr ShellNeed pictureNeeded{hasPicture, "open a file first"};
 constexpr ShellNeed exportNeeded{canExport, "open a character, or compress a sequence, first"};
 
-ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
-                   const ShellNeed& need, std::function<Status(Shell&)> run) {
-  return {.id = std::move(id),
-          .label = std::move(label),
-          .help = std::move(help),
-          .keys = std::move(keys),
-          .enabled = need.holds,
-          .run = std::move(run),
-          .checked = nullptr,
-          .labelNow = nullptr,
-          .needs = [need](const Shell& shell) { return need.holds(shell) ? "" : need.text; },
-          .otherwise = {}};
-}
-
 ShellCommand switchCommand(const char* id, const char* label, const char* help,
                            std::vector<std::string> keys) {
-  ShellCommand command = entry(id, label, help, std::move(keys), nothingNeeded, doing([id](Shell& shell) {
-                                 bool& shown = *switchOf(shell, id);
-                                 shown = !shown;
-                               }));
+  ShellCommand command =
+      shellCommand(id, label, help, std::move(keys), nothingNeeded, doing([id](Shell& shell) {
+                     bool& shown = *switchOf(shell, id);
+                     shown = !shown;
+                   }));
   command.checked = [id](const Shell& shell) { return *switchOf(shell, id); };
   return command;
 }
 
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
-  return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
-                 lookFreely(shell.viewport.look, shell.viewport.camera);
-                 shell.viewport.camera =
-                     lookFrom(shell.viewport.camera, direction, shell.viewport.look.facingYawRadians);
-               }));
+  return shellCommand(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
+                        lookFreely(shell.viewport.look, shell.viewport.camera);
+                        shell.viewport.camera =
+                            lookFrom(shell.viewport.camera, direction, shell.viewport.look.facingYawRadians);
+                      }));
 }
 
 void toggleViewportOnly(Shell& shell) {
@@ -275,6 +256,20 @@ void rename(Shell& shell) {
   shell.ui.trails.rename.typed = shell.ui.trails.rename.present;
 }
 
+const app::SelectionSet* selectedSet(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session == nullptr ? nullptr : app::setOfSelection(session->document(), session->view().selection);
+}
+
+bool hasSelectedSet(const Shell& shell) {
+  return selectedSet(shell) != nullptr;
+}
+
+void renameSet(Shell& shell) {
+  const std::string name = selectedSet(shell)->name;
+  shell.ui.trails.rename = {.open = true, .present = name, .typed = name};
+}
+
 void openPalette(Shell& shell) {
   shell.ui.dialogs.palette = {};
   shell.ui.dialogs.palette.open = true;
@@ -305,62 +300,68 @@ auto askingFor(FilePurpose purpose) {
 namespace {
 
 ShellCommand bundledCommand(const app::BundledClip& clip) {
-  return entry(clip.commandId, std::string("Bundled clip: ") + clip.name, clip.line, {}, nothingNeeded,
-               [file = std::string(clip.file)](Shell& shell) { return openBundled(shell, file); });
+  return shellCommand(clip.commandId, std::string("Bundled clip: ") + clip.name, clip.line, {}, nothingNeeded,
+                      [file = std::string(clip.file)](Shell& shell) { return openBundled(shell, file); });
 }
 
 } // namespace
 
 std::vector<ShellCommand> fileCommands() {
   return {
-      entry(command::fileOpen, "Open",
-            "Opens a character (.glb, .gltf, .vrm, .fbx, .bvh, .dae) or a mesh sequence.", {"Ctrl+O"},
-            nothingNeeded, askingFor(FilePurpose::openModel)),
-      entry(command::fileSave, "Save",
-            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
-            exportNeeded, doing([](Shell& shell) { saveFile(shell); })),
-      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, exportNeeded,
-            askingFor(FilePurpose::saveModel)),
-      entry(command::fileSaveIncremental, "Save incremental",
-            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, characterNeeded,
-            doing([](Shell& shell) { saveIncremental(shell); })),
-      entry(command::fileExportClean, "Export clean",
-            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
-            askingFor(FilePurpose::exportClean)),
-      entry(command::fileFilm, "Playblast",
-            "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.",
-            {}, {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
-      entry(command::recipeSave, "Save a recipe",
-            "Writes the clip's poses, trails and weight, to be replayed on another clip or character.", {},
-            {hasWork, "make a trail or pose a controller first"}, askingFor(FilePurpose::saveRecipe)),
-      entry(command::recipeLoad, "Replay a recipe",
-            "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
-            askingFor(FilePurpose::openRecipe)),
-      entry(command::clipImport, "Import a clip",
-            "Adds a clip of another file to this character: copied where the skeleton is the same, else "
-            "brought "
-            "over limb by limb. It is saved with the character.",
-            {}, characterNeeded, askingFor(FilePurpose::openClip)),
-      entry(command::propAdd, "Add a prop",
-            "Puts the thing of another file into the selected hand, or into both, at the playhead: into the "
-            "right one where none is selected. It is saved with the character.",
-            {}, {canTakeProp, "open a character with arms and a clip"}, askingFor(FilePurpose::openProp)),
-      entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
-            {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
+      shellCommand(command::fileOpen, "Open",
+                   "Opens a character (.glb, .gltf, .vrm, .fbx, .bvh, .dae) or a mesh sequence.", {"Ctrl+O"},
+                   nothingNeeded, askingFor(FilePurpose::openModel)),
+      shellCommand(command::fileSave, "Save",
+                   "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
+                   exportNeeded, doing([](Shell& shell) { saveFile(shell); })),
+      shellCommand(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"},
+                   exportNeeded, askingFor(FilePurpose::saveModel)),
+      shellCommand(command::fileSaveIncremental, "Save incremental",
+                   "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"},
+                   characterNeeded, doing([](Shell& shell) { saveIncremental(shell); })),
+      shellCommand(command::fileExportClean, "Export clean",
+                   "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"},
+                   exportNeeded, askingFor(FilePurpose::exportClean)),
+      shellCommand(
+          command::fileFilm, "Playblast",
+          "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.", {},
+          {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
+      shellCommand(command::recipeSave, "Save a recipe",
+                   "Writes the clip's poses, trails and weight, to be replayed on another clip or character.",
+                   {}, {hasWork, "make a trail or pose a controller first"},
+                   askingFor(FilePurpose::saveRecipe)),
+      shellCommand(command::recipeLoad, "Replay a recipe",
+                   "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
+                   askingFor(FilePurpose::openRecipe)),
+      shellCommand(
+          command::clipImport, "Import a clip",
+          "Adds a clip of another file to this character: copied where the skeleton is the same, else "
+          "brought "
+          "over limb by limb. It is saved with the character.",
+          {}, characterNeeded, askingFor(FilePurpose::openClip)),
+      shellCommand(
+          command::propAdd, "Add a prop",
+          "Puts the thing of another file into the selected hand, or into both, at the playhead: into the "
+          "right one where none is selected. It is saved with the character.",
+          {}, {canTakeProp, "open a character with arms and a clip"}, askingFor(FilePurpose::openProp)),
+      shellCommand(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
+                   {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
 }
 
 namespace {
 
 ShellCommand renameCommand() {
-  ShellCommand command = entry(command::trailRename, "Rename the trail",
-                               "Gives the selected trail, or the group that is selected, a name of your own.",
-                               {"F2"}, {hasTrail, "select a trail first"}, doing(rename));
+  ShellCommand command =
+      shellCommand(command::trailRename, "Rename the trail",
+                   "Gives the selected trail, or the group that is selected, a name of your own.", {"F2"},
+                   {hasTrail, "select a trail first"}, doing(rename));
   command.labelNow = [](const Shell& shell) -> std::string {
     const app::Session* const session = shell.open.character();
     const bool isGroup = session != nullptr && !app::wholeGroupSelected(*session).empty();
     return isGroup ? "Rename the group" : "Rename the trail";
   };
+  command.otherwise = command::selectionRename;
   return command;
 }
 
@@ -368,44 +369,50 @@ ShellCommand renameCommand() {
 
 std::vector<ShellCommand> toolCommands() {
   constexpr ShellNeed controllerNeeded{canPose, "select a controller first"};
-  ShellCommand grab =
-      entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.",
-            {"G"}, {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
+  ShellCommand grab = shellCommand(
+      command::sphereGrab, "Grab",
+      "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.", {"G"},
+      {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
   grab.otherwise = command::controllerMove;
   return {
-      entry(command::trailExaggerate, "Exaggerate",
-            "Makes the trail if there is none, exaggerates it and connects the limb; "
-            "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-            {"E"}, {canExaggerate, "select a limb first: click one, or press its number"}, beginExaggerating),
+      shellCommand(command::trailExaggerate, "Exaggerate",
+                   "Makes the trail if there is none, exaggerates it and connects the limb; "
+                   "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
+                   {"E"}, {canExaggerate, "select a limb first: click one, or press its number"},
+                   beginExaggerating),
       grab,
-      entry(command::controllerMove, "Move the controllers",
-            "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
-            controllerNeeded, [](Shell& shell) { return runOnControllers(shell, app::PullMotion::move); }),
-      entry(command::controllerTurn, "Turn the controllers",
-            "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
-            "degrees.",
-            {"R"}, controllerNeeded,
-            [](Shell& shell) { return runOnControllers(shell, app::PullMotion::turn); }),
-      entry(command::trailShowOriginal, "Show the original",
-            "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
-            doing(showOriginal)),
-      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"},
-            characterNeeded, doing(pickChain)),
+      shellCommand(command::controllerMove, "Move the controllers",
+                   "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
+                   controllerNeeded,
+                   [](Shell& shell) { return runOnControllers(shell, app::PullMotion::move); }),
+      shellCommand(
+          command::controllerTurn, "Turn the controllers",
+          "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
+          "degrees.",
+          {"R"}, controllerNeeded,
+          [](Shell& shell) { return runOnControllers(shell, app::PullMotion::turn); }),
+      shellCommand(command::trailShowOriginal, "Show the original",
+                   "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
+                   doing(showOriginal)),
+      shellCommand(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"},
+                   characterNeeded, doing(pickChain)),
       renameCommand(),
-      entry(command::timePlay, "Play", "Plays and stops.", {"Space"},
-            {canPlay, "open a file with a clip first"}, doing(togglePlay)),
+      shellCommand(command::selectionRename, "Rename the selection set",
+                   "Gives the set that is selected another name; F2 does while no trail is selected.", {},
+                   {hasSelectedSet, "select just what a selection set holds"}, doing(renameSet)),
+      shellCommand(command::timePlay, "Play", "Plays and stops.", {"Space"},
+                   {canPlay, "open a file with a clip first"}, doing(togglePlay)),
       switchCommand(command::timeEveryFrame, "Every frame",
                     "Playing shows each frame, however long it takes; else time runs as it is.", {}),
       switchCommand(command::timeOnTwos, "On twos",
                     "Playing holds every second frame for two, as cartoons do.", {}),
-      entry(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
-            pictureNeeded, doing([](Shell& shell) { shell.ui.dialogs.history = {.open = true}; })),
+      shellCommand(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
+                   pictureNeeded, doing([](Shell& shell) { shell.ui.dialogs.history = {.open = true}; })),
   };
 }
 
 ShellCommand shadeAsCommand() {
-  ShellCommand command = entry(
+  ShellCommand command = shellCommand(
       command::viewShadeAs, "Shade as three.js and Godot",
       "Turns normals as these engines do, by the joints' own matrices: a stretch told by scale is shaded "
       "wrongly there.",
@@ -434,18 +441,20 @@ std::vector<ShellCommand> viewCommands() {
           "the panel Character.",
           {"Shift+W"}),
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
+      switchCommand(command::viewCube, "View cube",
+                    "Shows the cube whose faces, edges and corners are looked from.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),
       switchCommand(command::viewSafeFrame, "Safe frame",
                     "Outlines the nine tenths of the picture that every screen shows.", {}),
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", {}),
-      entry(command::viewFrameSelection, "Frame the selection",
-            "Moves the camera to the selected limb and trail.", {"F"}, pictureNeeded,
-            doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),
-      entry(command::viewFrameAll, "Frame everything",
-            "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
-            doing([](Shell& shell) { shell.viewport.framePending = true; })),
+      shellCommand(command::viewFrameSelection, "Frame the selection",
+                   "Moves the camera to the selected limb and trail.", {"F"}, pictureNeeded,
+                   doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),
+      shellCommand(command::viewFrameAll, "Frame everything",
+                   "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
+                   doing([](Shell& shell) { shell.viewport.framePending = true; })),
       directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Ctrl+Numpad 1",
                        ViewDirection::front),
       directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Ctrl+Numpad 3",
@@ -460,32 +469,32 @@ std::vector<ShellCommand> viewCommands() {
                     {"Ctrl+Alt+2"}),
       switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.",
                     {"Ctrl+Alt+3"}),
-      entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
-            {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
-      entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
-            {}, nothingNeeded, doing(toggleNavigation)),
+      shellCommand(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
+                   {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
+      shellCommand(command::viewNavigation, "Navigation of Maya or Blender",
+                   "Changes how the mouse turns the view.", {}, nothingNeeded, doing(toggleNavigation)),
   };
 }
 
 std::vector<ShellCommand> helpCommands() {
   return {
-      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"},
-            nothingNeeded, doing(openPalette)),
-      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, nothingNeeded,
-            doing([](Shell& shell) {
-              shell.ui.dialogs.keys = {};
-              shell.ui.dialogs.keys.open = true;
-            })),
-      entry(command::tour, "Tour", "Goes through the first punch step by step, on the bundled clip.", {},
-            nothingNeeded, startTour),
-      entry(command::tourEnd, "End the tour", "Takes the tour's card away.", {},
-            {isOnTour, "the tour does not run"}, doing(endTour)),
-      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
-            doing([](Shell& shell) { shell.ui.dialogs.settingsOpen = true; })),
-      entry(command::about, "About", "What this program is.", {}, nothingNeeded,
-            doing([](Shell& shell) { shell.ui.dialogs.aboutOpen = true; })),
-      entry(command::keysExport, "Export the keys",
-            "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
+      shellCommand(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"},
+                   nothingNeeded, doing(openPalette)),
+      shellCommand(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"},
+                   nothingNeeded, doing([](Shell& shell) {
+                     shell.ui.dialogs.keys = {};
+                     shell.ui.dialogs.keys.open = true;
+                   })),
+      shellCommand(command::tour, "Tour", "Goes through the first punch step by step, on the bundled clip.",
+                   {}, nothingNeeded, startTour),
+      shellCommand(command::tourEnd, "End the tour", "Takes the tour's card away.", {},
+                   {isOnTour, "the tour does not run"}, doing(endTour)),
+      shellCommand(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {},
+                   nothingNeeded, doing([](Shell& shell) { shell.ui.dialogs.settingsOpen = true; })),
+      shellCommand(command::about, "About", "What this program is.", {}, nothingNeeded,
+                   doing([](Shell& shell) { shell.ui.dialogs.aboutOpen = true; })),
+      shellCommand(command::keysExport, "Export the keys",
+                   "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
       bundledCommand(app::bundledClips()[0]),
       bundledCommand(app::bundledClips()[1]),
       bundledCommand(app::bundledClips()[2]),
@@ -500,6 +509,7 @@ std::vector<ShellCommand> editorCommands() {
   fitBesideWindow(all);
   append(all, toolCommands());
   append(all, styleCommands());
+  append(all, poseLibraryCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
   append(all, stopCommands());

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/shell/input.h"
 #include "ui/shell/shell.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 

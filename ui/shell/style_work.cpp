@@ -9,10 +9,11 @@
 #include "app/commands/table/tables.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/clip_moments.h"
+#include "app/files/user_files.h"
 #include "app/files/user_styles.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/file_work.h"
-#include "ui/shell/shell.h"
+#include "ui/shell/shell_command.h"
 
 namespace stretch::ui {
 
@@ -21,8 +22,6 @@ void loadStyles(TrailPanels& panels) {
 }
 
 namespace {
-
-using ShellCommand = app::Command<Shell>;
 
 bool hasExaggerated(const Shell& shell) {
   return showsClip(shell) &&
@@ -49,7 +48,7 @@ void keepStyle(Shell& shell, rig::Style style) {
   for (int number = 2; std::ranges::find(there, style.name, &rig::Style::name) != there.end(); ++number) {
     style.name = fmt::format("{} {}", name, number);
   }
-  const Status saved = app::saveStyle(style, app::fileOfStyle(app::stylesFolder(), style.name));
+  const Status saved = app::saveStyle(style, app::fileOfName(app::stylesFolder(), style.name));
   tellProblem(shell, saved);
   if (saved) {
     refreshStyles(shell, style.name);
@@ -189,34 +188,23 @@ void exportStyle(Shell& shell, const std::filesystem::path& path) {
 }
 
 std::vector<ShellCommand> styleCommands() {
-  const auto command = [](const char* id, const char* label, const char* help, bool (*enabled)(const Shell&),
-                          const char* needs, std::function<Status(Shell&)> run) {
-    ShellCommand made;
-    made.id = id;
-    made.label = label;
-    made.help = help;
-    made.enabled = enabled;
-    made.run = std::move(run);
-    made.needs = [enabled, needs](const Shell& shell) -> std::string { return enabled(shell) ? "" : needs; };
-    return made;
-  };
+  constexpr ShellNeed clipNeeded{showsClip, "open a character with a clip first"};
   const auto asking = [](FilePurpose purpose) {
     return app::doing([purpose](Shell& shell) { askForFile(shell, purpose); });
   };
-  ShellCommand clip = command(app::command::clipExaggerate, "Exaggerate the clip",
-                              "Exaggerates every moment of the clip in a style: choose it, its strength and "
-                              "the moments, and look at them before you keep them.",
-                              showsClip, "open a character with a clip first", beginClip);
-  clip.keys = {"Shift+E"};
-  return {clip,
-          command(app::command::styleTake, "Take a style from the clip",
-                  "Makes the settings of the clip's trails a style of your own.", hasExaggerated,
-                  "exaggerate a limb of the clip first", takeStyle),
-          command(app::command::styleImport, "Import a style", "Takes a style from a file into your own.",
-                  showsClip, "open a character with a clip first", asking(FilePurpose::openStyle)),
-          command(app::command::styleExport, "Export the style",
-                  "Writes the style that was chosen last for a clip as a file.", showsClip,
-                  "open a character with a clip first", asking(FilePurpose::saveStyle))};
+  return {shellCommand(app::command::clipExaggerate, "Exaggerate the clip",
+                       "Exaggerates every moment of the clip in a style: choose it, its strength and "
+                       "the moments, and look at them before you keep them.",
+                       {"Shift+E"}, clipNeeded, beginClip),
+          shellCommand(app::command::styleTake, "Take a style from the clip",
+                       "Makes the settings of the clip's trails a style of your own.", {},
+                       {hasExaggerated, "exaggerate a limb of the clip first"}, takeStyle),
+          shellCommand(app::command::styleImport, "Import a style",
+                       "Takes a style from a file into your own.", {}, clipNeeded,
+                       asking(FilePurpose::openStyle)),
+          shellCommand(app::command::styleExport, "Export the style",
+                       "Writes the style that was chosen last for a clip as a file.", {}, clipNeeded,
+                       asking(FilePurpose::saveStyle))};
 }
 
 } // namespace stretch::ui

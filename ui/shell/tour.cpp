@@ -7,7 +7,7 @@
 #include "app/bundled_files.h"
 #include "app/commands/table/selection.h"
 #include "ui/shell/file_work.h"
-#include "ui/shell/input.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 

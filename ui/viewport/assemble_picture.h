@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ui/render/picture/picture_content.h"
-#include "ui/viewport/shown_controllers.h"
-#include "ui/viewport/shown_trails.h"
+#include "ui/viewport/shown/shown_controllers.h"
+#include "ui/viewport/shown/shown_trails.h"
 
 namespace stretch::ui {
 

@@ -8,6 +8,7 @@
 
 #include "core/base/hash.h"
 #include "ui/viewport/assemble_picture.h"
+#include "ui/viewport/cube_marker.h"
 #include "ui/viewport/sequence_picture.h"
 #include "ui/widgets/color_legend.h"
 
@@ -92,6 +93,7 @@ void drawSequenceScene(ViewportContext& context, ViewportGpu& gpu, const Rect& p
   drawPicture(context, gpu, gpu.picture, {frame, {}, overlay, style});
   showPicture(gpu.picture, picture);
   drawLegend(context, *gpu.sequence.picture);
+  drawViewCube(context);
 }
 
 } // namespace stretch::ui

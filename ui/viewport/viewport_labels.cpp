@@ -15,6 +15,7 @@
 #include "rig/trail/exaggeration.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/render/overlay/skeleton_drawing.h"
+#include "ui/viewport/cube_marker.h"
 #include "ui/viewport/viewport_legend.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
@@ -447,7 +448,7 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawEaseCurve(context);
   drawSelectionBox(context);
   drawLegends(context);
-  drawAxisMarker(context);
+  drawViewCube(context);
   drawLens(context);
   ImGui::PopClipRect();
   drawStateLabels(context);

@@ -12,7 +12,6 @@
 #include "ui/render/scene/value_colors.h"
 #include "ui/render/view/palette.h"
 #include "ui/viewport/viewport_scene.h"
-#include "ui/widgets/button.h"
 #include "ui/widgets/color_legend.h"
 
 namespace stretch::ui {
@@ -167,34 +166,6 @@ void drawLegends(ViewportContext& context) {
   } else if (context.ui.overlays.heatMap) {
     drawHeatLegend(context, left);
   }
-}
-
-void drawAxisMarker(ViewportContext& context) {
-  const Theme& theme = context.theme;
-  const Rect& box = context.viewport.box;
-  const float length = theme.px(22.0F);
-  const ImVec2 centre{box.max.x - theme.px(44.0F), box.min.y + theme.px(44.0F)};
-  if (box.width() < theme.px(360.0F) || box.height() < theme.px(240.0F)) {
-    return;
-  }
-  const Mat3& axes = context.open.character()->view().cameraAxes; // Columns: right, up, towards the viewer.
-  const WidgetContext widgets{theme, context.items};
-  std::array<int, 3> order{0, 1, 2};
-  std::ranges::sort(order, {}, [&](int axis) { return axes[2][axis]; }); // The nearest over the others.
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  for (const int axis : order) {
-    const auto right = static_cast<float>(axes[0][axis]);
-    const auto up = static_cast<float>(axes[1][axis]);
-    const ImVec2 end{centre.x + length * right, centre.y - length * up};
-    const ImU32 colour = faded(axisColour(theme, axis), axes[2][axis] < -0.2 ? 0.55F : 1.0F);
-    draw->AddLine(centre, end, colour, theme.px(2.0F));
-    const ImVec2 name{centre.x + 1.45F * length * right, centre.y - 1.45F * length * up};
-    const float half = theme.px(7.0F);
-    drawText(widgets, theme.fonts.strong, {{name.x - half, name.y - half}, {name.x + half, name.y + half}},
-             colour, std::string(1, "XYZ"[axis]), 0.5F);
-  }
-  context.items.add("viewport/axes", {centre.x - length, centre.y - length},
-                    {centre.x + length, centre.y + length});
 }
 
 } // namespace stretch::ui

@@ -7,7 +7,4 @@ namespace stretch::ui {
 /// Draws what the lines, ghosts and colours in the picture mean, in its lower right corner.
 void drawLegends(ViewportContext& context);
 
-/// The directions of the world's axes, in the upper right corner.
-void drawAxisMarker(ViewportContext& context);
-
 } // namespace stretch::ui

@@ -13,6 +13,7 @@
 #include "ui/render/picking/picking.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/viewport/controller_mouse.h"
+#include "ui/viewport/cube_marker.h"
 
 namespace stretch::ui {
 
@@ -121,6 +122,26 @@ void addSphereUnderMouse(ViewportContext& context) {
   }
 }
 
+/// A press on the view cube turns the view by its drag, or else looks from the part that was pressed.
+bool pressCube(ViewportState& viewport) {
+  const bool pressed = viewport.look.hoveredPart && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  viewport.gesture = pressed ? ViewportGesture::pressCube : viewport.gesture;
+  return pressed;
+}
+
+void dragCube(ViewportState& viewport) {
+  if (viewport.gesture == ViewportGesture::pressCube && !isClick(viewport)) {
+    viewport.gesture = ViewportGesture::orbit;
+  }
+}
+
+void releaseCube(ViewportState& viewport) {
+  if (viewport.gesture == ViewportGesture::pressCube && viewport.look.hoveredPart) {
+    lookFreely(viewport.look, viewport.camera);
+    viewport.camera = lookingAt(viewport.camera, *viewport.look.hoveredPart, viewport.look.facingYawRadians);
+  }
+}
+
 /// A press with the left button: tangent handle, axis handle, sphere, trail, limb, or the beginning of a box.
 void pressLeft(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
@@ -164,7 +185,7 @@ void beginGesture(ViewportContext& context) {
   viewport.pressPixels = viewport.mousePixels;
   viewport.lastPixels = viewport.mousePixels;
   viewport.gesture = navigationGesture(context.ui.navigation, ImGui::GetIO());
-  if (viewport.gesture != ViewportGesture::none) {
+  if (viewport.gesture != ViewportGesture::none || (!isRunning(context.tool) && pressCube(viewport))) {
     return;
   }
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
@@ -252,6 +273,7 @@ void selectInBox(ViewportContext& context) {
 /// A press that moves becomes a drag: of the spheres, or of a hand, foot or head.
 void continueGesture(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
+  dragCube(viewport);
   navigate(viewport);
   if (isRunning(context.tool) || isClick(viewport)) {
     return;
@@ -275,6 +297,7 @@ void endGesture(ViewportContext& context) {
   if (viewport.gesture == ViewportGesture::boxSelect) {
     selectInBox(context);
   }
+  releaseCube(viewport);
   if (viewport.gesture == ViewportGesture::pressMenu && isClick(viewport)) {
     clickRight(context);
   }
@@ -358,15 +381,18 @@ void lookAround(ViewportContext& context, bool pressed, bool held) {
   if (pressed) {
     viewport.pressPixels = viewport.lastPixels = viewport.mousePixels;
     viewport.gesture = navigationGesture(context.ui.navigation, ImGui::GetIO());
-    if (viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (viewport.gesture == ViewportGesture::none && !pressCube(viewport) &&
+        ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       viewport.gesture = ViewportGesture::orbit;
     }
     const bool asksMenu =
         viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     viewport.gesture = asksMenu ? ViewportGesture::pressMenu : viewport.gesture;
   } else if (held) {
+    dragCube(viewport);
     navigate(viewport);
   } else {
+    releaseCube(viewport);
     if (viewport.gesture == ViewportGesture::pressMenu && isClick(viewport)) {
       askForMenu(context.ui, MenuTarget::viewport);
     }
@@ -390,7 +416,8 @@ void updateHover(ViewportContext& context) {
   viewport.hoveredLimb.clear();
   viewport.hoveredEnd = false;
   viewport.hoveredJoint = NodeIndex::none;
-  if (!viewport.hovered || context.open.character() == nullptr) {
+  viewport.look.hoveredPart = viewport.hovered ? cubePartUnderMouse(context) : std::nullopt;
+  if (!viewport.hovered || viewport.look.hoveredPart || context.open.character() == nullptr) {
     return;
   }
   const bool pressed =
@@ -438,8 +465,8 @@ void shapeCursor(const ViewportContext& context) {
       std::holds_alternative<GrabTool>(context.tool) || std::holds_alternative<ControllerTool>(context.tool);
   if (pulls || viewport.hoveredHandle || viewport.hoveredAxis || viewport.hoveredSphere) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (!viewport.hoveredController.empty() || viewport.hoveredEnd || viewport.hoveredTrail != 0 ||
-             !viewport.hoveredLimb.empty()) {
+  } else if (viewport.look.hoveredPart || !viewport.hoveredController.empty() || viewport.hoveredEnd ||
+             viewport.hoveredTrail != 0 || !viewport.hoveredLimb.empty()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
 }

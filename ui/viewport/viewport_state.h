@@ -7,9 +7,9 @@
 #include "ui/render/view/camera.h"
 #include "ui/viewport/camera/look_through.h"
 #include "ui/viewport/limb_hover.h"
-#include "ui/viewport/shown_controllers.h"
-#include "ui/viewport/shown_trails.h"
-#include "ui/viewport/tangent_handles.h"
+#include "ui/viewport/shown/shown_controllers.h"
+#include "ui/viewport/shown/shown_trails.h"
+#include "ui/viewport/shown/tangent_handles.h"
 #include "ui/viewport/tip_watch.h"
 #include "ui/widgets/control.h"
 
@@ -25,6 +25,7 @@ enum class ViewportGesture {
   pressController,
   pressEnd,
   pressMenu,
+  pressCube,
   boxSelect
 };
 

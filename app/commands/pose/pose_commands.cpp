@@ -142,17 +142,6 @@ std::vector<std::string> idsOf(const std::vector<ControllerOffset>& offsets) {
   return ids;
 }
 
-/// "; the left hand is held elsewhere", by a trail or a hold; empty where all came there.
-std::string missedText(const Document& document, const std::vector<std::string>& missed) {
-  if (missed.empty()) {
-    return {};
-  }
-  std::vector<std::string> titles;
-  std::ranges::transform(missed, std::back_inserter(titles),
-                         [&](const std::string& id) { return controllerTitle(document, id); });
-  return fmt::format("; the {} {} held elsewhere", listed(titles), missed.size() == 1 ? "is" : "are");
-}
-
 Status pasteSeen(Session& session, const SeenPose& pose, const char* verb) {
   if (std::ranges::none_of(pose.controllers, [&](const SeenController& seen) {
         return findController(session.document(), controllersOf(session.document()), seen.id).ok();
@@ -168,7 +157,7 @@ Status pasteSeen(Session& session, const SeenPose& pose, const char* verb) {
   }
   return poseAll(session, posed->offsets,
                  poseLabel(session.document(), verb, idsOf(posed->offsets.offsets)) +
-                     missedText(session.document(), posed->missed));
+                     (posed->missed.empty() ? "" : "; " + missedText(session.document(), posed->missed)));
 }
 
 /// By names; the attributes that are as they were on both sides get no key.

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/commands/pose/held_controllers.h"
 #include "app/commands/pose/posing.h"
+#include "app/commands/table/selection.h"
 #include "app/edits/pose/pose_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/named.h"
@@ -93,7 +96,9 @@ public:
     }
     PosedAsSeen result;
     for (const auto& [id, offset] : offsets_) {
-      result.offsets.offsets.push_back(offset);
+      if (isOther(offset)) {
+        result.offsets.offsets.push_back(offset);
+      }
     }
     result.offsets.values = values_;
     result.missed = missed();
@@ -145,6 +150,14 @@ private:
       offset.move += placed.slack + toCarrier * miss.move;
     }
     offset.turn = turnedFurther(offset.turn, toCarrier * miss.turn);
+  }
+
+  /// What was off only until the pose had come to what carries it needs no key.
+  [[nodiscard]] bool isOther(const ControllerOffset& offset) const {
+    constexpr double rounding = 1e-12;
+    const ControllerOffset shown = shownOffset(session_, offset.id);
+    return glm::length(offset.move - shown.move) > rounding * posed_.body.height ||
+           glm::length(offset.turn - shown.turn) > rounding;
   }
 
   Status pose() {
@@ -204,6 +217,16 @@ SeenPose seenAtPlayhead(Session& session) {
     }
   }
   return pose;
+}
+
+std::string missedText(const Document& document, const std::vector<std::string>& missed) {
+  if (missed.empty()) {
+    return {};
+  }
+  std::vector<std::string> titles;
+  std::ranges::transform(missed, std::back_inserter(titles),
+                         [&](const std::string& id) { return controllerTitle(document, id); });
+  return fmt::format("the {} {} held elsewhere", listed(titles), missed.size() == 1 ? "is" : "are");
 }
 
 Result<PosedAsSeen> posedAsSeen(Session& session, const SeenPose& pose) {

@@ -18,6 +18,9 @@ struct PosedAsSeen {
   std::vector<std::string> missed; ///< Held by a trail, a pin, or out of reach.
 };
 
+/// "the left hand is held elsewhere", by a trail or a hold; empty where none is.
+[[nodiscard]] std::string missedText(const Document& document, const std::vector<std::string>& missed);
+
 /// Offsets with which the character at the playhead is seen in the pose: from the root outwards, each
 /// controller moved and turned by what it is off, until it is there. An error where the working range does
 /// not hold the playhead.

@@ -40,6 +40,10 @@ inline constexpr std::array<const char*, 9> limbSlots{selectLeftArm,  selectRigh
                                                       selectRightLeg, selectSpine,    selectNeck,
                                                       selectSeventh,  selectEighth,   selectNinth};
 inline constexpr const char* selectNone = "limb.none";
+inline constexpr const char* selectionKeep = "selection.keep";
+inline constexpr const char* selectionRename = "selection.rename";
+inline constexpr const char* selectionForget = "selection.forget";
+inline constexpr const char* selectionNext = "selection.next";
 inline constexpr const char* pickChain = "limb.chain";
 inline constexpr const char* detectAgain = "rig.detect";
 inline constexpr const char* locatorsFit = "locators.fit";
@@ -103,6 +107,7 @@ inline constexpr const char* viewHeatMap = "view.heat-map";
 inline constexpr const char* viewShadeAs = "view.shade-as";
 inline constexpr const char* viewWeights = "view.weights";
 inline constexpr const char* viewGrid = "view.grid";
+inline constexpr const char* viewCube = "view.cube";
 inline constexpr const char* viewFrameNumbers = "view.frame-numbers";
 inline constexpr const char* viewSideBySide = "view.side-by-side";
 inline constexpr const char* viewFrameSelection = "view.frame-selection";
@@ -190,6 +195,9 @@ inline constexpr const char* poseResetRange = "pose.reset-range";
 inline constexpr const char* poseResetRigRange = "pose.reset-rig-range";
 inline constexpr const char* poseMirror = "pose.mirror";
 inline constexpr const char* poseCopy = "pose.copy";
+inline constexpr const char* poseLibrary = "pose.library";
+inline constexpr const char* poseKeep = "pose.keep";
+inline constexpr const char* poseForget = "pose.forget";
 inline constexpr const char* posePaste = "pose.paste";
 inline constexpr const char* posePasteMirrored = "pose.paste-mirrored";
 inline constexpr const char* poseCopyOffsets = "pose.copy-offsets";

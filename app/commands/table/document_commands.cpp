@@ -72,9 +72,9 @@ std::vector<DocumentCommand> historyCommands() {
 
 std::vector<DocumentCommand> documentCommands() {
   std::vector<DocumentCommand> all;
-  for (const auto table : {historyCommands, limbCommands, locatorCommands, timeCommands, clipCommands,
-                           trailCommands, groupCommands, sphereCommands, controllerCommands, poseCommands,
-                           keyCommands, holdCommands, weightCommands, sequenceCommands}) {
+  for (const auto table : {historyCommands, limbCommands, selectionSetCommands, locatorCommands, timeCommands,
+                           clipCommands, trailCommands, groupCommands, sphereCommands, controllerCommands,
+                           poseCommands, keyCommands, holdCommands, weightCommands, sequenceCommands}) {
     std::vector<DocumentCommand> commands = table();
     std::move(commands.begin(), commands.end(), std::back_inserter(all));
   }

@@ -16,6 +16,7 @@ namespace stretch::app {
 // The tables that it is made of, one per subject.
 [[nodiscard]] std::vector<DocumentCommand> historyCommands();
 [[nodiscard]] std::vector<DocumentCommand> limbCommands();
+[[nodiscard]] std::vector<DocumentCommand> selectionSetCommands();
 [[nodiscard]] std::vector<DocumentCommand> locatorCommands();
 [[nodiscard]] std::vector<DocumentCommand> timeCommands();
 [[nodiscard]] std::vector<DocumentCommand> clipCommands();

@@ -46,6 +46,11 @@ Vec3 leftOf(const Document& document) {
   return plane ? plane->normal : Vec3(1.0, 0.0, 0.0);
 }
 
+/// About the vertical, from one way to the left to another one; both are level.
+Quat turnBetweenLefts(const Vec3& from, const Vec3& to) {
+  return axisAngle(Vec3(0.0, 1.0, 0.0), std::atan2(glm::cross(from, to).y, glm::dot(from, to)));
+}
+
 double legLengthOf(const rig::ControllerList& list) {
   const rig::Controller* const hips = list.controller("hips");
   return hips == nullptr ? 1.0 : hips->length;
@@ -98,13 +103,27 @@ SeenPose mirroredPose(const Document& document, const SeenPose& pose) {
   return mirrored;
 }
 
+SeenPose standardised(const SeenPose& pose) {
+  SeenPose standard;
+  const Quat facing = turnBetweenLefts(pose.leftWorld, standard.leftWorld);
+  standard.leftOnItsWay = facing * pose.leftOnItsWay;
+  standard.values = pose.values;
+  for (SeenController seen : pose.controllers) {
+    seen.placeWorld = facing * (seen.placeWorld - pose.standingWorld) / pose.legLength;
+    seen.turnWorld = facing * seen.turnWorld * glm::inverse(facing);
+    if (seen.fromBase) {
+      seen.fromBase = facing * *seen.fromBase;
+    }
+    standard.controllers.push_back(std::move(seen));
+  }
+  return standard;
+}
+
 std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& pose,
                                     const Vec3& standingWorld) {
   const rig::ControllerList list = controllersOf(moment.document);
   const bool sameCharacter = pose.of == moment.document.scene;
-  const Vec3 left = leftOf(moment.document); // level, as that of the pose: turned about the vertical alone
-  const Quat facing = axisAngle(
-      Vec3(0.0, 1.0, 0.0), std::atan2(glm::cross(pose.leftWorld, left).y, glm::dot(pose.leftWorld, left)));
+  const Quat facing = turnBetweenLefts(pose.leftWorld, leftOf(moment.document));
   const double scale = legLengthOf(list) / pose.legLength;
   std::vector<SeenController> goals;
   for (SeenController goal : pose.controllers) {

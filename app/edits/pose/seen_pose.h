@@ -52,6 +52,10 @@ struct SeenPose {
 /// is symmetric by. What has no other side is left out.
 [[nodiscard]] SeenPose mirroredPose(const Document& document, const SeenPose& pose);
 
+/// The pose as a library keeps it: of no character, standing at the origin with its left along +X, in lengths
+/// of the leg.
+[[nodiscard]] SeenPose standardised(const SeenPose& pose);
+
 /// Returns where the pose wants each controller of the moment's character: where it was seen, on the
 /// character that it was seen on; on another one in proportion to its limbs, standing on `standingWorld` and
 /// facing its own way. What that character lacks is left out.

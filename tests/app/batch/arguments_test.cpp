@@ -317,6 +317,22 @@ TEST_CASE("An option that switches something off says so") {
   CHECK(optionHelp(*pull).starts_with("Switches this off: "));
 }
 
+namespace {
+
+std::vector<RefusedLine> refusedPoses(const std::string& out, const std::string& trails) {
+  return {
+      {{"pose", dummy, "-o", out}, "nothing was asked for"},
+      {{"pose", dummy, "-o", out, "--pose", "Bow"}, "'Bow' is no pose of the library"},
+      {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-frame", "61"},
+       "frame 61 lies outside the clip, which has the frames 0 to 60"},
+      {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-amount", "1.5"}, "1.5 is no amount"},
+      {{"pose", dummy, "-o", out, "--pose", trails}, "is missing"},
+      {{"pose", dummy, "-o", out, "--recipe", trails}, "holds no adjustments, pins, grips or props"},
+  };
+}
+
+} // namespace
+
 TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothing") {
   const test::TemporaryFolder inputs;
   const test::TemporaryFolder outputs;
@@ -361,11 +377,11 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
        "the range lies outside the clip, which has the frames 0 to 60"},
       {{"resave", dummy, "-o", dummy}, "is read and would be written over"},
       {{"trail", tube, "--limb", "left-arm"}, "is a sequence of meshes, no character with joints"},
-      {{"pose", dummy, "-o", out}, "nothing was asked for"},
-      {{"pose", dummy, "-o", out, "--recipe", trails}, "holds no adjustments, pins, grips or props"},
       {{"rig", dummy, "-o", out}, "the file has a skeleton already, and no joint is made"},
   };
+  const std::vector<RefusedLine> poses = refusedPoses(out, trails);
   lines.insert(lines.end(), others.begin(), others.end());
+  lines.insert(lines.end(), poses.begin(), poses.end());
   for (const RefusedLine& line : lines) {
     INFO(line.reason);
     const test::VerbAnswer answer = test::runVerb(line.words);

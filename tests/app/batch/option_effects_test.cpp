@@ -383,7 +383,9 @@ TEST_CASE("Every option of pose changes the keys that it writes") {
       {"controller": "left-hand", "keys": [{"frame": 10, "move": [0.3, 2, 0.1]}]},
       {"attribute": "left-arm.stretch", "keys": [{"frame": 0, "value": 1}]}]})");
   inputs.write("table.csv", "controller,frame,move_y\nright-hand,10,0.2\n");
+  inputs.write("guard.json", test::raisedHandPose);
   const std::string recipe = "--recipe IN/recipe.json";
+  const std::string guard = "--pose IN/guard.json --pose-frame 10";
   const std::string prop = "--prop IN/sheets.glb";
   checkTable(
       {"pose", "--json --clean",
@@ -400,6 +402,11 @@ TEST_CASE("Every option of pose changes the keys that it writes") {
                     {"--key-frames", "--recipe IN/low.json --pin-feet",
                      "--recipe IN/low.json --pin-feet --key-frames whole"},
                     {"--pin-feet", "--recipe IN/low.json", "--recipe IN/low.json --pin-feet"},
+                    {"--pose", recipe, recipe + ' ' + guard},
+                    {"--pose-frame", guard, "--pose IN/guard.json --pose-frame 12"},
+                    {"--pose-range", guard, guard + " --pose-range 2:16"},
+                    {"--pose-amount", guard, guard + " --pose-amount 0.5"},
+                    {"--pose-mirrored", guard, guard + " --pose-mirrored"},
                     {"--prop", recipe, recipe + ' ' + prop},
                     {"--prop-hand", prop, prop + " --prop-hand left-arm"},
                     {"--prop-frame", prop, prop + " --prop-frame 24"},
@@ -562,13 +569,11 @@ TEST_CASE("Every option of compare and flatten changes what they tell") {
 TEST_CASE("Every option of styles changes what it tells or writes") {
   const TemporaryFolder inputs;
   addCharacters(inputs);
-  REQUIRE(runVerb({"exaggerate", (inputs / "dummy.glb").string(), "-o", (inputs / "worked.glb").string(),
-                   "--limb", "left-arm", "--range", "21:27", "--scale", "2"})
-              .exitCode == 0);
-  REQUIRE(
-      runVerb({"exaggerate", (inputs / "odd.glb").string(), "--tolerant", "-o",
-               (inputs / "odd-work.glb").string(), "--limb", "left-arm", "--range", "21:27", "--scale", "2"})
-          .exitCode == 0);
+  for (const auto& [from, to] : {std::pair{"dummy.glb", "worked.glb"}, {"odd.glb", "odd-work.glb"}}) {
+    REQUIRE(runVerb({"exaggerate", (inputs / from).string(), "--tolerant", "-o", (inputs / to).string(),
+                     "--limb", "left-arm", "--range", "21:27", "--scale", "2"})
+                .exitCode == 0);
+  }
   const std::string take = "--take IN/worked.glb";
   checkTable({"styles", "--json",
               joinedRows({{"--style", "", "--style Subtle"},

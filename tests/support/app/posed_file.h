@@ -15,6 +15,10 @@ namespace stretch::test {
 
 inline constexpr const char* posedCharacter = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
+/// A pose of the library: the left hand raised to the front.
+inline constexpr const char* raisedHandPose = R"({"version": 1, "name": "Guard", "controllers": [
+    {"controller": "left-hand", "place": [0.3, 1.6, 0.4], "turn": [0, 0, 0, 1], "from_base": [0.2, 0.3, 0.7]}]})";
+
 struct Posed {
   VerbAnswer answer;
   std::string path;

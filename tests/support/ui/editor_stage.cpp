@@ -91,7 +91,8 @@ EditorStage::EditorStage() : gui_(ImGui::CreateContext(&PanelDriver::fonts())) {
   io.DisplaySize = {windowWidth, windowHeight};
   io.DeltaTime = 1.0F / 60.0F;
   io.MousePos = {700.0F, 5.0F};
-  for (const int key : {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow}) {
+  for (const int key : {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow,
+                        ImGuiKey_LeftArrow, ImGuiKey_RightArrow}) {
     io.KeyMap[key] = key + 1;
   }
   shell.theme = PanelDriver::sharedTheme();
@@ -141,7 +142,10 @@ void EditorStage::frames(int count) {
 void EditorStage::settle() {
   constexpr int most = 20000;
   int waited = 0;
-  while ((isBusy(shell) || shell.ui.trails.clipStyle.working) && waited < most) {
+  const auto isWorking = [&] {
+    return isBusy(shell) || shell.ui.trails.clipStyle.working || shell.beside.library.picture != nullptr;
+  };
+  while (isWorking() && waited < most) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     update({});
     ++waited;
@@ -248,7 +252,8 @@ Lines EditorStage::lines() {
                                                {"what a dropped file is for", !dialogs.dropped.path.empty()},
                                                {"retime", shell.ui.time.retime.open},
                                                {"joints", shell.ui.body.jointPick.open},
-                                               {"style of the clip", shell.ui.trails.clipStyle.open}};
+                                               {"style of the clip", shell.ui.trails.clipStyle.open},
+                                               {"pose library", shell.ui.body.library.open}};
   for (const auto& [name, isOpen] : open) {
     lines[std::string("open : ") + name] += isOpen ? 1 : 0;
   }
@@ -257,6 +262,13 @@ Lines EditorStage::lines() {
     ++lines[fmt::format("dialog of files : for {} , typed '{}'", static_cast<int>(files.purpose),
                         files.typed)];
   }
+  const PoseLibraryState& library = shell.ui.body.library;
+  for (const app::LibraryPose& pose : library.poses) {
+    ++lines["pose of the library : " + pose.name];
+  }
+  ++lines[fmt::format("library : {} chosen , {:.2f} of it , mirrored {} , typed '{}' , can be taken {} : {}",
+                      library.chosen, library.amount, library.mirrored, library.typedName, library.reaches,
+                      library.remark)];
   Lines placed;
   for (const auto& [line, count] : lines) {
     placed[withoutFolder(withoutFolder(line, folder.path().string(), "FOLDER"), STRETCH_SOURCE_DIR,

@@ -9,8 +9,8 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/ui/change.h"
 #include "tests/support/ui/work.h"
-#include "ui/shell/input.h"
 #include "ui/shell/shell.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::test {
 

@@ -14,7 +14,7 @@
 
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/render/picture/image_edits.h"
-#include "ui/shell/input.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::test {
 

@@ -10,7 +10,7 @@
 #include "tests/support/ui_driver/document_watch.h"
 #include "tests/support/ui_driver/monkey.h"
 #include "ui/shell/editor.h"
-#include "ui/shell/gui.h"
+#include "ui/shell/window/gui.h"
 
 namespace stretch::test {
 

@@ -26,6 +26,7 @@
 #include "core/gltf/load/load_as_it_stands.h"
 #include "rig/limb.h"
 #include "skinning/linear_blend_skinning.h"
+#include "tests/support/ui_driver/kept_state.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/style_work.h"
@@ -196,12 +197,6 @@ std::string groupLimbs(const app::Session& session) {
   return joined(limbs);
 }
 
-/// What the user called the selected trail's group.
-std::string groupName(const app::Session& session) {
-  const rig::Trail* const trail = app::selectedTrail(session);
-  return trail == nullptr ? "" : trail->groupName;
-}
-
 /// Of all trails of the viewed clip, in their order, by their places in the palette: "0 1".
 std::string coloursOf(const app::Session& session) {
   std::vector<std::string> colours;
@@ -345,7 +340,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"fps", [&] { return number(app::clipOf(session.document(), view.clip).framesPerSecond); }},
       {"history", [&] { return std::to_string(session.history().position()); }},
       {"group", [&] { return groupLimbs(session); }},
-      {"group.name", [&] { return groupName(session); }},
       {"colours", [&] { return coloursOf(session); }},
       {"scales", [&] { return scalesOf(session); }},
       {"tangents", [&] { return tangentCount(session); }},
@@ -499,6 +493,9 @@ std::optional<std::string> skinState(const Shell& shell, std::string_view name) 
 }
 
 std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  if (std::optional<std::string> kept = keptState(shell, name)) {
+    return kept;
+  }
   if (std::optional<std::string> skin = skinState(shell, name)) {
     return skin;
   }

@@ -79,6 +79,20 @@ struct Dialog {
   Prepare prepare = test::withNothing;
 };
 
+/// Four poses without pictures, of which the second is taken by half and one hand is held elsewhere.
+void openLibrary(UiState& ui) {
+  PoseLibraryState& library = ui.body.library;
+  library.open = true;
+  for (const char* const name : {"Bow", "Guard", "Low guard", "Wave"}) {
+    library.poses.push_back({name, {}});
+  }
+  library.chosen = 1;
+  library.typedName = "Guard";
+  library.amount = 0.5;
+  library.reaches = true;
+  library.remark = "the left hand is held elsewhere";
+}
+
 const Dialog dialogs[] = {
     {"files", 720.0F, 560.0F,
      [](UiState& ui) {
@@ -101,6 +115,8 @@ const Dialog dialogs[] = {
        ui.body.jointPick.limbId = "left-arm";
      },
      test::withLimb},
+    {"pose-library", 420.0F, 620.0F, openLibrary, test::withControllers},
+    {"pose-library-empty", 420.0F, 300.0F, [](UiState& ui) { ui.body.library.open = true; }, test::withLimb},
     {"unsaved", 560.0F, 240.0F, [](UiState&) {},
      [](const test::Work& work) {
        test::withTrail(work);

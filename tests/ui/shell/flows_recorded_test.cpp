@@ -34,6 +34,10 @@ FlowStep key(const std::string& chord) {
 FlowStep ask(const char* id) {
   return {std::string("command ") + id, [id](EditorStage& stage) { stage.run(id); }};
 }
+/// Until a dialog that was just opened has its place.
+FlowStep look() {
+  return {"look", [](EditorStage& stage) { stage.frames(3); }};
+}
 FlowStep click(const std::string& widget) {
   return {"click " + widget, [widget](EditorStage& stage) { stage.click(widget); }};
 }
@@ -98,6 +102,37 @@ std::vector<Flow> flows() {
        test::withLimb,
        {ask(command::clipExaggerate), click("clip-style/Exaggerate"), key("Ctrl+Z"),
         ask(command::clipExaggerate), click("clip-style/Cancel"), ask(command::clipExaggerate), escape()}},
+      {"poses of the library, tried, taken, named and deleted",
+       test::withLimb,
+       {ask(command::poseLibrary),
+        look(),
+        click("pose.keep"),
+        look(),
+        click("pose-library/name"),
+        typeText("Guard"),
+        enter(),
+        escape(),
+        ask(command::momentNext),
+        ask(command::poseLibrary),
+        look(),
+        click("pose-library/pose-0"),
+        look(),
+        click("pose-library/mirrored"),
+        click("pose-library/Pose"),
+        key("Ctrl+Z"),
+        ask(command::poseLibrary),
+        look(),
+        click("pose-library/pose-0"),
+        look(),
+        click("pose-library/Cancel"),
+        ask(command::poseKeep),
+        look(),
+        click("pose.forget"),
+        escape()}},
+      {"selection sets, kept, named and forgotten",
+       test::withLimb,
+       {click("selection.keep"), key("F2"), typeText("Punch"), enter(), key("0"), ask(command::selectionNext),
+        click("selection.forget"), key("Ctrl+Z")}},
       {"a thing that is dropped on a character",
        test::withLimb,
        {drop("tests/ui/things/bat.gltf"), escape(), drop("tests/ui/things/bat.gltf"), enter()}},

@@ -16,8 +16,8 @@
 #include "ui/panels/context/view_schema.h"
 #include "ui/panels/frame/pane_layout.h"
 #include "ui/shell/file_work.h"
-#include "ui/shell/input.h"
 #include "ui/shell/user_settings.h"
+#include "ui/shell/window/input.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -5,7 +5,7 @@
 
 #include "app/commands/table/selection.h"
 #include "tests/support/app/boxer.h"
-#include "ui/viewport/shown_controllers.h"
+#include "ui/viewport/shown/shown_controllers.h"
 #include "ui/viewport/tools.h"
 
 using namespace stretch;

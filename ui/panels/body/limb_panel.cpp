@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/commands/body/selection_sets.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/moments.h"
 #include "app/commands/table/selection.h"
 #include "app/document.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/pose_edits.h"
+#include "app/edits/pose/selection_set_edits.h"
 #include "rig/body/reading/planned_body.h"
 #include "ui/panels/body/controller_panel.h"
 #include "ui/panels/context/panel_support.h"
@@ -195,6 +197,30 @@ void jointList(PanelContext& context) {
   }
 }
 
+/// Selection sets, and what keeps or forgets one.
+void selectionSetRow(PanelContext& context) {
+  app::Session& session = context.character();
+  const std::vector<app::SelectionSet>& sets = session.document().selectionSets;
+  const app::SelectionSet* const selected = app::setOfSelection(session.document(), session.view().selection);
+  std::vector<Choice> choices;
+  for (const app::SelectionSet& set : sets) {
+    choices.push_back({.text = set.name, .help = {set.name, "Selects it; Shift adds it.", {}}});
+  }
+  const float buttons = 2.0F * context.theme.px(34.0F); // icon buttons, with their gaps
+  const Help help{"Selection sets", "Limbs or controllers that are selected together.", {}};
+  const int chosen =
+      dropdown(widgetsOf(context), "limb/selection-set", choices,
+               selected == nullptr ? -1 : static_cast<int>(selected - sets.data()), help,
+               ImGui::GetContentRegionAvail().x - buttons, sets.empty() ? "No set yet" : "Sets");
+  if (chosen >= 0) {
+    app::selectSet(session, sets[static_cast<std::size_t>(chosen)], ImGui::GetIO().KeyShift);
+  }
+  ImGui::SameLine(0.0F, context.theme.px(4.0F));
+  iconButton(context, command::selectionKeep, icon::plus, "+");
+  iconButton(context, command::selectionForget, icon::trash, "-");
+  ImGui::NewLine();
+}
+
 /// A limb of several that are selected keeps them, so that the menu acts on all.
 void selectForMenu(PanelContext& context, const std::string& limbId) {
   if (!app::isSelected(context.character(), limbId)) {
@@ -302,6 +328,7 @@ void drawLimbPanel(PanelContext& context) {
            limbSelectionText(session), 0.5F);
   chainChips(context);
   jointList(context);
+  selectionSetRow(context);
 }
 
 } // namespace stretch::ui

@@ -45,6 +45,7 @@ void drawJointDialog(PanelContext& context);
 void drawRenameDialog(PanelContext& context);
 void drawClipDialog(PanelContext& context);
 void drawClipStyleDialog(PanelContext& context);
+void drawPoseLibraryDialog(PanelContext& context);
 void drawHistoryDialog(PanelContext& context);
 
 } // namespace stretch::ui

@@ -28,6 +28,7 @@ app::Schema<ViewportOverlays> shownThings() {
           &V::shadeAs),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
+      setting<V>({.name = "view_cube", .help = "The cube whose sides are looked from."}, &V::viewCube),
       setting<V>({.name = "safe_frame", .help = "The part of the picture that every screen shows."},
                  &V::safeFrame),
       setting<V>({.name = "side_by_side", .help = "The original beside the exaggerated character."},

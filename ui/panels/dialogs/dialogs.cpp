@@ -221,6 +221,7 @@ void drawDialogs(PanelContext& context) {
   drawRenameDialog(context);
   drawClipDialog(context);
   drawClipStyleDialog(context);
+  drawPoseLibraryDialog(context);
   drawRetimeDialog(context);
   drawHistoryDialog(context);
   drawContextMenu(context);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/commands/pose/step_text.h"
+#include "app/edits/pose/selection_set_edits.h"
 #include "app/edits/trail/name_edits.h"
 #include "ui/panels/context/dialog_frame.h"
 #include "ui/widgets/dropdown.h"
@@ -18,7 +19,10 @@ void rename(PanelContext& context) {
     return;
   }
   const app::Document& document = context.character().document();
-  if (state.ofGroup) {
+  if (state.trail == 0) {
+    editOnce(context, "Rename the selection set",
+             app::renameSelectionSet(document, state.present, state.typed));
+  } else if (state.ofGroup) {
     editOnce(context, "Rename the group", app::renameGroup(document, state.trail, state.typed));
   } else {
     editOnce(context, "Rename the trail", app::renameTrail(document, state.trail, state.typed));
@@ -96,14 +100,18 @@ void drawRenameDialog(PanelContext& context) {
   if (!beginDialog(context,
                    {.id = "rename",
                     .icon = icon::pencil,
-                    .title = state.ofGroup ? "Rename the group" : "Rename the trail",
+                    .title = state.trail == 0 ? "Rename the selection set"
+                             : state.ofGroup  ? "Rename the group"
+                                              : "Rename the trail",
                     .width = 380.0F},
                    state.open)) {
     return;
   }
   static_cast<void>(editText(widgetsOf(context), "rename/name",
-                             state.ofGroup ? "The limbs' names" : "The limb's name", state.typed, 0.0F,
-                             opening || ImGui::IsWindowAppearing(), true));
+                             state.trail == 0 ? "A name of its own"
+                             : state.ofGroup  ? "The limbs' names"
+                                              : "The limb's name",
+                             state.typed, 0.0F, opening || ImGui::IsWindowAppearing(), true));
   const bool entered = enterPressed();
   const int clicked =
       dialogButtons(context, "rename", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Rename"}});

@@ -128,6 +128,8 @@ void poseMenu(PanelContext& context) {
              poseCopyOffsets,
              posePaste,
              posePasteMirrored,
+             poseLibrary,
+             poseKeep,
              poseTween,
              "",
              poseCurlMore,
@@ -153,8 +155,9 @@ std::vector<const char*> limbMenuEntries(const PanelContext& context) {
 void drawLimbMenu(PanelContext& context) {
   using namespace command;
   std::vector<const char*> entries = limbMenuEntries(context);
-  for (const char* const id : {selectAllLimbs, selectNone, "", weightToggle, weightAll, weightRemove, "",
-                               holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
+  for (const char* const id : {selectAllLimbs, selectNone, "", selectionKeep, selectionNext, selectionRename,
+                               selectionForget, "", weightToggle, weightAll, weightRemove, "", holdPin,
+                               holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
     entries.push_back(id);
   }
   drawMenu(context, {"Limb", std::move(entries)}, false);
@@ -243,6 +246,7 @@ void viewMenu(PanelContext& context) {
                               viewGhosts,
                               viewFrameNumbers,
                               viewGrid,
+                              viewCube,
                               viewSideBySide}},
            false);
 }

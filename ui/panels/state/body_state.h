@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+
+#include "app/files/user_poses.h"
 #include "core/scene/scene.h"
 
 namespace stretch::ui {
@@ -25,6 +29,23 @@ struct WeightView {
   std::string filter = {};                   ///< Typed into the list of joints.
 };
 
+/// The library of poses, while one is tried on the character before it is kept.
+struct PoseLibraryState {
+  bool open = false;
+  std::vector<app::LibraryPose> poses = {}; ///< By name.
+  std::vector<ImTextureID> pictures = {};   ///< Pictures of the poses; null: none.
+  std::uint64_t version = 0;                ///< Counts how often the list, or a picture, changed.
+  int chosen = -1;                          ///< Into poses; -1: none.
+  double amount = 1.0;
+  bool mirrored = false;
+  std::string typedName = {};
+  std::string remark = {}; ///< Why the chosen pose cannot be taken, or which controllers do not come there.
+  bool reaches = false;    ///< The chosen pose can be taken.
+  bool changed = false;    ///< The preview is to be made anew.
+  bool renamed = false;    ///< The typed name is to be taken.
+  bool accepted = false;   ///< The preview is to be kept.
+};
+
 /// The panels of limbs, rig and controllers.
 struct BodyPanels {
   JointPick jointPick;
@@ -32,6 +53,7 @@ struct BodyPanels {
   std::string jointFilter;  ///< Typed into the list of joints.
   std::string expandedLimb; ///< Limb whose reasons the rig panel shows.
   double tween = 0.5;       ///< Place of the tween that is dragged, from key (0) to key (1).
+  PoseLibraryState library;
 };
 
 } // namespace stretch::ui

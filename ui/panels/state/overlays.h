@@ -16,6 +16,7 @@ struct ViewportOverlays {
   bool weights = false; ///< Weights of one joint (WeightView), as colour.
   bool ghosts = false;
   bool grid = true;
+  bool viewCube = true;
   bool trailFrameNumbers = false;
   bool trailTicks = true;
   bool safeFrame = false;              ///< The part of the picture that every screen shows.

@@ -11,10 +11,10 @@
 
 namespace stretch::ui {
 
-/// A trail, or a group of trails, that is given a name.
+/// A trail, a group of trails, or a selection set that is given a name.
 struct RenameState {
   bool open = false;
-  int trail = 0; ///< Id; of one in the group.
+  int trail = 0; ///< Id; of one in the group; 0: a selection set is named.
   bool ofGroup = false;
   std::string present = {}; ///< Its name.
   std::string typed = {};

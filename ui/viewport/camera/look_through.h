@@ -7,6 +7,7 @@
 #include "app/document.h"
 #include "core/anim/frame_state.h"
 #include "ui/render/view/camera_view.h"
+#include "ui/render/view/view_cube.h"
 
 namespace stretch::ui {
 
@@ -28,6 +29,7 @@ struct ViewportLook {
   ViewBookmarks kept = {};
   double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
                                  ///< start.
+  std::optional<CubePart> hoveredPart = {}; ///< Part of the view cube under the mouse.
 };
 
 /// A camera of the file in a frame of the document, to be looked through; nothing where its node is squashed

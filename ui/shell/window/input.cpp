@@ -1,4 +1,4 @@
-#include "ui/shell/input.h"
+#include "ui/shell/window/input.h"
 
 #include <algorithm>
 #include <array>

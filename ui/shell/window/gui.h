@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/shell/window.h"
+#include "ui/shell/window/window.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {

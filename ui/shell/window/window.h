@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "ui/shell/input.h"
+#include "ui/shell/window/input.h"
 
 namespace stretch::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/viewport/shown_trails.h"
+#include "ui/viewport/shown/shown_trails.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "ui/viewport/tangent_handles.h"
+#include "ui/viewport/shown/tangent_handles.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,4 @@
-#include "ui/shell/gui.h"
+#include "ui/shell/window/gui.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "ui/shell/window.h"
+#include "ui/shell/window/window.h"
 
 #include <algorithm>
 #include <utility>

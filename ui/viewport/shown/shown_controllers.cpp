@@ -1,4 +1,4 @@
-#include "ui/viewport/shown_controllers.h"
+#include "ui/viewport/shown/shown_controllers.h"
 
 #include <algorithm>
 

@@ -1,0 +1,159 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/commands/pose/library_posing.h"
+#include "app/commands/pose/posing.h"
+#include "app/commands/pose/seen_posing.h"
+#include "app/commands/table/selection.h"
+#include "core/math/rotation.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/refusal.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr double punchFrame = 27.0;
+
+SeenPose seenAt(Session& session, double frame) {
+  session.view().frame = frame;
+  return standardised(seenAtPlayhead(session));
+}
+
+const SeenController& seenOf(const SeenPose& pose, const std::string& id) {
+  const auto found = std::ranges::find(pose.controllers, id, &SeenController::id);
+  REQUIRE(found != pose.controllers.end());
+  return *found;
+}
+
+rig::PlacedController placedNow(Session& session, const std::string& id) {
+  const std::vector<rig::PlacedController>& placed = session.controllersAt(session.view().frame);
+  const auto found = std::ranges::find(placed, id, &rig::PlacedController::id);
+  REQUIRE(found != placed.end());
+  return *found;
+}
+
+/// Where the hips stand on the ground.
+Vec3 standing(Session& session) {
+  const Vec3 hips = placedNow(session, "hips").placeWorld;
+  return {hips.x, 0.0, hips.z};
+}
+
+std::vector<std::string> idsOf(const OffsetPose& pose) {
+  std::vector<std::string> ids;
+  std::ranges::transform(pose.offsets, std::back_inserter(ids), &ControllerOffset::id);
+  return ids;
+}
+
+} // namespace
+
+TEST_CASE("A pose in standard form stands at the origin, faces +Z and counts in lengths of the leg") {
+  SeenPose pose;
+  pose.standingWorld = Vec3(3.0, 0.0, 4.0);
+  pose.leftWorld = Vec3(0.0, 0.0, -1.0); // It faces +X.
+  pose.leftOnItsWay = Vec3(0.0, 0.0, -1.0);
+  pose.legLength = 2.0;
+  const Quat quarter = axisAngle(Vec3(1.0, 0.0, 0.0), 0.5 * pi); // About the way that it faces.
+  pose.controllers = {{"right-hand", Vec3(5.0, 3.0, 4.0), quarter, Vec3(0.5, 0.25, 0.0)}};
+  pose.values = {{"right-hand.curl", 0.5}};
+  const SeenPose standard = standardised(pose);
+  CHECK(standard.of == nullptr);
+  CHECK(standard.standingWorld == Vec3(0.0));
+  CHECK(standard.legLength == 1.0);
+  CHECK(standard.leftWorld == Vec3(1.0, 0.0, 0.0));
+  CHECK(glm::length(standard.leftOnItsWay - Vec3(1.0, 0.0, 0.0)) < 1e-12);
+  const SeenController& hand = standard.controllers.front();
+  CHECK(glm::length(hand.placeWorld - Vec3(0.0, 1.5, 1.0)) < 1e-12);
+  CHECK(glm::length(*hand.fromBase - Vec3(0.0, 0.25, 0.5)) < 1e-12);
+  CHECK(angleBetween(hand.turnWorld, axisAngle(Vec3(0.0, 0.0, 1.0), 0.5 * pi)) < 1e-7);
+  CHECK(standard.values == pose.values);
+}
+
+TEST_CASE(
+    "A pose of the library is taken by halves: offsets half as far, and wholly every controller is there") {
+  Session session(test::openedFile(test::posedCharacter));
+  const SeenPose punch = seenAt(session, punchFrame);
+  session.view().frame = 5.0;
+  const rig::PlacedController before = placedNow(session, "left-hand");
+  const Result<PoseBlend> blend = blendInto(session, punch);
+  REQUIRE(blend);
+  CHECK(blend->missed.empty());
+  REQUIRE(blend->from.offsets.size() == blend->to.offsets.size());
+  const OffsetPose half = blended(*blend, 0.5);
+  REQUIRE(half.offsets.size() == blend->to.offsets.size());
+  for (std::size_t i = 0; i < half.offsets.size(); ++i) {
+    CHECK(half.offsets[i].id == blend->from.offsets[i].id);
+    CHECK(glm::length(half.offsets[i].move - 0.5 * blend->to.offsets[i].move) < 1e-12);
+    CHECK(glm::length(half.offsets[i].turn - 0.5 * blend->to.offsets[i].turn) < 1e-12);
+  }
+  CHECK(blended(*blend, 0.0) == blend->from);
+  REQUIRE(poseAll(session, blended(*blend, 1.0), "Take"));
+  const Vec3 wanted = seenOf(punch, "left-hand").placeWorld;
+  const double leg = controllersOf(session.document()).controller("hips")->length;
+  const Vec3 now = (placedNow(session, "left-hand").placeWorld - standing(session)) / leg;
+  CHECK(glm::length(now - wanted) < 5e-3);
+  CHECK(glm::length(placedNow(session, "left-hand").placeWorld - before.placeWorld) > 0.1);
+}
+
+TEST_CASE(
+    "A value is blended from what it is to what the pose has, and what was posed before is where it begins") {
+  Session session(test::openedFile(test::posedCharacter));
+  session.view().frame = 5.0;
+  REQUIRE(poseAll(session, {{}, {{"left-hand.curl", 1.0}}}, "Fist"));
+  const SeenPose fist = seenAt(session, 5.0);
+  REQUIRE(poseAll(session, {{}, {{"left-hand.curl", -0.2}}}, "Open"));
+  const Result<PoseBlend> blend = blendInto(session, fist);
+  REQUIRE(blend);
+  CHECK(blend->from.values == std::vector<AttributeValue>{{"left-hand.curl", -0.2}});
+  CHECK(blend->to.values == std::vector<AttributeValue>{{"left-hand.curl", 1.0}});
+  CHECK(blended(*blend, 0.25).values.front().value == Approx(0.1));
+}
+
+TEST_CASE("Selected controllers alone take the pose, with the attributes that go with them") {
+  Session session(test::openedFile(test::posedCharacter));
+  const SeenPose punch = seenAt(session, punchFrame);
+  session.view().frame = 5.0;
+  selectControllers(session, {"left-hand", "head"});
+  const Result<PoseBlend> blend = blendInto(session, punch);
+  REQUIRE(blend);
+  for (const std::string& id : idsOf(blend->to)) {
+    INFO(id);
+    CHECK((id == "left-hand" || id == "head"));
+  }
+  CHECK(std::ranges::count(idsOf(blend->to), "left-hand") == 1);
+}
+
+TEST_CASE("A pose that cannot be taken says why") {
+  Session session(test::openedFile(test::posedCharacter));
+  const SeenPose punch = seenAt(session, punchFrame);
+  SECTION("the character stands so") {
+    CHECK_THAT(test::refusal(blendInto(session, punch)),
+               Catch::StartsWith("the character stands so already"));
+  }
+  SECTION("it has none of the selected controllers") {
+    SeenPose feet = punch;
+    std::erase_if(feet.controllers, [](const SeenController& seen) { return seen.id != "left-foot"; });
+    selectControllers(session, {"left-hand"});
+    CHECK_THAT(test::refusal(blendInto(session, feet)),
+               Catch::StartsWith("the pose has none of these controllers"));
+  }
+  SECTION("the character has none of its controllers") {
+    SeenPose wings = punch;
+    for (SeenController& seen : wings.controllers) {
+      seen.id += "-wing";
+    }
+    CHECK_THAT(test::refusal(blendInto(session, wings)),
+               Catch::StartsWith("the pose has none of these controllers"));
+  }
+  SECTION("the working range does not hold the playhead") {
+    session.view().rangeStart = 30.0;
+    session.view().rangeEnd = 40.0;
+    session.view().frame = 5.0;
+    CHECK_THAT(test::refusal(blendInto(session, punch)), Catch::Contains("range"));
+  }
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+/// State of what the user keeps under names: "selection-sets", "group.name", "poses", "pose-library-open",
+/// and "pose-picture" while one is being drawn. Nothing for another name. A character is open.
+[[nodiscard]] std::optional<std::string> keptState(const Shell& shell, std::string_view name);
+
+} // namespace stretch::ui

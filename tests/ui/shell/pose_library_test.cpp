@@ -1,0 +1,174 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include "app/commands/pose/posing.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "app/files/user_poses.h"
+#include "tests/support/ui/editor_stage.h"
+#include "ui/render/picture/image_edits.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+namespace command = stretch::app::command;
+
+namespace {
+
+constexpr double punchFrame = 27.0;
+
+/// The bundled character at its punch, with the pose of its guard in the library.
+struct Library : test::EditorStage {
+  Library() {
+    test::withLimb(work());
+    frames(2);
+    settle();
+    run(command::selectNone);
+    run(command::timeStart);
+    run(command::poseKeep);
+    settle();
+    pressWidgetKey(ImGuiKey_Escape);
+    frames(2);
+    session().view().frame = punchFrame;
+  }
+  void open() {
+    run(command::poseLibrary);
+    frames(3);
+  }
+  [[nodiscard]] PoseLibraryState& library() { return shell.ui.body.library; }
+  [[nodiscard]] Vec3 hand() {
+    for (const rig::PlacedController& placed : session().controllersAt(punchFrame)) {
+      if (placed.id == "left-hand") {
+        return placed.placeWorld;
+      }
+    }
+    return Vec3(0.0);
+  }
+};
+
+} // namespace
+
+TEST_CASE("A pose is kept with a picture of the character and a free name, and the library shows it",
+          "[jobs]") {
+  Library stage;
+  stage.open();
+  REQUIRE(stage.library().poses.size() == 1);
+  CHECK(stage.library().poses[0].name == "Pose 1");
+  CHECK(stage.library().chosen == -1);
+  const Result<Image> picture = readPng(app::pictureOfPose(app::posesFolder(), "Pose 1"));
+  REQUIRE(picture);
+  CHECK(picture->width == picture->height);
+  stage.run(command::poseKeep);
+  stage.settle();
+  stage.frames(3);
+  REQUIRE(stage.library().poses.size() == 2);
+  CHECK(stage.library().poses[1].name == "Pose 2");
+  CHECK(stage.library().chosen == 1);
+}
+
+TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc takes it off again", "[jobs]") {
+  Library stage;
+  const Vec3 before = stage.hand();
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  const Vec3 guard = stage.hand();
+  CHECK(glm::length(guard - before) > 0.2);
+  CHECK(stage.session().history().position() == 0);
+  stage.library().amount = 0.5;
+  stage.library().changed = true;
+  stage.frames(2);
+  CHECK(glm::length(stage.hand() - before) < 0.9 * glm::length(guard - before));
+  CHECK(glm::length(stage.hand() - before) > 0.1 * glm::length(guard - before));
+  stage.pressWidgetKey(ImGuiKey_Escape);
+  stage.frames(3);
+  CHECK_FALSE(stage.library().open);
+  CHECK(glm::length(stage.hand() - before) == 0.0);
+  CHECK(stage.session().document().adjustments.empty());
+}
+
+TEST_CASE("What is taken from the library is one step that says which pose it was", "[jobs]") {
+  Library stage;
+  const Vec3 before = stage.hand();
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  const Vec3 tried = stage.hand();
+  stage.click("pose-library/Pose");
+  stage.frames(3);
+  CHECK_FALSE(stage.library().open);
+  CHECK(glm::length(stage.hand() - tried) < 1e-9);
+  CHECK(stage.session().history().undoLabel() == "Take the pose Pose 1");
+  CHECK(stage.session().history().position() == 1);
+  stage.session().undo();
+  CHECK(glm::length(stage.hand() - before) == 0.0);
+}
+
+TEST_CASE("While auto-key is off a pose of the library is shown without a key", "[jobs]") {
+  Library stage;
+  stage.session().view().autoKey = false;
+  const Vec3 before = stage.hand();
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  stage.click("pose-library/Pose");
+  stage.frames(3);
+  CHECK(stage.session().document().adjustments.empty());
+  CHECK_FALSE(stage.session().view().unkeyed.empty());
+  CHECK(glm::length(stage.hand() - before) > 0.2);
+}
+
+TEST_CASE("Selected controllers alone take the pose, mirrored from the other side where that is asked for",
+          "[jobs]") {
+  Library stage;
+  app::selectControllers(stage.session(), {"left-hand"});
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  const Vec3 plain = stage.hand();
+  stage.click("pose-library/mirrored");
+  stage.frames(3);
+  CHECK(stage.library().mirrored);
+  CHECK(glm::length(stage.hand() - plain) > 0.02);
+  stage.click("pose-library/Pose");
+  stage.frames(3);
+  for (const rig::Adjustment& adjustment : stage.session().document().adjustments) {
+    CHECK_THAT(adjustment.controller, Catch::StartsWith("left-hand"));
+  }
+  CHECK_FALSE(stage.session().document().adjustments.empty());
+}
+
+TEST_CASE("A pose that the character has already can be looked at and not be taken", "[jobs]") {
+  Library stage;
+  stage.session().view().frame = 0.0;
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  CHECK_FALSE(stage.library().reaches);
+  CHECK(stage.library().remark == "the character stands so already");
+  CHECK_FALSE(stage.shell.items.find("pose-library/Pose")->enabled);
+  stage.pressWidgetKey(ImGuiKey_Enter);
+  stage.frames(2);
+  CHECK(stage.library().open);
+}
+
+TEST_CASE("The arrows go through the poses, and a deleted one is gone with its picture", "[jobs]") {
+  Library stage;
+  stage.open();
+  stage.run(command::poseKeep);
+  stage.settle();
+  stage.frames(3);
+  CHECK(stage.library().chosen == 1);
+  stage.pressWidgetKey(ImGuiKey_LeftArrow);
+  CHECK(stage.library().chosen == 0);
+  stage.pressWidgetKey(ImGuiKey_LeftArrow);
+  CHECK(stage.library().chosen == 0);
+  stage.pressWidgetKey(ImGuiKey_RightArrow);
+  CHECK(stage.library().chosen == 1);
+  stage.click("pose.forget");
+  stage.frames(3);
+  CHECK(stage.library().poses.size() == 1);
+  CHECK(stage.library().chosen == -1);
+  CHECK_FALSE(std::filesystem::exists(app::pictureOfPose(app::posesFolder(), "Pose 2")));
+  CHECK_FALSE(stage.shell.items.find("pose.forget")->enabled);
+}

@@ -1,0 +1,183 @@
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "ui/panels/context/dialog_frame.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int columns = 3;
+
+void drawPicture(const Theme& theme, ImTextureID picture, const Rect& box) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  if (picture == nullptr) {
+    list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
+    return;
+  }
+  list->AddImageRounded(picture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
+                        theme.corner());
+}
+
+/// A pose: its picture over its name. True when it was clicked.
+bool poseCard(PanelContext& context, std::size_t place, float width) {
+  const PoseLibraryState& state = context.ui.body.library;
+  const Theme& theme = context.theme;
+  const WidgetContext widgets = widgetsOf(context);
+  const std::string& name = state.poses[place].name;
+  const float pad = theme.px(4.0F);
+  const float nameHeight = theme.px(20.0F);
+  const Control card =
+      takePlace(widgets, "pose-library/pose-" + std::to_string(place), {width, width + nameHeight});
+  if (card.visible) {
+    const bool isChosen = static_cast<int>(place) == state.chosen;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(card.box.min, card.box.max,
+                        isChosen       ? theme.colours.accentQuiet
+                        : card.hovered ? theme.colours.hovered
+                                       : theme.colours.raised,
+                        theme.corner());
+    drawPicture(
+        theme, place < state.pictures.size() ? state.pictures[place] : nullptr,
+        {{card.box.min.x + pad, card.box.min.y + pad}, {card.box.max.x - pad, card.box.max.y - nameHeight}});
+    drawText(widgets, theme.fonts.label,
+             {{card.box.min.x + pad, card.box.max.y - nameHeight}, {card.box.max.x - pad, card.box.max.y}},
+             theme.colours.text, name, 0.5F);
+    if (isChosen) {
+      list->AddRect(card.box.min, card.box.max, theme.colours.accent, theme.corner(), 0, theme.px(2.0F));
+    }
+  }
+  tooltip(widgets, {name, "Shows the character in this pose.", {}});
+  return card.clicked;
+}
+
+void choose(PoseLibraryState& state, int place) {
+  state.chosen = place;
+  state.typedName = state.poses[static_cast<std::size_t>(place)].name;
+  state.changed = true;
+}
+
+/// The poses, row by row; the arrows go through them.
+void poseGrid(PanelContext& context) {
+  PoseLibraryState& state = context.ui.body.library;
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const float row = columnWidth(columns) + context.theme.px(20.0F) + gap;
+  constexpr float mostRows = 2.3F; // A third one that is cut says that there are more.
+  const auto needed = static_cast<float>((state.poses.size() + columns - 1) / columns);
+  const float rows = std::min(needed, mostRows);
+  if (!ImGui::GetIO().WantTextInput) {
+    const int before = state.chosen;
+    const int step = keyPressed(ImGuiKey_RightArrow, true)  ? 1
+                     : keyPressed(ImGuiKey_LeftArrow, true) ? -1
+                     : keyPressed(ImGuiKey_DownArrow, true) ? columns
+                     : keyPressed(ImGuiKey_UpArrow, true)   ? -columns
+                                                            : 0;
+    const int next = std::clamp(before + step, 0, static_cast<int>(state.poses.size()) - 1);
+    if (step != 0 && next != before) {
+      choose(state, next);
+    }
+  }
+  ImGui::BeginChild("pose-library/poses", {0.0F, rows * row});
+  const float width = columnWidth(columns);
+  for (std::size_t i = 0; i < state.poses.size(); ++i) {
+    if (i % columns != 0) {
+      ImGui::SameLine();
+    }
+    if (poseCard(context, i, width)) {
+      choose(state, static_cast<int>(i));
+    }
+  }
+  ImGui::EndChild();
+}
+
+void chosenRows(PanelContext& context) {
+  PoseLibraryState& state = context.ui.body.library;
+  const WidgetContext widgets = widgetsOf(context);
+  labelledRow(widgets, "Name", {"Name", "Of the pose in the library.", {}});
+  state.renamed =
+      editText(widgets, "pose-library/name", "A name of its own", state.typedName, 0.0F, false, true).ended ||
+      state.renamed;
+  const Help amountHelp{
+      "Amount", "How far the character is brought into the pose. Drag, or click and type.", {}};
+  labelledRow(widgets, "Amount", amountHelp);
+  const SliderSpec amount{.id = "pose-library/amount",
+                          .minimum = 0.0,
+                          .maximum = 1.0,
+                          .step = 0.05,
+                          .decimals = 0,
+                          .suffix = " %",
+                          .displayFactor = 100.0,
+                          .defaultValue = 1.0,
+                          .hardMinimum = 0.0,
+                          .hardMaximum = 1.0,
+                          .help = amountHelp};
+  state.changed = slider(widgets, amount, state.amount).changed || state.changed;
+  const Help mirroredHelp{"Mirrored", "Exchanges left and right.", {}};
+  labelledRow(widgets, "Mirrored", mirroredHelp);
+  if (toggle(widgets, "pose-library/mirrored", state.mirrored ? "On" : "Off", state.mirrored, mirroredHelp)) {
+    state.mirrored = !state.mirrored;
+    state.changed = true;
+  }
+}
+
+/// Which controllers the pose is for, and what it does not reach.
+std::string remarkOf(const PanelContext& context) {
+  const PoseLibraryState& state = context.ui.body.library;
+  const std::size_t selected = context.character().view().selection.controllers().size();
+  const std::string whom = selected == 0   ? "For the whole character."
+                           : selected == 1 ? "For the selected controller alone."
+                                           : fmt::format("For the {} selected controllers alone.", selected);
+  return state.remark.empty() ? whom : whom + " " + capitalised(state.remark) + ".";
+}
+
+} // namespace
+
+void drawPoseLibraryDialog(PanelContext& context) {
+  PoseLibraryState& state = context.ui.body.library;
+  if (!state.open || context.open.character() == nullptr) {
+    return;
+  }
+  if (!beginDialog(context,
+                   {.id = "pose-library",
+                    .icon = icon::person,
+                    .title = "Pose library",
+                    .width = 360.0F,
+                    .across = 1.0F,
+                    .darkens = false},
+                   state.open)) {
+    return;
+  }
+  if (state.poses.empty()) {
+    note(widgetsOf(context), "No poses yet. Pose the character, then press Keep this pose.");
+  } else {
+    poseGrid(context);
+  }
+  const float width = columnWidth(2);
+  commandButton(context, {.command = command::poseKeep, .text = "Keep this pose", .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::poseForget, .text = "Delete", .width = width});
+  const bool isChosen = state.chosen >= 0;
+  if (isChosen) {
+    chosenRows(context);
+    note(widgetsOf(context), remarkOf(context));
+  }
+  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
+  const int clicked = dialogButtons(
+      context, "pose-library",
+      {{.id = "", .text = "Cancel"}, {.id = "", .text = "Pose", .enabled = isChosen && state.reaches}});
+  state.accepted = state.accepted || ((entered || clicked == 1) && isChosen && state.reaches);
+  state.open = state.open && clicked != 0 && !state.accepted;
+  if (!state.open) {
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+} // namespace stretch::ui
