@@ -116,6 +116,7 @@ void takeWork(Shell& shell) {
   if (made && !state.changed && state.open) {
     state.made = made->moments;
     state.trails = made->trailIds;
+    state.accepted = state.accepted && !state.trails.empty(); // there is nothing to keep
     shell.open.character()->preview(made->document);
   }
 }

@@ -391,3 +391,44 @@ TEST_CASE("A dialog whose content has room does not scroll") {
   CHECK(dialog->ScrollMax.y == 0.0F);
   CHECK(dialog->DC.ChildWindows.empty());
 }
+
+TEST_CASE("A clip of which nothing is exaggerated cannot be kept, and says why") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  ui::ClipStyleState& state = driver.ui.trails.clipStyle;
+  rig::Moment moment;
+  moment.limb = "left-arm";
+  state.open = true;
+  state.moments = {moment};
+  state.on = {true};
+  const auto keep = [&] {
+    driver.frames(3);
+    driver.click("clip-style/Exaggerate");
+    driver.pressKey(ImGuiKey_Enter);
+    REQUIRE(driver.find("clip-style/Exaggerate") != nullptr);
+    CHECK(driver.find("clip-style/Exaggerate")->explained);
+    return state.accepted;
+  };
+  SECTION("left out") {
+    state.made = {{moment, 0, 1.0, false, "the style hardly stretches it"}};
+    CHECK(ui::whyNothing(state) == "the style hardly stretches it");
+    CHECK_FALSE(keep());
+    CHECK_FALSE(driver.find("clip-style/Exaggerate")->enabled);
+  }
+  SECTION("switched off") {
+    state.on = {false};
+    CHECK(ui::whyNothing(state) == "every moment is switched off");
+    CHECK_FALSE(keep());
+  }
+  SECTION("not known yet: kept as soon as it is") {
+    state.working = true;
+    CHECK(ui::whyNothing(state).empty());
+    CHECK(keep());
+  }
+  SECTION("exaggerated") {
+    state.made = {{moment, 1, 2.0, false, ""}};
+    state.trails = {1};
+    CHECK(ui::whyNothing(state).empty());
+    CHECK(keep());
+    CHECK(driver.find("clip-style/Exaggerate")->enabled);
+  }
+}

@@ -69,6 +69,9 @@ struct ClipStyleState {
   static constexpr int usualStyle = 6; ///< The average of the measured ones.
 };
 
+/// Why none of the clip's moments is exaggerated; empty where one is, or it is not known yet.
+[[nodiscard]] std::string whyNothing(const ClipStyleState& state);
+
 /// The panels of trails and their settings.
 struct TrailPanels {
   std::vector<rig::Style> styles = rig::builtInStyles(); ///< Styles that are offered: with the user's own.

@@ -104,7 +104,34 @@ void styleButtons(PanelContext& context) {
   commandButton(context, {.command = command::styleExport, .text = "Export", .width = width});
 }
 
+std::string progressText(const ClipStyleState& state) {
+  if (state.working || state.changed) {
+    return "Working it out\xE2\x80\xA6";
+  }
+  const std::string nothing = whyNothing(state);
+  const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
+  return fmt::format("{} of {} moments are exaggerated{}.", done, state.moments.size(),
+                     nothing.empty() ? ". Space plays the clip" : ": " + nothing);
+}
+
+/// Index of the button that was clicked.
+int clipButtons(PanelContext& context, const std::string& nothing) {
+  const std::string off = nothing.empty() ? "" : " Off: " + nothing + ".";
+  return dialogButtons(context, "clip-style",
+                       {{.id = "", .text = "Cancel"},
+                        {.id = "",
+                         .text = "Exaggerate",
+                         .help = {"Exaggerate", "Keeps the clip as it is shown, as one step." + off, {}},
+                         .enabled = nothing.empty()}});
+}
+
 } // namespace
+
+std::string whyNothing(const ClipStyleState& state) {
+  return state.working || state.changed || !state.trails.empty() ? ""
+         : state.made.empty()                                    ? "every moment is switched off"
+                                                                 : state.made.front().why;
+}
 
 void drawClipStyleDialog(PanelContext& context) {
   ClipStyleState& state = context.ui.trails.clipStyle;
@@ -128,17 +155,13 @@ void drawClipStyleDialog(PanelContext& context) {
   styleButtons(context);
   verticalSpace(widgetsOf(context), 4.0F);
   momentRows(context, state);
-  const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
-  note(widgetsOf(context), state.working || state.changed
-                               ? std::string("Working it out\xE2\x80\xA6")
-                               : fmt::format("{} of {} moments are exaggerated. Space plays the clip.", done,
-                                             state.moments.size()));
-  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
+  const std::string nothing = whyNothing(state);
+  note(widgetsOf(context), progressText(state));
+  const bool entered = nothing.empty() && enterPressed() && !ImGui::GetIO().WantTextInput;
   if (keyPressed(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput) {
     request(context, command::timePlay);
   }
-  const int clicked =
-      dialogButtons(context, "clip-style", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Exaggerate"}});
+  const int clicked = clipButtons(context, nothing);
   state.accepted = state.accepted || entered || clicked == 1;
   state.open = state.open && clicked != 0;
   if (!state.open) {
