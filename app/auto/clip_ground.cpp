@@ -20,11 +20,7 @@ namespace {
 
 // Of limbs and mesh in one frame.
 void lowerTo(const FrameState& frame, const LimbPlaces& places, ClipGround& ground) {
-  for (const std::vector<Vec3>& points : places) {
-    for (const Vec3& point : points) {
-      ground.lowest = std::min(ground.lowest, point.y);
-    }
-  }
+  ground.lowest = std::min(ground.lowest, lowestOf(places));
   const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, frame);
   ground.lowestVertices.push_back(vertex ? vertex->y : std::numeric_limits<double>::infinity());
   ground.lowestVertex = std::min(ground.lowestVertex, ground.lowestVertices.back());
@@ -108,18 +104,48 @@ void addRests(ClipGround& ground) {
           withContact(ground, i, {static_cast<double>(stand.first), static_cast<double>(stand.last)}));
     }
   }
-  for (auto& [leg, stands] : ground.stands) {
-    std::ranges::sort(stands, {}, &Vec2::x);
-    std::vector<Vec2> apart;
-    for (const Vec2& stand : stands) {
-      if (!apart.empty() && stand.x <= apart.back().y) {
-        apart.back().y = std::max(apart.back().y, stand.y);
-      } else {
-        apart.push_back(stand);
+}
+
+// What overlaps is one.
+std::vector<Vec2> joined(std::vector<Vec2> stands) {
+  std::ranges::sort(stands, {}, &Vec2::x);
+  std::vector<Vec2> apart;
+  for (const Vec2& stand : stands) {
+    if (!apart.empty() && stand.x <= apart.back().y) {
+      apart.back().y = std::max(apart.back().y, stand.y);
+    } else {
+      apart.push_back(stand);
+    }
+  }
+  return apart;
+}
+
+bool isIn(const std::vector<Vec2>& stands, double frame) {
+  return std::ranges::any_of(stands, [&](const Vec2& s) { return s.x <= frame && frame <= s.y; });
+}
+
+// Where each leg stands, and where its foot is down and slow while another one stands: it carries as well,
+// though it slides.
+std::map<std::string, std::vector<Vec2>> withSlides(const ClipGround& ground) {
+  const double near = 0.01 * ground.document.body.height;
+  const double slow = 1.5 * ground.document.body.height / ground.framesPerSecond;
+  std::map<std::string, std::vector<Vec2>> down = ground.stands;
+  for (std::size_t i = 0; i < ground.limbs.size(); ++i) {
+    const std::string& leg = ground.limbs[i].id;
+    const auto foot = [&](double frame) { return ground.placesAt(frame)[i].back(); };
+    const auto height = [&](const LimbPlaces& places) { return places[i].back().y; };
+    const double lowest = height(*std::ranges::min_element(ground.places, {}, height));
+    for (double frame = 1.0; isLeg(ground.limbs[i]) && frame <= ground.lastFrame; frame += 1.0) {
+      const bool isOtherDown = std::ranges::any_of(
+          ground.stands, [&](const auto& other) { return other.first != leg && isIn(other.second, frame); });
+      if (isOtherDown && foot(frame).y < lowest + near && foot(frame - 1.0).y < lowest + near &&
+          glm::length(foot(frame) - foot(frame - 1.0)) < slow) {
+        down[leg].emplace_back(frame - 1.0, frame);
       }
     }
-    stands = std::move(apart);
+    down[leg] = joined(std::move(down[leg]));
   }
+  return down;
 }
 
 } // namespace
@@ -129,6 +155,16 @@ std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const F
   surface.positions(frame, places);
   const auto lowest = std::ranges::min_element(places, {}, &glm::vec3::y);
   return lowest == places.end() ? std::nullopt : std::optional(Vec3(*lowest));
+}
+
+double lowestOf(const LimbPlaces& places) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec3>& points : places) {
+    for (const Vec3& point : points) {
+      lowest = std::min(lowest, point.y);
+    }
+  }
+  return lowest;
 }
 
 double straightLength(const std::vector<Vec3>& points) {
@@ -164,10 +200,11 @@ double ClipGround::leastHeightAt(double frame) const {
                   lowestVertices[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))]);
 }
 
-const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg) const {
+const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg, bool orSlides) const {
   static const std::vector<Vec2> none;
-  const auto found = stands.find(leg);
-  return found == stands.end() ? none : found->second;
+  const std::map<std::string, std::vector<Vec2>>& all = orSlides ? slides : stands;
+  const auto found = all.find(leg);
+  return found == all.end() ? none : found->second;
 }
 
 ClipGround clipGround(const Document& document, int clip) {
@@ -196,6 +233,10 @@ ClipGround clipGround(const Document& document, int clip) {
     ground.stands[pin.limb].push_back(pin.time.rangeFrames);
   }
   addRests(ground);
+  for (auto& [leg, stands] : ground.stands) {
+    stands = joined(std::move(stands));
+  }
+  ground.slides = withSlides(ground);
   ground.floor = floorHeight(document, clip);
   return ground;
 }

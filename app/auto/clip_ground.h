@@ -25,9 +25,11 @@ struct ClipGround {
   bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first
                       ///< pose for a frame, and nothing hangs on its end.
   std::vector<rig::Limb> limbs = {};
-  std::vector<LimbPlaces> places = {};                       ///< One for each whole frame from 0.
-  std::map<std::string, std::vector<Vec2>> stands = {};      ///< By leg: first and last frame of standing,
-                                                             ///< ascending.
+  std::vector<LimbPlaces> places = {};                  ///< One for each whole frame from 0.
+  std::map<std::string, std::vector<Vec2>> stands = {}; ///< By leg: first and last frame of standing,
+                                                        ///< ascending.
+  std::map<std::string, std::vector<Vec2>> slides = {}; ///< `stands`, and where a foot slides while another
+                                                        ///< leg stands.
   std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh.
   double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
   std::vector<double> lowestVertices = {}; ///< Lowest of each whole frame from 0.
@@ -42,7 +44,7 @@ struct ClipGround {
   /// Height that no vertex may go below at a whole frame: the floor on which feet stand, or what the clip
   /// itself has below it there; the clip's lowest place where there is no such floor, or a lower one.
   [[nodiscard]] double leastHeightAt(double frame) const;
-  [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg) const;
+  [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg, bool orSlides = false) const;
 };
 
 [[nodiscard]] ClipGround clipGround(const Document& document, int clip);
@@ -50,6 +52,9 @@ struct ClipGround {
 /// The lowest vertex of the mesh in a frame; nothing for a body without one.
 [[nodiscard]] std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface,
                                                  const FrameState& frame);
+
+/// Height of the lowest of all points.
+[[nodiscard]] double lowestOf(const LimbPlaces& places);
 
 /// From the place that stays to the one that leads.
 [[nodiscard]] double straightLength(const std::vector<Vec3>& points);

@@ -23,8 +23,7 @@ struct LoopSeam {
 [[nodiscard]] LoopSeam seamOfSource(const ClipGround& ground);
 
 /// Whether a limb, by its place in ClipGround::limbs, is farther from its place or turns more sharply from
-/// the last pose to the first than in the source: by more than 8 mm or 0.06 m/s of a person. Joints between
-/// its ends may turn as much more sharply as the limb is longer, as they do everywhere.
+/// the last pose to the first than in the source: by more than 8 mm or 0.06 m/s of a person.
 [[nodiscard]] bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& source,
                                std::size_t limb);
 

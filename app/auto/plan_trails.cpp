@@ -26,6 +26,9 @@ constexpr double fullStrength = 6.0; // reaches per second: from here on a momen
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
 constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
                                       // beside its strike
+constexpr double shortLimb = 0.25;    // of the body: what is shorter goes farther, to be seen as much
+constexpr double mostFarther = 1.5;   // times
+constexpr double longestLimb = 1.0;   // of a body that is no biped: legs and tail, but not wings
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
@@ -70,12 +73,18 @@ private:
     if (strongest_ < idleStrength) {
       return "it is too weak to be an action";
     }
-    if (moment.strength < weakShare * strongest_) {
+    if (isWeak(moment) && std::ranges::none_of(moments_, [&](const rig::Moment& other) {
+          return !isWeak(other) && arePartners(ground_, moment, other);
+        })) {
       return "it is weak beside the clip's strongest";
     }
     const rig::Limb& limb = *findLimb(ground_.document, moment.limb);
     addTrail(place, limb, *rangeOf(moment, limb));
     return {};
+  }
+
+  [[nodiscard]] bool isWeak(const rig::Moment& moment) const {
+    return moment.strength < weakShare * strongest_;
   }
 
   [[nodiscard]] bool hasOwnTrail(const rig::Moment& moment) const {
@@ -115,7 +124,8 @@ private:
   // A leg that stands has no stroke; one that is put down comes back to its place before.
   [[nodiscard]] std::optional<Vec2> rangeOf(const rig::Moment& moment, const rig::Limb& limb) const {
     Vec2 range(moment.startFrame, endOf(moment));
-    for (const Vec2& stand : isLeg(limb) ? ground_.standsOf(limb.id) : std::vector<Vec2>{}) {
+    const bool isStroke = moment.kind == rig::MomentKind::stroke;
+    for (const Vec2& stand : isLeg(limb) ? ground_.standsOf(limb.id, isStroke) : std::vector<Vec2>{}) {
       if (stand.x <= range.x) {
         range.x = std::max(range.x, std::min(stand.y - 1.0, range.y));
       } else if (stand.x < range.y + shortestRelease) {
@@ -147,6 +157,13 @@ private:
     return own * (follows ? settings_.style.spread.limbs : 1.0);
   }
 
+  // A style's numbers are of limbs as long as people have them.
+  [[nodiscard]] double fartherBy(const rig::Limb& limb) const {
+    const double usual = shortLimb * ground_.document.body.size;
+    return reachesOut(limb) && limb.restLength > 0.0 ? std::clamp(usual / limb.restLength, 1.0, mostFarther)
+                                                     : 1.0;
+  }
+
   void addTrail(std::size_t place, const rig::Limb& limb, const Vec2& range) {
     const rig::Moment& moment = moments_[place];
     PlannedTrail planned;
@@ -156,8 +173,13 @@ private:
     planned.trail.exaggerated = true;
     planned.trail.connected = true;
     rig::TrailSettings& settings = planned.trail.settings;
-    settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range),
-                                   settings_.style, limb.kind, settings_.strength * shareOf(moment));
+    settings =
+        rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range), settings_.style,
+                            limb.kind, settings_.strength * shareOf(moment) * fartherBy(limb));
+    if (ground_.document.body.plan != "biped" && reachesOut(limb) && limb.kind != rig::LimbKind::wing) {
+      settings.scale =
+          std::min(settings.scale, std::max(1.0, longestLimb * ground_.document.body.size / limb.restLength));
+    }
     stopAtGround(limb, settings);
     plan_.trails.push_back(std::move(planned));
   }

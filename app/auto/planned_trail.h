@@ -39,6 +39,9 @@ struct AutoPlan {
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan);
 
+/// Whether two moments are of both sides, which do the same: at once or, going round, in turn.
+[[nodiscard]] bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other);
+
 /// Frames over which a trail does anything, its way back included as far as it is known.
 [[nodiscard]] Vec2 windowOf(const rig::TrailSettings& settings);
 

@@ -255,7 +255,7 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   const std::string why = textOf(fault.kind);
   PlannedTrail& planned = plan.trails[fault.trail];
   rig::TrailSettings& settings = planned.trail.settings;
-  if (fault.kind == FaultKind::floor && settings.axes == allAxes) {
+  if ((fault.kind == FaultKind::floor || fault.kind == FaultKind::lifted) && settings.axes == allAxes) {
     settings.axes = levelAxes;
     return;
   }
@@ -277,8 +277,10 @@ Vec3 wayOf(const ClipGround& ground, const rig::Moment& moment) {
 // Whether a limb does what that on the other side does, as a mirror shows it.
 bool isMirrored(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
   constexpr double alike = 0.5; // cosine
-  const Vec3 apart =
-      ground.pointsOf(one.limb, one.startFrame).front() - ground.pointsOf(other.limb, one.startFrame).front();
+  Vec3 apart(0.0);              // of both times: a torso is turned back and forth
+  for (const double frame : {one.startFrame, other.startFrame}) {
+    apart += ground.pointsOf(one.limb, frame).front() - ground.pointsOf(other.limb, frame).front();
+  }
   const Vec3 way = wayOf(ground, one);
   const Vec3 across = wayOf(ground, other);
   const double square = glm::dot(apart, apart);
@@ -288,17 +290,10 @@ bool isMirrored(const ClipGround& ground, const rig::Moment& one, const rig::Mom
 
 bool areAtOnce(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
   const double near = ground.framesPerSecond / 12.0;
+  const double shared = std::min(one.tipFrame, other.tipFrame) - std::max(one.startFrame, other.startFrame);
   return std::abs(one.startFrame - other.startFrame) <= near &&
-         std::abs(one.tipFrame - other.tipFrame) <= near;
-}
-
-// Whether both sides do the same, at once or, going round, in turn.
-bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
-  constexpr double asStrong = 3.0;
-  const double ratio = one.strength / other.strength;
-  const bool goRound = one.kind == rig::MomentKind::cycle;
-  return ratio < asStrong && asStrong * ratio > 1.0 && (goRound || areAtOnce(ground, one, other)) &&
-         isMirrored(ground, one, other);
+         (std::abs(one.tipFrame - other.tipFrame) <= near ||
+          2.0 * shared >= std::max(one.tipFrame - one.startFrame, other.tipFrame - other.startFrame));
 }
 
 bool swingOneThing(const AutoPlan& plan, const PlannedTrail& one, const PlannedTrail& other) {
@@ -307,9 +302,11 @@ bool swingOneThing(const AutoPlan& plan, const PlannedTrail& one, const PlannedT
          areOnProp(plan, one.trail.limb, other.trail.limb, settings.endFrame);
 }
 
-// A step on one side alone limps: each has one on the other side that goes the same way, and no larger one.
-// What both sides do at once, as arms that are thrown up, is as large on both.
-void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+// A step on one side alone limps: each has one on the other side that goes the same way, and no larger one,
+// where the other side steps at all. What both sides do at once, as arms that are thrown up, is as large on
+// both.
+void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+               const AutoSettings& settings, AutoPlan& plan) {
   for (std::size_t i = plan.trails.size(); i-- > 0;) {
     PlannedTrail& one = plan.trails[i];
     const rig::Limb& limb = *findLimb(ground.document, one.trail.limb);
@@ -329,7 +326,12 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
         one.trail.settings.axes[1] = one.trail.settings.axes[1] && other.trail.settings.axes[1];
       }
     }
-    if (most <= 0.0 && goesRound) {
+    const auto goesRoundAcross = [&](const rig::Moment& other) {
+      return other.limb == across->id && other.kind == rig::MomentKind::cycle;
+    };
+    if (most <= 0.0 && goesRound &&
+        (std::ranges::any_of(moments, goesRoundAcross) ||
+         std::ranges::any_of(settings.beside, goesRoundAcross))) {
       leaveOut(plan, i, "the limb on the other side cannot do the same");
     } else if (most > 0.0 && excessOf(ground, one) > most) {
       one.trail.settings = withShare(one.trail.settings, most / excessOf(ground, one));
@@ -358,12 +360,26 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
 
 } // namespace
 
+bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other) {
+  constexpr double asStrong = 3.0;
+  const rig::Limb* const limb = findLimb(ground.document, one.limb);
+  const rig::Limb* const across =
+      limb == nullptr ? nullptr : rig::limbAt(ground.document.body.limbs, rig::mirrored(*limb));
+  if (across == nullptr || across == limb || across->id != other.limb) {
+    return false;
+  }
+  const double ratio = one.strength / other.strength;
+  const bool goRound = one.kind == rig::MomentKind::cycle;
+  return ratio < asStrong && asStrong * ratio > 1.0 && (goRound || areAtOnce(ground, one, other)) &&
+         isMirrored(ground, one, other);
+}
+
 void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
             AutoPlan& plan) {
   constexpr int mostRounds = 20; // of lowering; then each takes at least one trail out
   Trial trial(ground, plan.loops);
   for (int round = 0; !plan.trails.empty(); ++round) {
-    pairSides(ground, moments, plan);
+    pairSides(ground, moments, settings, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty() && (!isChanged || round >= mostRounds)) {

@@ -219,6 +219,16 @@ private:
            });
   }
 
+  // A body without legs lies on the ground with some of it.
+  [[nodiscard]] bool isLifted(double frame, const LimbPlaces& places) const {
+    constexpr double lies = 0.1;  // of the height
+    constexpr double seen = 0.02; // of the height
+    const double source = lowestOf(ground_.placesAt(frame));
+    const double height = ground_.document.body.height;
+    return std::ranges::none_of(ground_.limbs, [](const rig::Limb& limb) { return isLeg(limb); }) &&
+           source < ground_.lowest + lies * height && lowestOf(places) > source + seen * height;
+  }
+
   // Nothing where the limb looks right.
   [[nodiscard]] std::optional<FaultKind> problemOf(double frame, std::size_t place,
                                                    const LimbPlaces& places) const {
@@ -241,6 +251,9 @@ private:
     }
     if (changesSides(frame, place, places)) {
       return FaultKind::sides;
+    }
+    if (isLifted(frame, places)) {
+      return FaultKind::lifted;
     }
     const bool stands = std::ranges::any_of(
         ground_.standsOf(limb.id), [&](const Vec2& stand) { return stand.x <= frame && frame <= stand.y; });
@@ -307,10 +320,11 @@ private:
 } // namespace
 
 const char* textOf(FaultKind kind) {
-  constexpr std::array<const char*, 6> texts{
+  constexpr std::array<const char*, 7> texts{
       "it would leave the style's lengths", "it would go through the floor",
       "the foot carries the body there",    "it would pull against a stronger limb of its chain",
-      "the loop would not close",           "it would pass through the limb on the other side"};
+      "the loop would not close",           "it would pass through the limb on the other side",
+      "the body would leave the ground"};
   return texts[static_cast<std::size_t>(kind)];
 }
 

@@ -12,7 +12,8 @@ enum class FaultKind {
   stand,   ///< A foot that stands is moved.
   chain,   ///< Limbs of one chain pull opposite ways.
   seam,    ///< From the clip's last pose to its first.
-  sides    ///< Limbs of two sides whose ends change sides.
+  sides,   ///< Limbs of two sides whose ends change sides.
+  lifted   ///< A body without legs leaves the ground that it lies on.
 };
 
 /// Words that an animator is told it in.

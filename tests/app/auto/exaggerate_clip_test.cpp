@@ -14,25 +14,16 @@
 #include "app/evaluate/evaluate.h"
 #include "core/math/rotation.h"
 #include "rig/trail/release.h"
+#include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
-#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
+using namespace stretch::test;
 
 namespace {
-
-AutoSettings in(const char* name, double strength = 1.0) {
-  const rig::Style* const style = rig::styleNamed(rig::builtInStyles(), name);
-  REQUIRE(style != nullptr);
-  return {*style, strength};
-}
-
-AutoClip exaggerated(const Document& document, const AutoSettings& settings) {
-  return exaggerateClip(document, 0, momentsOf(document, 0), settings);
-}
 
 /// Straight length of the left arm at a frame over what the source has.
 double armRatio(const Document& document, double frame) {
@@ -40,52 +31,6 @@ double armRatio(const Document& document, double frame) {
   const double seconds = frame / clipOf(document, 0).framesPerSecond;
   return rig::limbLength(arm, evaluate(document, prepareMotion(document, 0), seconds)) /
          rig::limbLength(arm, evaluateOriginal(document, 0, seconds));
-}
-
-const AutoMoment& strongest(const AutoClip& made) {
-  REQUIRE_FALSE(made.moments.empty());
-  return made.moments.front();
-}
-
-// Forwards over the first third of a turn, back over the rest: 0 to 1 and 0 again.
-double swing(double turns) {
-  const double phase = turns - std::floor(turns);
-  return phase < 0.3 ? rig::smoothstep(phase / 0.3) : 1.0 - rig::smoothstep((phase - 0.3) / 0.7);
-}
-
-void addKey(Track& track, double frame, const Quat& turn) {
-  track.times.push_back(static_cast<float>(frame / 30.0));
-  for (const double value : {turn.x, turn.y, turn.z, turn.w}) {
-    track.values.push_back(static_cast<float>(value));
-  }
-}
-
-Track turnsOf(const Document& document, const char* limb) {
-  Track track;
-  track.node = findLimb(document, limb)->joints.front();
-  track.channel = Channel::rotation;
-  track.width = 4;
-  return track;
-}
-
-Document withTracks(Document document, std::vector<Track> tracks) {
-  Clip clip = document.clips->front();
-  clip.tracks.clear();
-  for (Track& track : tracks) {
-    clip.endSeconds = static_cast<double>(track.times.back());
-    clip.tracks.emplace_back(std::move(track));
-  }
-  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
-  return document;
-}
-
-// A straight punch, mirrored on the right.
-Track turnsOfPunch(const Document& document, const std::string& limb) {
-  Track track = turnsOf(document, limb.c_str());
-  for (const auto& [frame, angle] : {std::pair(0, 0.0), {5, 0.4}, {10, 1.4}, {20, 0.1}}) {
-    addKey(track, frame, glm::angleAxis(angle, Vec3(0.0, limb == "left-arm" ? -1.0 : 1.0, 0.0)));
-  }
-  return track;
 }
 
 // The left arm strikes forwards and down to the lowest place that anything has.
@@ -99,23 +44,6 @@ Document lowStriker() {
                glm::angleAxis(0.6 - 1.5 * struck, Vec3(0.0, 0.0, 1.0)));
   }
   return withTracks(std::move(document), {track});
-}
-
-// A loop of 24 frames in which both arms swing, the right one half a turn after the left; the left arm is
-// back at the loop's seam. With fewer keys it ends before that.
-Document swinger(int lastKey = 24) {
-  constexpr int frames = 24;
-  const Document document = test::boxer();
-  std::vector<Track> tracks;
-  for (const bool isLeft : {true, false}) {
-    tracks.push_back(turnsOf(document, isLeft ? "left-arm" : "right-arm"));
-    for (int frame = 0; frame <= lastKey; ++frame) {
-      const double turns = static_cast<double>(frame) / frames + (isLeft ? 0.0 : 0.5);
-      addKey(tracks.back(), frame,
-             glm::angleAxis(0.1 + 1.2 * swing(turns), Vec3(0.0, isLeft ? -1.0 : 1.0, 0.0)));
-    }
-  }
-  return withTracks(document, std::move(tracks));
 }
 
 // Both arms close in front of the chest, so far that longer ones would pass each other, and open again.
@@ -142,30 +70,6 @@ double seamTurn(const Document& document, const char* limb) {
   return glm::length(hand(24.0) - hand(23.75) - hand(0.25) + hand(0.0)) * 120.0;
 }
 
-// The boxer with a left leg that stands, is lifted from frame 10 on, slowly at first, and is back at
-// frame 40.
-Document stepper() {
-  Document document = test::boxer();
-  Scene scene = *document.scene;
-  const NodeIndex thigh = test::addNode(scene, "LeftUpLeg", document.body.hips, {0.1, 0.0, 0.0});
-  const NodeIndex shin = test::addNode(scene, "LeftLeg", thigh, {0.0, -0.5, 0.0});
-  const NodeIndex foot = test::addNode(scene, "LeftFoot", shin, {0.0, -0.5, 0.0});
-  document.scene = std::make_shared<const Scene>(std::move(scene));
-  rig::Limb leg;
-  static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
-  leg.id = rig::limbName(rig::biped::leftLeg);
-  leg.joints = {thigh, shin};
-  leg.endNode = foot;
-  leg.restLength = 1.0;
-  document.body.limbs.push_back(leg);
-  Track track = turnsOf(document, "left-leg");
-  for (int frame = 0; frame <= 50; ++frame) {
-    const double lifted = rig::smoothstep((frame - 10.0) / 15.0) - rig::smoothstep((frame - 25.0) / 15.0);
-    addKey(track, frame, glm::angleAxis(0.7 * lifted, Vec3(-1.0, 0.0, 0.0)));
-  }
-  return withTracks(std::move(document), {track});
-}
-
 // Between the ways that a limb points in the source and in what was made of it.
 double degreesTurned(const Document& made, const char* name, double frame) {
   const rig::Limb& limb = *findLimb(made, name);
@@ -175,14 +79,6 @@ double degreesTurned(const Document& made, const char* name, double frame) {
   return angleBetween(way(evaluateOriginal(made, 0, frame / 30.0)),
                       way(evaluate(made, prepareMotion(made, 0), frame / 30.0))) *
          180.0 / pi;
-}
-
-const AutoMoment& momentAt(const AutoClip& made, const char* limb, double tip) {
-  const auto found = std::ranges::find_if(made.moments, [&](const AutoMoment& one) {
-    return one.moment.limb == limb && std::abs(one.moment.tipFrame - tip) <= 1.0;
-  });
-  REQUIRE(found != made.moments.end());
-  return *found;
 }
 
 } // namespace

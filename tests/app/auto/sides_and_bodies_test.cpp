@@ -1,0 +1,203 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/auto/clip_ground.h"
+#include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
+#include "app/evaluate/clip_moments.h"
+#include "rig/trail/release.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+#include "tests/support/nodes.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+// A serpent without a mesh: its tail is up, its belly on the ground, and its neck rears up until frame 12.
+Document rearing() {
+  Document document = test::boxer();
+  Scene scene;
+  std::vector<NodeIndex> joints;
+  for (const Vec3& place : {Vec3(0.0, 0.5, 0.0), Vec3(0.0, -0.5, 0.3), Vec3(0.0, 0.0, 0.4),
+                            Vec3(0.0, 0.1, 0.4), Vec3(0.0, 0.1, 0.4)}) {
+    const NodeIndex parent = joints.empty() ? NodeIndex::none : joints.back();
+    joints.push_back(test::addNode(scene, "Joint" + std::to_string(joints.size()), parent, place));
+  }
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  rig::Limb spine;
+  static_cast<rig::LimbPlace&>(spine) = rig::biped::spine;
+  spine.id = rig::limbName(rig::biped::spine);
+  spine.endNode = joints.back();
+  spine.joints.assign(joints.begin(), joints.end() - 1);
+  spine.restLength = 1.8;
+  document.body.limbs = {spine};
+  document.body.hips = joints.front();
+  document.body.plan = "serpent";
+  document.body.height = 1.0;
+  Track rears = turnsOf(document, "spine");
+  rears.node = joints[2];
+  for (int frame = 0; frame <= 30; ++frame) {
+    const double up = rig::smoothstep((frame - 4.0) / 8.0) - rig::smoothstep((frame - 14.0) / 12.0);
+    addKey(rears, frame, glm::angleAxis(1.2 * up, Vec3(-1.0, 0.0, 0.0)));
+  }
+  return withTracks(document, {rears});
+}
+
+// The stepper, whose right foot slides along the ground over the whole clip.
+Document slider() {
+  Document document = stepper();
+  Scene scene = *document.scene;
+  const NodeIndex thigh = test::addNode(scene, "RightUpLeg", document.body.hips, {-0.1, 0.0, 0.0});
+  const NodeIndex foot = test::addNode(scene, "RightFoot", thigh, {0.0, -1.0, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  rig::Limb leg = *findLimb(document, "left-leg");
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::rightLeg;
+  leg.id = rig::limbName(rig::biped::rightLeg);
+  leg.joints = {thigh};
+  leg.endNode = foot;
+  document.body.limbs.push_back(leg);
+  Track slide = turnsOf(document, "right-leg");
+  for (int frame = 0; frame <= 50; ++frame) {
+    addKey(slide, frame, glm::angleAxis(0.13 * std::sin(0.2 * frame), Vec3(1.0, 0.0, 0.0)));
+  }
+  const Track step = *document.clips->front().tracks.front();
+  return withTracks(document, {step, slide});
+}
+
+} // namespace
+
+TEST_CASE(
+    "One arm that waves while the other rests needs no partner, and one whose partner is left out does") {
+  const Document both = swinger();
+  Document waving = withTracks(both, {*both.clips->front().tracks.front()});
+  std::vector<rig::Moment> moments = momentsOf(waving, 0);
+  REQUIRE_FALSE(moments.empty());
+  for (rig::Moment& moment : moments) {
+    REQUIRE(moment.limb == "left-arm");
+    moment.kind = rig::MomentKind::cycle;
+  }
+  const AutoClip alone = exaggerateClip(waving, 0, moments, in("Opera"));
+  CHECK(momentAt(alone, "left-arm", 7.0).scale == Approx(1.4));
+  AutoSettings settings = in("Opera");
+  settings.beside = {moments.front()};
+  settings.beside.front().limb = "right-arm";
+  const AutoClip lame = exaggerateClip(waving, 0, moments, settings);
+  CHECK(momentAt(lame, "left-arm", 7.0).why == "the limb on the other side cannot do the same");
+}
+
+TEST_CASE("What is weak beside the strongest is done all the same where the other side does it too") {
+  const Document striking = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  const rig::Moment punch = momentsOf(test::boxer(), 0).front();
+  rig::Moment strongest = punch, left = punch, right = punch;
+  strongest.limb = "spine";
+  strongest.strength = 60.0;
+  left.strength = 10.0;
+  right.limb = "right-arm";
+  right.strength = 8.0;
+  const AutoClip both = exaggerateClip(striking, 0, {strongest, left, right}, in("Opera"));
+  CHECK(both.moments.back().scale > 1.05);
+  CHECK(both.moments.back().scale == Approx(both.moments[1].scale));
+  left.strength = 8.0;
+  const AutoClip none = exaggerateClip(striking, 0, {strongest, left, right}, in("Opera"));
+  CHECK(none.moments.back().why == "it is weak beside the clip's strongest");
+}
+
+TEST_CASE("Both sides do the same at once where one of them takes longer, and where the torso turns") {
+  const Document still = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  rig::Moment left = momentsOf(test::boxer(), 0).front();
+  left.startFrame = 2.0;
+  left.tipFrame = left.endFrame = 8.0;
+  rig::Moment right = left;
+  right.limb = "right-arm";
+  right.tipFrame = right.endFrame = 12.0;
+  const ClipGround ground = clipGround(still, 0);
+  CHECK(arePartners(ground, left, right));
+  right.tipFrame = 15.0;
+  CHECK_FALSE(arePartners(ground, left, right));
+  Document turning = swinger();
+  Track hips = turnsOf(turning, "spine");
+  for (int frame = 0; frame <= 24; ++frame) {
+    addKey(hips, frame, glm::angleAxis(0.9 * std::cos(2.0 * pi * frame / 24.0), Vec3(0.0, 1.0, 0.0)));
+  }
+  std::vector<Track> tracks{hips};
+  for (const auto& track : turning.clips->front().tracks) {
+    tracks.push_back(*track);
+  }
+  turning = withTracks(turning, tracks);
+  left.kind = right.kind = rig::MomentKind::cycle;
+  left.startFrame = 0.0;
+  left.tipFrame = 7.0;
+  right.startFrame = 12.0;
+  right.tipFrame = 19.0;
+  const ClipGround turned = clipGround(turning, 0);
+  CHECK(arePartners(turned, left, right));
+  CHECK(arePartners(turned, right, left));
+  CHECK_FALSE(arePartners(turned, left, left));
+}
+
+TEST_CASE("A foot that slides along the ground while another one stands carries too, for what is no step") {
+  const ClipGround ground = clipGround(slider(), 0);
+  REQUIRE_FALSE(ground.standsOf("left-leg").empty());
+  CHECK(ground.standsOf("left-leg", true).size() == ground.standsOf("left-leg").size());
+  const std::vector<Vec2>& slides = ground.standsOf("right-leg", true);
+  const auto isIn = [](const std::vector<Vec2>& stands, double frame) {
+    return std::ranges::any_of(stands, [&](const Vec2& s) { return s.x <= frame && frame <= s.y; });
+  };
+  CHECK(isIn(slides, 3.0));
+  CHECK_FALSE(isIn(ground.standsOf("right-leg"), 3.0));
+  CHECK_FALSE(isIn(slides, 20.0)); // the other one is in the air
+  rig::Moment moment;
+  moment.limb = "right-leg";
+  moment.startFrame = 0.0;
+  moment.tipFrame = moment.endFrame = 8.0;
+  moment.strength = 20.0;
+  moment.kind = rig::MomentKind::stroke;
+  CHECK(exaggerateClip(slider(), 0, {moment}, in("Opera")).moments.front().why ==
+        "the foot carries the body there");
+  moment.kind = rig::MomentKind::cycle;
+  CHECK(exaggerateClip(slider(), 0, {moment}, in("Opera")).moments.front().why !=
+        "the foot carries the body there");
+}
+
+TEST_CASE(
+    "A limb that is short for its body goes farther, and one of a creature is no longer than that is large") {
+  Document document = test::boxer();
+  const auto scaleIn = [&](double size, const char* plan, const char* style) {
+    document.body.size = size;
+    document.body.plan = plan;
+    return strongest(exaggerated(document, in(style))).scale;
+  };
+  CHECK(scaleIn(0.6 / 0.3, "biped", "Opera") == Approx(1.4));
+  CHECK(scaleIn(0.6 / 0.2, "biped", "Opera") == Approx(1.5));
+  CHECK(scaleIn(0.6 / 0.05, "biped", "Opera") == Approx(1.6));
+  CHECK(scaleIn(0.6 / 0.8, "biped", "Opera") == Approx(1.4));
+  CHECK(scaleIn(0.6 / 0.8, "quadruped", "Opera") == Approx(1.25));
+}
+
+TEST_CASE("A serpent that rears up keeps its belly on the ground, and what has legs may leave it") {
+  Document document = rearing();
+  AutoPlan plan;
+  plan.trails.resize(1);
+  plan.trails.front().trail = test::withNewTrail(document, {"spine", 4.0, 12.0, 1.5}).trails.front();
+  const std::vector<Fault> faults = faultsOf(clipGround(document, 0), in("Rubber hose", 2.0), plan);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults.front().kind == FaultKind::lifted);
+  rig::Limb leg = document.body.limbs.front();
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
+  leg.id = rig::limbName(rig::biped::leftLeg);
+  leg.joints = {document.body.hips};
+  leg.endNode = NodeIndex{1};
+  document.body.limbs.push_back(leg);
+  CHECK(faultsOf(clipGround(document, 0), in("Rubber hose", 2.0), plan).empty());
+}
