@@ -131,8 +131,12 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
     return unchanged(document, moments, "the strength is 0");
   }
   const ClipGround ground = clipGround(document, clip);
-  AutoPlan plan = planTrails(ground, moments, settings);
+  AutoPlan plan = planTrails(ground, moments, settings, true);
   settle(ground, moments, settings, plan);
+  if (std::ranges::any_of(plan.partners, [&](std::size_t place) { return !plan.leftOut[place].empty(); })) {
+    plan = planTrails(ground, moments, settings, false); // what is not done takes no room from others
+    settle(ground, moments, settings, plan);
+  }
   std::erase_if(plan.holds.props, [&](const rig::Prop& prop) {
     return std::ranges::none_of(
         plan.trails, [&](const PlannedTrail& planned) { return isHeldBy(prop, planned.trail.limb); });

@@ -40,8 +40,9 @@ bool overlap(const rig::Moment& a, const rig::Moment& b) {
 
 class Planner {
 public:
-  Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings)
-      : ground_(ground), moments_(moments), settings_(settings) {
+  Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
+          bool withPartners)
+      : ground_(ground), moments_(moments), settings_(settings), withPartners_(withPartners) {
     for (const std::vector<rig::Moment>* const all : {&moments, &settings.beside}) {
       for (const rig::Moment& moment : *all) {
         const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
@@ -73,10 +74,13 @@ private:
     if (strongest_ < idleStrength) {
       return "it is too weak to be an action";
     }
-    if (isWeak(moment) && std::ranges::none_of(moments_, [&](const rig::Moment& other) {
-          return !isWeak(other) && arePartners(ground_, moment, other);
-        })) {
-      return "it is weak beside the clip's strongest";
+    if (isWeak(moment)) {
+      if (!withPartners_ || std::ranges::none_of(moments_, [&](const rig::Moment& other) {
+            return !isWeak(other) && arePartners(ground_, moment, other);
+          })) {
+        return "it is weak beside the clip's strongest";
+      }
+      plan_.partners.push_back(place);
     }
     const rig::Limb& limb = *findLimb(ground_.document, moment.limb);
     addTrail(place, limb, *rangeOf(moment, limb));
@@ -326,6 +330,7 @@ private:
   const ClipGround& ground_;
   const std::vector<rig::Moment>& moments_;
   const AutoSettings& settings_;
+  bool withPartners_ = false;
   double strongest_ = 0.0;
   AutoPlan plan_;
 };
@@ -333,8 +338,8 @@ private:
 } // namespace
 
 AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
-                    const AutoSettings& settings) {
-  return Planner(ground, moments, settings).plan();
+                    const AutoSettings& settings, bool withPartners) {
+  return Planner(ground, moments, settings, withPartners).plan();
 }
 
 Vec2 windowOf(const rig::TrailSettings& settings) {

@@ -24,14 +24,16 @@ struct PlannedTrail {
 /// Trails for a clip, and why the other moments have none.
 struct AutoPlan {
   std::vector<PlannedTrail> trails;
-  std::vector<std::string> leftOut; ///< One for each moment; empty: not left out.
-  rig::Holds holds;                 ///< Grips and props that keep hands on things.
-  bool loops = false;               ///< The clip is to be played as a loop.
+  std::vector<std::string> leftOut;       ///< One for each moment; empty: not left out.
+  rig::Holds holds;                       ///< Grips and props that keep hands on things.
+  bool loops = false;                     ///< The clip is to be played as a loop.
+  std::vector<std::size_t> partners = {}; ///< Moments too weak but for what the other side does.
 };
 
-/// Chooses range, way back and settings of a trail for each moment that can have one.
+/// Chooses range, way back and settings of a trail for each moment that can have one; of one that is weak
+/// where it is asked for, and the other side does the same.
 [[nodiscard]] AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
-                                  const AutoSettings& settings);
+                                  const AutoSettings& settings, bool withPartners);
 
 /// Lowers or leaves out what does not look right: first each trail by itself, then all together; a limb that
 /// goes round and round does so only with its counterpart on the other side, and what both do at once is as

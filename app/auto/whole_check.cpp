@@ -252,7 +252,7 @@ private:
     if (changesSides(frame, place, places)) {
       return FaultKind::sides;
     }
-    if (isLifted(frame, places)) {
+    if (isTrunk(limb) && isLifted(frame, places)) {
       return FaultKind::lifted;
     }
     const bool stands = std::ranges::any_of(

@@ -112,6 +112,31 @@ TEST_CASE("What is weak beside the strongest is done all the same where the othe
   CHECK(none.moments.back().why == "it is weak beside the clip's strongest");
 }
 
+TEST_CASE("A weak partner that is left out after all takes no room from the way back before it") {
+  const Document striking = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  rig::Moment left = momentsOf(test::boxer(), 0).front();
+  left.startFrame = 4.0;
+  left.tipFrame = left.endFrame = 9.0;
+  left.strength = 60.0;
+  rig::Moment right = left;
+  right.limb = "right-arm";
+  rig::Moment back = left;
+  back.startFrame = 9.0;
+  back.tipFrame = back.endFrame = 13.0;
+  back.strength = 10.0;
+  rig::Moment weakBack = back;
+  weakBack.limb = "right-arm";
+  weakBack.strength = 8.0;
+  const auto wayBack = [&](const std::vector<rig::Moment>& moments) {
+    const AutoClip made = exaggerateClip(striking, 0, moments, in("Subtle"));
+    REQUIRE(made.moments[1].trailId > 0);
+    CHECK((moments.size() < 4 || made.moments.back().trailId == 0)); // the style hardly stretches it
+    return findTrail(made.document, made.moments[1].trailId)->settings.releaseFrames.value();
+  };
+  CHECK(wayBack({left, right, back, weakBack}) == wayBack({left, right, back}));
+}
+
 TEST_CASE("Both sides do the same at once where one of them takes longer, and where the torso turns") {
   const Document still = withTracks(
       test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
