@@ -314,7 +314,8 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
     for (const std::size_t control : controls) {
       const double time = samples[control].timeSeconds;
       const double onFrame = std::round(time * framesPerSecond) / framesPerSecond;
-      times.push_back(onFrame > start && onFrame < end ? onFrame : time); // Where the artist stops at.
+      const bool isEnd = time == start || time == end; // a range may begin and end between frames
+      times.push_back(!isEnd && onFrame > start && onFrame < end ? onFrame : time); // Where the artist stops.
     }
   }
   mergeClose(times);

@@ -159,7 +159,7 @@ TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere
     path.samples.push_back(sample);
     keyTimes.push_back(seconds);
   };
-  const double start = GENERATE(0.0, 2.0);
+  const double start = GENERATE(0.0, 2.0, 2.04, 2.06); // on a frame, and just before and behind one's middle
   for (const double seconds : {0.0, 0.1, 0.2, 0.3, 0.4}) {
     add(start + seconds, seconds);
   }
