@@ -150,7 +150,6 @@ Result<BodyMotion> analyseBody(const MeshSequence& sequence, int segmentCount) {
   }
   BodyMotion body;
   body.skeleton = std::move(skeleton.value());
-  body.faceDiameters = diameters->faces;
   body.widths = meanByGroup(sequence.frame(0), sequence.triangles, diameters->faces,
                             segmentsOfTriangles(body.skeleton, sequence.triangles), body.segmentCount());
   body.volumes = segmentVolumes(sequence, body.skeleton);

@@ -19,7 +19,6 @@ struct SegmentMotion {
 /// A body without branches through all its frames; the first is the pose that everything is measured against.
 struct BodyMotion {
   BodySkeleton skeleton;
-  std::vector<double> faceDiameters;     ///< Shape diameter of every triangle.
   std::vector<double> widths;            ///< Mean shape diameter of each segment.
   std::vector<double> volumes;           ///< Volume of each segment; they sum to the body's.
   std::vector<std::vector<Vec3>> joints; ///< Joints in each frame.

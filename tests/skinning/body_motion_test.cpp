@@ -99,19 +99,9 @@ TEST_CASE("the volumes of a body's segments are even along a tube and make up wh
   CHECK(inside == Approx(-whole));
 }
 
-TEST_CASE("a tube is as thick along its whole length as its triangles tell") {
+TEST_CASE("a tube is as thick along its whole length as it was made") {
   const MeshSequence sequence = mappedTube(Mat3(1.0), Vec3(0.0));
   const BodyMotion body = analysed(sequence);
-  REQUIRE(body.faceDiameters.size() == sequence.triangles.size());
-  for (std::size_t t = 0; t < sequence.triangles.size(); ++t) {
-    const auto along = [&](std::size_t corner) {
-      return static_cast<double>(sequence.positions[sequence.triangles[t][corner]].x);
-    };
-    const double middle = (along(0) + along(1) + along(2)) / 3.0;
-    if (middle > 2.0 && middle < 8.0) {
-      CHECK(body.faceDiameters[t] == Approx(1.0).epsilon(0.25));
-    }
-  }
   REQUIRE(body.widths.size() == body.segmentCount());
   for (std::size_t s = 2; s + 2 < body.segmentCount(); ++s) {
     CHECK(body.widths[s] == Approx(body.widths[4]).epsilon(0.02));
