@@ -380,14 +380,16 @@ TEST_CASE("What the clip does not move stands as in the bind pose, where the fil
   }
 }
 
-TEST_CASE("A clip that ends between two frames is brought to its end") {
+TEST_CASE("A clip that ends between two frames is brought to its end, and its last frame too") {
   const double start = GENERATE(0.0, 0.26);
   MovingBiped from = bodyOf();
   const NodeIndex arm = from.node.at("upperArm.l");
   const double end = start + 10.377 / 24.0; // beside the frames of faster rates, too
-  const Quat last = axisAngle(Vec3(0, 1, 0), -1.2);
-  from.clip.tracks.emplace_back(
-      test::rotationTrack(arm, Interpolation::linear, {{start, Quat(1.0, 0.0, 0.0, 0.0)}, {end, last}}));
+  const double lastFrame = start + 10.0 / 24.0;
+  from.clip.tracks.emplace_back(test::rotationTrack(arm, Interpolation::linear,
+                                                    {{start, Quat(1.0, 0.0, 0.0, 0.0)},
+                                                     {lastFrame, axisAngle(Vec3(0, 1, 0), -1.2)},
+                                                     {end, axisAngle(Vec3(0, 1, 0), -0.9)}}));
   setEndsFromKeys(from.clip);
   const MovingBiped to = bodyOf({.spineJoints = 4});
   const Clip clip = brought(from, to);
@@ -396,8 +398,11 @@ TEST_CASE("A clip that ends between two frames is brought to its end") {
   const Track& track = *clip.tracks[at(index)];
   CHECK(static_cast<double>(track.times.front()) == Approx(start).margin(1e-6));
   CHECK(static_cast<double>(track.times.back()) == Approx(end).margin(1e-6));
-  CHECK(degreesBetween(boneOf(from, from.clip, "left-arm", 0, end), boneOf(to, clip, "left-arm", 0, end)) <
-        0.1);
+  for (const double time : {lastFrame, end}) {
+    CAPTURE(start, time);
+    CHECK(degreesBetween(boneOf(from, from.clip, "left-arm", 0, time),
+                         boneOf(to, clip, "left-arm", 0, time)) < 0.1);
+  }
 }
 
 TEST_CASE("Copied morph weights go to a mesh with as many targets, and to no other") {
