@@ -88,6 +88,37 @@ wait "$running" && fail "the failures of a pipe are forgotten"
 [ "$(wc -l <slow.out)" = 12 ] || fail "not every line of a pipe is answered"
 cmp slow.out slow.log || fail "the log of a pipe is another one"
 for scale in 2 2.5 3 3.5 4; do cmp "single/$scale.glb" "slow/$scale.glb" || fail "$scale differs by a pipe"; done
+# Two at a time are two: while both processes are stopped in the middle of a command, a third command waits for one of them.
+mkfifo stopped
+"$program" batch - --jobs 2 --json-lines <stopped >stopped.out 2>stopped.err &
+running=$!
+exec 9>stopped
+tell() { echo "info 'the boxer.glb' --json-line" >&9; }
+answered() {
+  for _ in $(seq 400); do [ "$(wc -l <stopped.out)" -ge "$1" ] || sleep 0.05; done
+  [ "$(wc -l <stopped.out)" = "$1" ] || fail "$(wc -l <stopped.out) commands are answered and not $1, $2"
+}
+tell
+answered 1 "of one that came"
+first=$(pgrep -P "$running")
+kill -STOP "$first"
+tell
+tell
+answered 2 "while one of two processes is stopped"
+second=$(pgrep -P "$running" | grep -vx "$first")
+kill -STOP "$second"
+tell
+tell
+sleep 0.5
+[ "$(pgrep -P "$running" | wc -l)" = 2 ] || fail "more than two commands are done at a time"
+[ "$(wc -l <stopped.out)" = 2 ] || fail "a command is answered that waits for a free process"
+kill -CONT "$second"
+answered 4 "of which two waited for one process"
+kill -CONT "$first"
+answered 5 "when both processes go on"
+exec 9>&-
+wait "$running" || fail "commands that waited could not be done"
+
 list slow | "$program" batch - --resume slow.log >slow-again.out 2>/dev/null && fail "a pipe forgets what failed"
 grep -q "done:" slow-again.out && fail "a pipe that is resumed does something again"
 printf 'info "the boxer.glb" --json-line' | "$program" batch - >last.out || fail "a last line without an end is left out"
