@@ -126,6 +126,23 @@ TEST_CASE("A deep nesting of a hundred thousand brackets is refused, not recurse
              Catch::StartsWith("JSON: is nested deeper than 256 levels"));
 }
 
+TEST_CASE("Brackets nest where they stand outside of texts, and to 256 levels") {
+  const auto nested = [](std::size_t depth) { // the object itself is one level
+    return std::string(depth - 1, '[') + std::string(depth - 1, ']');
+  };
+  CHECK(parseJson(R"({"a":)" + nested(256) + "}").ok());
+  CHECK_FALSE(parseJson(R"({"a":)" + nested(257) + "}").ok());
+  CHECK(parseJson(R"({"a":)" + nested(200) + R"(,"b":)" + nested(200) + "}").ok());
+  const std::string brackets(300, '[');
+  CHECK(parseJson(R"({"a":")" + brackets + R"(","b":1})").ok());
+  CHECK(parseJson(R"({"a":"\"{{)" + brackets + R"(","b":1})").ok());
+  CHECK(parseJson(R"({")" + brackets + R"(":{"a":")" + std::string(300, '{') + R"("}})").ok());
+  CHECK_THAT(test::refusal(parseJson(R"({"a":"\\","b":)" + nested(257) + "}")),
+             Catch::Contains("nested deeper than 256"));
+  CHECK(parseAnyJson(nested(257)).is_array()); // no object around it
+  CHECK(parseAnyJson(nested(258)).is_discarded());
+}
+
 TEST_CASE("Base64 gives back what it took") {
   Bytes bytes;
   for (int length = 0; length < 9; ++length) {

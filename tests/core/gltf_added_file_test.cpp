@@ -34,7 +34,10 @@ gltf::Thing thingOf(const TemporaryFolder& folder, const GlbBuilder& glb,
 
 gltf::AddedFile addedSheets(const TemporaryFolder& folder, const GlbBuilder& glb = twoSheets(),
                             const std::string& node = "sheets") {
-  return {"sheets.glb", node, {Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(1)}, thingOf(folder, glb).source};
+  return {"sheets.glb",
+          node,
+          {Vec3(1, 2, 3), Quat(0.8, 0.0, 0.36, 0.48), Vec3(2, 3, 4)},
+          thingOf(folder, glb).source};
 }
 
 std::string refusal(const std::filesystem::path& path) {
@@ -85,6 +88,8 @@ TEST_CASE(
   const Node& carrier = both.scene->nodes.back();
   CHECK(carrier.name == "sheets");
   CHECK(carrier.rest.translation == Vec3(1, 2, 3));
+  CHECK(carrier.rest.rotation == Quat(0.8, 0.0, 0.36, 0.48));
+  CHECK(carrier.rest.scale == Vec3(2, 3, 4));
   CHECK(both.scene->nodes[armNodes].parent == NodeIndex(armNodes + 2));
   CHECK(both.scene->nodes[armNodes + 1].rest.translation == Vec3(5, 0, 0));
   const Primitive& sail = meshNamed(*both.scene, "sail").primitives.front();

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -178,6 +179,69 @@ TEST_CASE("Of a mesh with plain data for other readers the packed ones are read"
   const gltf::Loaded both = opened(glb);
   CHECK(tubeOf(both).positions == tubeOf(opened(packedByDraco(plain, DracoMethod::edgebreaker))).positions);
   CHECK(tubeOf(both).positions != tubeOf(opened(plain)).positions);
+}
+
+TEST_CASE("A mesh that shares plain data with a packed one keeps them") {
+  const GlbBuilder plain = tubeBuilder();
+  GlbBuilder glb = packedByDraco(plain, DracoMethod::edgebreaker);
+  glb.json["accessors"] = plain.json["accessors"];
+  gltf::Json& primitives = glb.json["meshes"][0]["primitives"];
+  const gltf::Json& own = plain.json["meshes"][0]["primitives"][0];
+  primitives.push_back(own);
+  primitives.insert(primitives.begin(), own);
+  const gltf::Loaded file = opened(glb);
+  const auto& read = file.scene->meshes[0].primitives;
+  REQUIRE(read.size() == 3);
+  const Primitive expected = opened(plain).scene->meshes[0].primitives[0];
+  for (const std::size_t shared : {0, 2}) {
+    CHECK(read[shared].positions == expected.positions);
+    CHECK(read[shared].normals == expected.normals);
+    CHECK(read[shared].texCoords == expected.texCoords);
+    CHECK(read[shared].indices == expected.indices);
+  }
+  CHECK(read[1].positions == tubeOf(opened(packedByDraco(plain, DracoMethod::edgebreaker))).positions);
+}
+
+TEST_CASE("Packed attributes may be those of any accessor, the first one among them") {
+  const GlbBuilder packed = packedByDraco(tubeBuilder(), DracoMethod::sequential);
+  const gltf::Loaded expected = opened(packed);
+  const auto attributes = packed.json["meshes"][0]["primitives"][0]["attributes"];
+  for (const auto& [name, accessor] : attributes.items()) {
+    CAPTURE(name);
+    GlbBuilder glb = packed;
+    gltf::Json& accessors = glb.json["accessors"];
+    const auto index = accessor.get<std::size_t>();
+    // The two change places, and whatever names them.
+    std::swap(accessors[0], accessors[index]);
+    const std::function<void(gltf::Json&)> rename = [&](gltf::Json& number) {
+      if (number == 0 || number == index) {
+        number = number == 0 ? index : 0;
+      }
+    };
+    for (gltf::Json& mesh : glb.json["meshes"]) {
+      for (gltf::Json& primitive : mesh["primitives"]) {
+        for (auto& attribute : primitive["attributes"]) {
+          rename(attribute);
+        }
+        if (primitive.contains("indices")) {
+          rename(primitive["indices"]);
+        }
+      }
+    }
+    for (gltf::Json& skin : glb.json["skins"]) {
+      rename(skin["inverseBindMatrices"]);
+    }
+    for (gltf::Json& clip : glb.json["animations"]) {
+      for (gltf::Json& sampler : clip["samplers"]) {
+        rename(sampler["input"]);
+        rename(sampler["output"]);
+      }
+    }
+    const gltf::Loaded file = opened(glb);
+    CHECK(tubeOf(file).positions == tubeOf(expected).positions);
+    CHECK(tubeOf(file).normals == tubeOf(expected).normals);
+    CHECK(tubeOf(file).texCoords == tubeOf(expected).texCoords);
+  }
 }
 
 TEST_CASE("Edits go beside packed data, which stay as they are") {

@@ -6,6 +6,7 @@
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/load/report.h"
 #include "core/gltf/patch/edits.h"
 #include "core/gltf/source/uri.h"
@@ -348,6 +349,7 @@ TEST_CASE("A .gltf with its data in a URI or beside it comes back through a GLB 
   const TemporaryFolder folder;
   GlbBuilder glb = armBuilder();
   SECTION("beside") {
+    glb.binary.resize(glb.binary.size() + GENERATE(0U, 1U, 2U, 3U), 7); // four need not divide its length
     glb.json["buffers"] = {{{"uri", "data.bin"}, {"name", "kept"}, {"byteLength", glb.binary.size()}}};
     test::writeBytes(folder / "data.bin", glb.binary);
   }
@@ -361,8 +363,36 @@ TEST_CASE("A .gltf with its data in a URI or beside it comes back through a GLB 
   gltf::Edits edits = stretchEdits(file);
   edits.work = Json{{"scale", 2}};
   const gltf::Source changed = patchedOrFail(*file.source, edits);
-  checkRestored(reopened(folder, changed, "out.glb"), file, edits.work);
-  checkRestored(reopened(folder, changed, "out.gltf"), file, edits.work);
+  const std::vector<Track>& tracks = edits.clips[0].tracks;
+  for (const char* const name : {"out.glb", "out.gltf"}) {
+    checkRestored(reopened(folder, changed, name), file, edits.work);
+    // What other programs see, without the work.
+    Result<gltf::Loaded> shown = gltf::loadAsItStands(folder / name);
+    REQUIRE(shown);
+    REQUIRE(shown->clips[wave].tracks.size() == 4);
+    CHECK(shown->clips[wave].tracks[3]->values == tracks[0].values);
+    CHECK(shown->clips[wave].tracks[0]->values == tracks[1].values);
+  }
+}
+
+TEST_CASE("Data in a URI are stored once in a file with work, not as bytes and as text") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.binary.resize(40000);
+  const std::string text = gltf::encodeBase64(glb.binary);
+  const bool isPlain = GENERATE(true, false);
+  const std::string type =
+      isPlain ? "data:application/octet-stream;base64," : "data:application/gltf-buffer;base64,";
+  glb.json["buffers"] = {{{"uri", type + text}, {"byteLength", glb.binary.size()}}};
+  const std::string json = glb.json.dump();
+  test::writeBytes(folder / "source.gltf", {json.begin(), json.end()});
+  const gltf::Loaded file = opened(folder / "source.gltf");
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = Json{{"scale", 2}};
+  const gltf::Loaded again = reopened(folder, patchedOrFail(*file.source, edits), "out.glb");
+  CHECK(std::filesystem::file_size(folder / "out.glb") < 2 * json.size() - text.size() / 4);
+  CHECK(std::filesystem::file_size(folder / "out.glb") < glb.binary.size() + 20000);
+  CHECK((*again.source->json)["buffers"][0]["uri"] == type + text);
 }
 
 TEST_CASE("Extras that are there already survive the work") {

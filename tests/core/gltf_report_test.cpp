@@ -53,6 +53,26 @@ TEST_CASE("A file that is not there is one error") {
   CHECK(problems[0].severity == gltf::Severity::error);
 }
 
+TEST_CASE("A skin of more joints than some engines hold is told, from 129 on") {
+  const std::size_t joints = GENERATE(128U, 129U);
+  test::GlbBuilder glb = armBuilder();
+  const std::size_t own = glb.json["nodes"].size();
+  for (std::size_t i = glb.json["skins"][0]["joints"].size(); i < joints; ++i) {
+    glb.json["nodes"][0]["children"].push_back(glb.json["nodes"].size());
+    glb.json["skins"][0]["joints"].push_back(glb.json["nodes"].size());
+    glb.json["nodes"].push_back({{"name", "twist " + std::to_string(i)}});
+  }
+  REQUIRE(glb.json["nodes"].size() > own);
+  glb.json["skins"][0].erase("inverseBindMatrices");
+  const std::vector<gltf::Problem> problems = problemsOf(glb);
+  REQUIRE(problems.size() == (joints > 128 ? 1 : 0));
+  if (!problems.empty()) {
+    CHECK(problems[0].severity == gltf::Severity::warning);
+    CHECK(problems[0].where == "skins[0]");
+    CHECK(problems[0].what == "has 129 joints; some engines hold 128 at most");
+  }
+}
+
 TEST_CASE("A rotation under an uneven scale shears, under an even one it does not") {
   CHECK(gltf::residualShear(turnedUnder(Vec3(2.0)), {}).empty());
   CHECK(gltf::residualShear(turnedUnder(Vec3(-2.0, 2.0, 2.0)), {}).empty());
