@@ -216,9 +216,10 @@ TEST_CASE("a tolerance that no number of bones meets is told") {
   settings.tolerancePercent = 0.01;
   const auto result = compress(test::shorteningTube(8, 2.0, 0.06, 0.1), settings);
   REQUIRE(result);
-  CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
-    return warning.find("0.01 % of the diagonal is not met") != std::string::npos;
-  }));
+  // It is given up where twice as many are hardly any better, long before the most that are tried.
+  REQUIRE_FALSE(result->warnings.empty());
+  CHECK(result->warnings[0] ==
+        "0.01 % of the diagonal is not met: 16 bones are off by 2.1 %, and more, up to 128, do not help");
 }
 
 TEST_CASE("vertices hang on up to eight bones where that is asked for, and the file has them all") {

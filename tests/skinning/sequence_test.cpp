@@ -2,14 +2,19 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/patch/edits.h"
+#include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"
 #include "skinning/sequence/topology.h"
+#include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/shapes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -116,6 +121,95 @@ TEST_CASE("PLY frames: ascii and both byte orders give the same mesh") {
   }
 }
 
+TEST_CASE("each kind of number of a PLY is read in each byte order, lists of other names and properties "
+          "beside it") {
+  struct Kind {
+    std::vector<std::string> names;
+    std::function<std::string(double)> bytes;
+  };
+  const auto kind = [](std::vector<std::string> names, auto zero) {
+    return Kind{std::move(names), [zero](double value) {
+                  std::string raw;
+                  put(raw, static_cast<decltype(zero)>(value));
+                  return raw;
+                }};
+  };
+  const std::vector<Kind> kinds{
+      kind({"char", "int8"}, std::int8_t{0}),    kind({"uchar", "uint8"}, std::uint8_t{0}),
+      kind({"short", "int16"}, std::int16_t{0}), kind({"ushort", "uint16"}, std::uint16_t{0}),
+      kind({"int", "int32"}, std::int32_t{0}),   kind({"uint", "uint32"}, std::uint32_t{0}),
+      kind({"float", "float32"}, float{0}),      kind({"double", "float64"}, double{0})};
+  const std::vector<glm::vec3> corners{{3, 4, 5}, {103, 4, 5}, {3, 104, 5}, {3, 4, 105}};
+  for (const Kind& one : kinds) {
+    for (const std::string& name : one.names) {
+      for (const bool big : {false, true}) {
+        CAPTURE(name, big);
+        const auto number = [&](double value) {
+          const std::string raw = one.bytes(value);
+          return big ? std::string(raw.rbegin(), raw.rend()) : raw;
+        };
+        std::string bytes =
+            fmt::format("ply\nformat binary_{0}_endian 1.0\nelement vertex 4\nproperty {1} x\nproperty {1} "
+                        "y\nproperty {1} z\n"
+                        "element face 2\nproperty {1} vertex_indices_count\nproperty list {1} {1} texcoord\n"
+                        "property list {1} {1} vertex_index\nproperty {1} flags\nend_header\n",
+                        big ? "big" : "little", name);
+        for (const glm::vec3& corner : corners) {
+          bytes += number(corner.x) + number(corner.y) + number(corner.z);
+        }
+        bytes += number(9) + number(2) + number(7) + number(8) + // a number and a list of other things
+                 number(4) + number(0) + number(1) + number(2) + number(3) + number(1);
+        bytes += number(9) + number(0) + number(3) + number(3) + number(2) + number(0) + number(1);
+        const auto mesh = parsePly(bytes, "a.ply");
+        REQUIRE(mesh);
+        CHECK(mesh->positions == corners);
+        CHECK(mesh->triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {3, 2, 0}});
+      }
+    }
+  }
+}
+
+TEST_CASE("a PLY is refused at the vertex or the face that is none, and by its header") {
+  const auto told = [](const std::string& properties, const std::string& data) {
+    const auto mesh = parsePly("ply\nformat ascii 1.0\n" + properties + "end_header\n" + data, "a.ply");
+    return mesh ? std::string("accepted") : mesh.error().line();
+  };
+  const std::string places = "property float x\nproperty float y\nproperty float z\n";
+  const std::string three = "element vertex 3\n" + places;
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  const std::string tips = "0 0 0\n1 0 0\n0 1 0\n";
+  CHECK(told(three + faces, tips + "3 0 1 2\n") == "accepted");
+  CHECK(told(three + faces, "0 0 0 1\n0 0 0 1\n0 3 0 1 2") == "accepted"); // lines do not count
+  CHECK_THAT(told(three + faces, tips + "3 0 1 3\n"), Contains("face 0") && Contains("corners that exist"));
+  CHECK_THAT(told(three + faces, tips + "3 0 1 -1\n"), Contains("face 0"));
+  CHECK_THAT(told(three + faces, tips + "2 0 1\n"), Contains("face 0") && Contains("three or more"));
+  CHECK_THAT(told(three + faces, tips + "3 0 1\n"), Contains("face 0") && Contains("end early"));
+  CHECK_THAT(told(three + faces, "0 0 0\n1 0 0\n0 1e16 0\n3 0 1 2\n"),
+             Contains("vertex 2") && Contains("finite"));
+  CHECK_THAT(told(three + faces, "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), Contains("vertex 1"));
+  CHECK_THAT(told(three + faces, "0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n"),
+             Contains("vertex 0") && Contains("not a number"));
+  CHECK_THAT(told(three + "element face 1\nproperty int vertex_indices\n", tips + "0\n"), Contains("face 0"));
+  CHECK_THAT(told(three + "element face 1\nproperty list uchar int corners\n", tips + "3 0 1 2\n"),
+             Contains("face 0"));
+  CHECK_THAT(told(three, tips), Contains("no faces"));
+  CHECK_THAT(
+      told("element vertex 3\nproperty float x\nproperty float y\n" + faces, "0 0\n1 0\n0 1\n3 0 1 2\n"),
+      Contains("vertex 0") && Contains("x, y and z"));
+  for (const char* const header :
+       {"element vertex -1\n", "element vertex many\n", "property float x\n",
+        "element vertex 3\nproperty half x\n", "element vertex 3\nproperty list float\n",
+        "element vertex 3\nproperty list half int x\n", "element vertex 3\nproperty float\n",
+        "format text 1.0\n"}) {
+    CAPTURE(header);
+    CHECK_THAT(told(header, ""), Contains("header is not understood"));
+  }
+  CHECK_THAT(told(three + "element face 1\nproperty list int int vertex_indices\n", tips + "1000001 0 1 2\n"),
+             Contains("face 0"));
+  CHECK_THAT(told(three + "element face 1\nproperty list int int vertex_indices\n", tips + "-1 0 1 2\n"),
+             Contains("face 0"));
+}
+
 TEST_CASE("PLY files that promise more than they hold are refused at once") {
   const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n";
   CHECK_THAT(parsePly(head + "property float x\nproperty float y\nproperty float z\nend_header\n", "x.ply")
@@ -153,6 +247,36 @@ TEST_CASE("a point cache moves the vertices of its base mesh") {
   CHECK(sequence->frameCount() == 3);
   CHECK(sequence->frame(1)[0].x == 12.5F);
   CHECK(sequence->frame(2)[3].z == 35.5F);
+  CHECK(sequence->name == "run");
+  CHECK(sequence->triangles == std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
+  CHECK(sequence->frameNames == std::vector<std::string>{"sample 0", "sample 1", "sample 2"});
+}
+
+TEST_CASE("a point cache moves the triangles and looks of a PLY and of a glTF as of an OBJ") {
+  const test::TemporaryFolder folder;
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 0 255 0\n0 0 1 0 0 255\n0 1 0 0 0 0\n3 0 1 2\n3 0 3 1\n";
+  const auto sequence =
+      readSequence({folder.write("base.ply", ply), folder.write("run.pc2", pointCache(4, 2, 24))});
+  REQUIRE(sequence);
+  CHECK(sequence->triangles == std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}});
+  REQUIRE(sequence->surface);
+  CHECK(sequence->surface->places == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(sequence->surface->triangles == sequence->triangles);
+  REQUIRE(sequence->surface->colors.size() == 4);
+  CHECK(sequence->surface->colors[1] == glm::vec4(0.0F, 1.0F, 0.0F, 1.0F));
+
+  SkinnedSequence tube = test::wavingTube(3, 2);
+  REQUIRE(gltf::save(encodeGltf(tube).source, folder / "tube.glb"));
+  const auto count = static_cast<std::int32_t>(tube.bindPositions.size());
+  const auto moved = readSequence(
+      {folder / "tube.glb", folder.write("tube.pc2", pointCache(count, 2, 6 * tube.bindPositions.size()))});
+  REQUIRE(moved);
+  CHECK(moved->triangles == tube.triangles);
+  CHECK(moved->frame(1)[0].x == 0.5F + 3.0F * static_cast<float>(count));
 }
 
 TEST_CASE("a cache alone finds the mesh beside it that it was made of, by vertices and then by name") {
