@@ -66,6 +66,29 @@ TEST_CASE("a hand's controller stands where the wrist is, a foot's at the ankle,
   }
 }
 
+TEST_CASE("what a controller leads is told to be where it was asked for, and nothing else to be there") {
+  const MovingBiped moving = punchingBiped();
+  const double step = 0.02 * moving.body.height;
+  for (const auto& [id, way] : {std::pair<std::string, Vec3>{"hips", Vec3(0.0, -1.0, 0.0)},
+                                {"spine-top", Vec3(0.5, -1.0, 0.5)},
+                                {"head", Vec3(0.5, -1.0, 0.5)},
+                                {"left-hand", Vec3(0.0, 0.0, -1.0)},
+                                {"right-hand", Vec3(0.0, -1.0, -0.5)},
+                                {"left-foot", Vec3(0.5, 1.0, 0.0)},
+                                {"right-foot", Vec3(0.0, 1.0, 0.5)}}) {
+    const MotionState motion = adjusted(moving, {test::moved(id, step * way)}, {});
+    FrameState state = sampledFrame(moving.scene, moving.clip, 12.0 / moving.clip.framesPerSecond);
+    const FrameState before = state;
+    const std::vector<AskedPlace> asked = applyAdjustments(moving.scene, motion.adjustments, state);
+    const auto own = std::ranges::find(asked, id, &AskedPlace::controller);
+    INFO(id);
+    REQUIRE(own != asked.end());
+    const Vec3 reached = controllerPlace(motion.adjustments, id, state);
+    CHECK(glm::length(reached - own->place) < 0.1 * step);
+    CHECK(glm::length(controllerPlace(motion.adjustments, id, before) - own->place) > 0.5 * step);
+  }
+}
+
 TEST_CASE("a controller stands where a trail takes what it is on") {
   const MovingBiped moving = punchingBiped();
   const Placed placed(moving, {}, 12.0, {connectedTrail("left-arm", 6.0, 12.0, 3.0)});

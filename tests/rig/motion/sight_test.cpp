@@ -161,6 +161,16 @@ TEST_CASE("standard views stand where the character faces in the clip") {
   CHECK(facing() == Vec3(-1.0, 0.0, 0.0));
 }
 
+TEST_CASE("what is seen as well from every height is looked at from five degrees above") {
+  SightedAction swing;
+  swing.path = {Vec3(-1.0, 1.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 1.0, 0.0)};
+  swing.base = Vec3(-0.5, 1.0, 0.0);
+  swing.tip = Vec3(1.0, 1.0, 0.0);
+  const Vec3 eye = bestView(swing);
+  CHECK(eye.y == Approx(std::sin(5.0 * pi / 180.0)));
+  CHECK(eye.x == Approx(0.0).margin(1e-9));
+}
+
 TEST_CASE("the best view shows path and limb across, the face, and no trunk in the way") {
   SightedAction punch;
   for (int i = 0; i <= 8; ++i) {
