@@ -1,5 +1,8 @@
 // Every number that clips and streams of made-up bodies are written with.
 #include <catch2/catch.hpp>
+
+#include <cstring>
+
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
 
@@ -146,14 +149,26 @@ std::string clipText(const Body& body, const std::string& way, const EncodeSetti
              clip.bytesPerFrame, clip.bytesOnce, error ? error->largestPercent : -1.0);
 }
 
-std::string framesText(std::span<const std::uint8_t> bytes, std::size_t frameBytes) {
+/// The numbers of each frame, added up by their places: bytes would tell how a compiler rounds.
+std::string framesText(const Json& format, std::span<const std::uint8_t> bytes, std::size_t frameBytes) {
   std::string text;
   for (std::size_t first = 0; first < bytes.size(); first += frameBytes) {
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < frameBytes; ++i) {
-      sum += bytes[first + i] * (1 + i % 11);
+    std::size_t at = first + streamHeaderBytes;
+    text += fmt::format("    frame {} of {} bytes , number {} :", first / frameBytes, frameBytes,
+                        bytes[first + 4]);
+    for (const Json& course : format["courses"]) {
+      double sum = 0.0;
+      for (int i = 1; i <= (course["path"] == "rotation" ? 4 : 3); ++i) {
+        std::int16_t whole = 0;
+        float number = 0.0F;
+        const bool isShort = course["componentType"] == 5122;
+        std::memcpy(isShort ? static_cast<void*>(&whole) : &number, bytes.data() + at, isShort ? 2 : 4);
+        sum += i * (isShort ? whole / 32767.0 : static_cast<double>(number));
+        at += isShort ? 2 : 4;
+      }
+      text += fmt::format(" {:.3f}", sum);
     }
-    text += fmt::format("    frame {} of {} bytes : {}\n", first / frameBytes, frameBytes, sum);
+    text += at == first + frameBytes ? "\n" : " and more\n";
   }
   return text;
 }
@@ -196,8 +211,8 @@ TEST_CASE("Streams of bodies, and frames that are appended to them, are as they 
         text += test::contentsText(
             fmt::format("{} , quantised {} , courses {}", body.title, quantise, static_cast<int>(courses)),
             gltf::load(folder / "base.glb"));
-        text += "  " + stream.base.json->at("extras").dump() + "\n" +
-                framesText(stream.frames, stream.frameBytes);
+        const Json format = stream.base.json->at("extras").at("stretch_stream");
+        text += "  " + format.dump() + "\n" + framesText(format, stream.frames, stream.frameBytes);
         MeshSequence later = skinAllFrames(body.skinned);
         later.surface = body.skinned.surface;
         const Result<AppendedFrames> appended =
@@ -208,7 +223,7 @@ TEST_CASE("Streams of bodies, and frames that are appended to them, are as they 
         }
         text += fmt::format("  appended from {} , off by {:.2f} and {:.2f}\n", appended->firstNumber,
                             appended->metrics.rmsePercent, appended->metrics.largestPercent) +
-                framesText(appended->bytes, appended->frameBytes);
+                framesText(format, appended->bytes, appended->frameBytes);
       }
     }
   }

@@ -127,10 +127,10 @@ TEST_CASE("each kind of number of a PLY is read in each byte order, lists of oth
     std::vector<std::string> names;
     std::function<std::string(double)> bytes;
   };
-  const auto kind = [](std::vector<std::string> names, auto zero) {
-    return Kind{std::move(names), [zero](double value) {
+  const auto kind = []<typename T>(std::vector<std::string> names, T /*of this type*/) {
+    return Kind{std::move(names), [](double value) {
                   std::string raw;
-                  put(raw, static_cast<decltype(zero)>(value));
+                  put(raw, static_cast<T>(value));
                   return raw;
                 }};
   };
