@@ -38,6 +38,47 @@ Session posed(const std::string& id, const Vec3& move, double frame = 8.0) {
 
 } // namespace
 
+TEST_CASE(
+    "A pose that is tried while the mouse is down is keyed where keys are made by themselves, else held") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "left-hand", false);
+  const Vec3 move(0.05, -0.1, 0.02);
+  const bool autoKey = GENERATE(true, false);
+  session.view().autoKey = autoKey;
+  session.begin("Move");
+  REQUIRE(previewPose(session, moved("left-hand", move)));
+  CHECK(session.document().adjustments.empty() != autoKey);
+  CHECK(session.view().unkeyed.offsets.empty() == autoKey);
+  CHECK(glm::length(moveOf(session, "left-hand") - move) < 1e-9);
+  REQUIRE(previewPose(session, moved("left-hand", 2.0 * move)));
+  CHECK(glm::length(moveOf(session, "left-hand") - 2.0 * move) < 1e-9);
+  CHECK(session.atBegin().adjustments.empty()); // no step yet
+  CHECK_FALSE(previewPose(session, moved("left-wing", move)));
+}
+
+TEST_CASE("A command that nudges tells which way, how far, and what its key does with nothing to move") {
+  NudgeSubject subject;
+  subject.idPrefix = "thing.nudge-";
+  subject.words = "the thing";
+  subject.nudge = [](Session&, const Chord&) { return Success{}; };
+  const std::vector<DocumentCommand> commands = nudgeCommands(subject);
+  REQUIRE(commands.size() >= 18);
+  std::size_t stepping = 0;
+  for (const DocumentCommand& one : commands) {
+    CAPTURE(one.id, one.help);
+    const bool isPlainLeft = one.id == "thing.nudge-left";
+    const bool isPlainRight = one.id == "thing.nudge-right";
+    const bool steps = one.help.find(" With nothing to move the key ") != std::string::npos;
+    stepping += steps ? 1 : 0;
+    CHECK((!isPlainLeft || one.help.ends_with("With nothing to move the key steps a frame back.")));
+    CHECK((!isPlainRight || one.help.ends_with("With nothing to move the key steps a frame on.")));
+    CHECK(steps == !one.otherwise.empty());
+    CHECK(one.help.find("the thing") != std::string::npos);
+  }
+  CHECK(stepping >= 2);
+}
+
 TEST_CASE("A selected controller takes limb, trail and spheres out of the selection, and they take it") {
   Session session(test::boxer());
   NewTrail wanted;

@@ -71,6 +71,30 @@ TEST_CASE("A moved locator takes its counterpart along as the mirror image", "[l
         0.01);
 }
 
+TEST_CASE("A locator whose counterpart is gone moves alone, and across the body as the others tell",
+          "[locators]") {
+  Session session = personSession();
+  REQUIRE(runCommand(session, command::locatorsFit));
+  Document document = session.document();
+  std::erase_if(document.locators.list,
+                [](const rig::Locator& locator) { return locator.name == "rightHand"; });
+  const std::size_t count = document.locators.list.size();
+  const Vec3 step(0.1, 0.2, 0.05);
+  const Document moved = moveLocators(document, {"leftHand", "leftFoot"}, step, true);
+  REQUIRE(moved.locators.list.size() == count);
+  for (const rig::Locator& locator : moved.locators.list) {
+    const Vec3 before = rig::findLocator(document.locators, locator.name)->position;
+    CAPTURE(locator.name);
+    if (locator.name == "leftHand" || locator.name == "leftFoot") {
+      CHECK(glm::distance(locator.position, before + step) < 1e-9);
+    } else if (locator.name == "rightFoot") {
+      CHECK(glm::distance(locator.position, before + Vec3(-0.1, 0.2, 0.05)) < 0.01);
+    } else {
+      CHECK(locator.position == before);
+    }
+  }
+}
+
 TEST_CASE("Reset puts moved locators back to where they were fitted, as one step") {
   Session session = personSession();
   REQUIRE(runCommand(session, command::locatorsFit));
