@@ -1,6 +1,8 @@
 // Every number that clips and streams of made-up bodies are written with.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -157,14 +159,23 @@ std::string framesText(const Json& format, std::span<const std::uint8_t> bytes, 
     text += fmt::format("    frame {} of {} bytes , number {} :", first / frameBytes, frameBytes,
                         bytes[first + 4]);
     for (const Json& course : format["courses"]) {
-      double sum = 0.0;
-      for (int i = 1; i <= (course["path"] == "rotation" ? 4 : 3); ++i) {
+      std::vector<double> values;
+      for (int i = 0; i < (course["path"] == "rotation" ? 4 : 3); ++i) {
         std::int16_t whole = 0;
         float number = 0.0F;
         const bool isShort = course["componentType"] == 5122;
         std::memcpy(isShort ? static_cast<void*>(&whole) : &number, bytes.data() + at, isShort ? 2 : 4);
-        sum += i * (isShort ? whole / 32767.0 : static_cast<double>(number));
+        values.push_back(isShort ? whole / 32767.0 : static_cast<double>(number));
         at += isShort ? 2 : 4;
+      }
+      // Of the two quaternions of a turn the one whose largest number is positive: which it is hangs on
+      // rounding.
+      const double largest =
+          *std::ranges::max_element(values, {}, [](double value) { return std::abs(value); });
+      double sum = 0.0;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const double sign = values.size() == 4 && largest < 0.0 ? -1.0 : 1.0;
+        sum += sign * static_cast<double>(i + 1) * values[i];
       }
       text += fmt::format(" {:.3f}", sum);
     }
