@@ -6,9 +6,11 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/descriptor.h"
 #include "core/base/file.h"
 
 namespace stretch {
@@ -30,33 +32,13 @@ fs::path folderOfFile(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// Closes the file when its writing was given up.
-class Descriptor {
-public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) {
-      ::close(number_);
-    }
-  }
-
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
-  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
-private:
-  int number_;
-};
-
 // A name beside the file that no other program and no other thread has. Names of a fixed length: the file's
 // own may be as long as the system allows.
 template <typename Make>
-fs::path makeUnique(const fs::path& target, Make&& make) {
+fs::path makeUnique(const fs::path& target, const char* beginning, Make&& make) {
   constexpr int mostTries = 10000;
   for (int i = 0; i < mostTries; ++i) {
-    fs::path name = folderOfFile(target) / fmt::format(".stretch-engine-{}-{}.tmp", ::getpid(), i);
+    fs::path name = folderOfFile(target) / fmt::format("{}{}-{}.tmp", beginning, ::getpid(), i);
     errno = 0;
     if (make(name)) {
       return name;
@@ -66,6 +48,20 @@ fs::path makeUnique(const fs::path& target, Make&& make) {
     }
   }
   return {};
+}
+
+// A new file, locked where the disk knows locks; none where the system says why, or another program just
+// found it without a lock.
+Descriptor newPart(const fs::path& name) {
+  constexpr mode_t withoutMask = 0666;
+  Descriptor part(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, withoutMask));
+  struct stat found {};
+  if (part.number() >= 0 && ((::flock(part.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) ||
+                             (::fstat(part.number(), &found) == 0 && found.st_nlink == 0))) {
+    part.close();
+    errno = EEXIST;
+  }
+  return part;
 }
 
 bool writeAll(int file, std::span<const std::uint8_t> bytes) {
@@ -81,8 +77,8 @@ bool writeAll(int file, std::span<const std::uint8_t> bytes) {
 
 // What was renamed has to survive a loss of power too. Systems that cannot bring a folder to the disk say so.
 bool syncFolder(const fs::path& folder) {
-  Descriptor open(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return open.isOpen() && (::fsync(open.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
+  const Descriptor open(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return open.number() >= 0 && (::fsync(open.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
 }
 
 // Where a chain of symbolic links ends, whether there is a file or not.
@@ -121,22 +117,19 @@ public:
 
   // The new content on the disk, under another name.
   Status write(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    int number = -1;
     Step step;
     step.target = target;
-    step.temporary = makeUnique(target, [&](const fs::path& name) {
-      constexpr mode_t withoutMask = 0666;
-      number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, withoutMask);
-      return number >= 0;
+    step.temporary = makeUnique(target, partName, [&](const fs::path& name) {
+      step.part = newPart(name);
+      return step.part.number() >= 0;
     });
+    const int number = step.part.number();
     if (number < 0) {
       return cannotWrite(target, reasonOf(errno));
     }
-    Descriptor file(number);
     steps_.push_back(std::move(step));
     const bool done = takeRights(target, number) && writeAll(number, bytes) && ::fsync(number) == 0;
-    const std::string reason = reasonOf(done ? 0 : errno);
-    return file.close() && done ? Status(Success{}) : Status(cannotWrite(target, reason));
+    return done ? Status(Success{}) : Status(cannotWrite(target, reasonOf(errno)));
   }
 
   // All into their places. The last one needs no way back: with it the save is done.
@@ -171,6 +164,7 @@ private:
   struct Step {
     fs::path target;
     fs::path temporary; ///< The new content, until it is in place.
+    Descriptor part;    ///< Its lock.
     fs::path old;       ///< The content before, set aside; empty where there was none.
     bool isInPlace = false;
   };
@@ -201,7 +195,7 @@ private:
     if (!fs::exists(step.target, failure)) {
       return true;
     }
-    step.old = makeUnique(step.target, [&](const fs::path& name) {
+    step.old = makeUnique(step.target, ".stretch-engine-", [&](const fs::path& name) {
       if (::link(step.target.c_str(), name.c_str()) == 0 || errno == EEXIST) {
         return errno != EEXIST;
       }
@@ -278,6 +272,26 @@ Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
 }
 
 } // namespace
+
+void removeLeftParts(const fs::path& folder) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const fs::path& path = entry->path();
+    if (!path.filename().string().starts_with(partName) || path.extension() != ".tmp") {
+      continue;
+    }
+    const Descriptor part(::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat locked {};
+    struct stat named {};
+    // A writer may have put it into its place, and begun another one of that name, before it was locked here.
+    if (part.number() >= 0 && ::flock(part.number(), LOCK_EX | LOCK_NB) == 0 &&
+        ::fstat(part.number(), &locked) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+        locked.st_ino == named.st_ino && locked.st_dev == named.st_dev) {
+      ::unlink(path.c_str());
+    }
+  }
+}
 
 Status writeFiles(std::span<const OutputFile> files, MissingFolder folder) {
   std::vector<Content> contents;

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "core/base/descriptor.h"
+#include "core/base/file.h"
 
 extern char** environ; // NOLINT(readability-redundant-declaration): not declared by every C library
 
@@ -78,29 +79,6 @@ std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, 
   return words;
 }
 
-constexpr const char* partName = ".stretch-engine-video-"; // and the number of a process
-
-// Whoever writes a part holds its lock, here or on another machine: one that can be locked belongs to nobody,
-// since its process was killed.
-bool lock(int file) {
-  return flock(file, LOCK_EX | LOCK_NB) == 0;
-}
-
-void removeLeftParts(const fs::path& folder) {
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end; !failure && entry != end;
-       entry.increment(failure)) {
-    const fs::path& path = entry->path();
-    if (!path.filename().string().starts_with(partName) || path.extension() != ".tmp") {
-      continue;
-    }
-    const Descriptor part(open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    if (part.number() >= 0 && lock(part.number())) {
-      unlink(path.c_str());
-    }
-  }
-}
-
 // The part, empty and locked; where the folder takes none ffmpeg says so.
 Descriptor lockedPart(const fs::path& part) {
   constexpr mode_t withoutMask = 0666;
@@ -108,8 +86,8 @@ Descriptor lockedPart(const fs::path& part) {
     Descriptor file(open(part.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, withoutMask));
     struct stat found {};
     // Another program may have taken it for left over before it was locked.
-    if (file.number() < 0 || !lock(file.number()) || fstat(file.number(), &found) != 0 ||
-        found.st_nlink > 0) {
+    if (file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) != 0 ||
+        fstat(file.number(), &found) != 0 || found.st_nlink > 0) {
       return file;
     }
   }
@@ -223,7 +201,7 @@ Result<VideoWriter> VideoWriter::open(const VideoPlan& plan) {
   process->bytes =
       4 * static_cast<std::size_t>(plan.widthPixels) * static_cast<std::size_t>(plan.heightPixels);
   process->part = plan.path;
-  process->part.replace_filename(fmt::format("{}{}.tmp", partName, getpid()));
+  process->part.replace_filename(fmt::format("{}video-{}.tmp", partName, getpid()));
   removeLeftParts(plan.path.parent_path());
   process->lock = lockedPart(process->part);
   if (Status started = process->start(wordsFor(plan, *kind, process->part)); !started) {

@@ -1,14 +1,18 @@
 #include "core/base/file.h"
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 
+#include "core/base/descriptor.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -146,6 +150,42 @@ TEST_CASE("Writers of one file do not meet") {
   }
   const std::string text = textOf(folder / "a.glb");
   CHECK(text == std::string(size, text.front()));
+  CHECK(entriesOf(folder) == 1);
+}
+
+TEST_CASE("What killed programs left half written is removed, and nothing else") {
+  const TemporaryFolder folder;
+  const std::string part = partName;
+  folder.write(part + "1-0.tmp", "left");
+  folder.write(part + "video-1.tmp", "left");
+  folder.write(part + "1-0.png", "the user's");
+  folder.write(".stretch-engine-1-0.tmp", "content of before a save that was killed");
+  folder.write("picture.tmp", "the user's");
+  const Descriptor other(open(folder.write(part + "2-0.tmp", "under way").c_str(), O_RDONLY));
+  REQUIRE(flock(other.number(), LOCK_EX) == 0);
+  removeLeftParts(folder.path());
+  CHECK_FALSE(fs::exists(folder / (part + "1-0.tmp")));
+  CHECK_FALSE(fs::exists(folder / (part + "video-1.tmp")));
+  CHECK(entriesOf(folder) == 4);
+  removeLeftParts(folder / "missing");
+}
+
+TEST_CASE("Files that are under way are not taken for left ones") {
+  const TemporaryFolder folder;
+  std::atomic<bool> isDone = false;
+  std::thread sweeper([&] {
+    while (!isDone) {
+      removeLeftParts(folder.path());
+    }
+  });
+  const Bytes content(100, 'a');
+  std::size_t written = 0;
+  for (int round = 0; round < 1000; ++round) {
+    written += writeFile(folder / "picture.png", content).ok() ? 1 : 0;
+  }
+  isDone = true;
+  sweeper.join();
+  CHECK(written == 1000);
   CHECK(entriesOf(folder) == 1);
 }
 

@@ -213,18 +213,19 @@ TEST_CASE("A video removes what a killed one left in its folder, and nothing tha
   const fs::path ffmpeg =
       programs.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\nexec cat >\"${last#file:}\"\n");
   fs::permissions(ffmpeg, fs::perms::owner_all);
-  folder.write(".stretch-engine-video-1.tmp", "left");
-  folder.write(".stretch-engine-video-own.txt", "the user's");
-  const Descriptor other(open(folder.write(".stretch-engine-video-2.tmp", "under way").c_str(), O_RDONLY));
+  folder.write(".stretch-engine-part-video-1.tmp", "left");
+  folder.write(".stretch-engine-part-video-own.txt", "the user's");
+  const Descriptor other(
+      open(folder.write(".stretch-engine-part-video-2.tmp", "under way").c_str(), O_RDONLY));
   REQUIRE(flock(other.number(), LOCK_EX) == 0);
   const std::string path = std::getenv("PATH");
   setenv("PATH", (programs.path().string() + ":" + path).c_str(), 1);
   {
     Result<ui::VideoWriter> video = ui::VideoWriter::open({folder / "a.mp4", 16, 16, 24.0});
     REQUIRE(video);
-    CHECK_FALSE(fs::exists(folder / ".stretch-engine-video-1.tmp"));
+    CHECK_FALSE(fs::exists(folder / ".stretch-engine-part-video-1.tmp"));
     // One that another program opens there leaves this one alone.
-    const fs::path own = folder / fmt::format(".stretch-engine-video-{}.tmp", getpid());
+    const fs::path own = folder / fmt::format(".stretch-engine-part-video-{}.tmp", getpid());
     const Descriptor seen(open(own.c_str(), O_RDONLY));
     REQUIRE(seen.number() >= 0);
     CHECK(flock(seen.number(), LOCK_EX | LOCK_NB) != 0);
@@ -233,6 +234,6 @@ TEST_CASE("A video removes what a killed one left in its folder, and nothing tha
   }
   setenv("PATH", path.c_str(), 1);
   CHECK(fs::file_size(folder / "a.mp4") == 4 * 16 * 16);
-  CHECK(fs::exists(folder / ".stretch-engine-video-2.tmp"));
+  CHECK(fs::exists(folder / ".stretch-engine-part-video-2.tmp"));
   CHECK(folder.fileCount() == 3);
 }

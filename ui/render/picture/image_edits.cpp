@@ -149,6 +149,7 @@ Status writePng(const std::filesystem::path& path, const Image& image) {
   if (!bytes) {
     return bytes.error();
   }
+  removeLeftParts(path.parent_path());
   return writeFile(path, *bytes);
 }
 
