@@ -94,6 +94,8 @@ TEST_CASE("Settings survive the file, and a damaged file is harmless") {
   CHECK(read.navigation == NavigationStyle::blender);
   CHECK(read.overlays.ghostsBefore == 5);
   CHECK(read.recentFiles == ui.recentFiles);
+  readSettings(text, read, readPanes, window); // once more, in place of what is there
+  CHECK(read.recentFiles == ui.recentFiles);
   CHECK(readPanes == panes);
   CHECK(window.maximised);
   CHECK(settingsText(read, readPanes, window) == text);
