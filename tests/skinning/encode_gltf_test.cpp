@@ -3,6 +3,7 @@
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
 #include "skinning/compress/compress.h"
+#include "skinning/export/clip_writer.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
@@ -94,4 +95,20 @@ TEST_CASE("a clip in which nothing moves has no channels and is written without 
   SkinnedSequence skinned = test::wavingTube(4, 1);
   const EncodedClip clip = encodeGltf(skinned);
   CHECK_FALSE(clip.source.json->contains("animations"));
+}
+
+TEST_CASE("courses are alike where every number is, from the first to the last, and as many as the other's") {
+  const Course course{1.0F, 2.0F, 3.0F, 4.0F};
+  CHECK(areAlike(course, course, 0.0));
+  CHECK_FALSE(areAlike(course, {1.0F, 2.0F, 3.0F}, 10.0));
+  CHECK_FALSE(areAlike(course, {1.0F, 2.0F, 3.0F, 4.0F, 5.0F}, 10.0));
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    for (const float step : {-0.5F, 0.5F}) {
+      CAPTURE(i, step);
+      Course other = course;
+      other[i] += step;
+      CHECK(areAlike(course, other, 0.5));
+      CHECK_FALSE(areAlike(course, other, 0.49));
+    }
+  }
 }
