@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -114,6 +115,26 @@ void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip
   made = std::move(weighted);
 }
 
+/// The settled plan. A moment that is weak but for what the other side does, and that could not be done,
+/// takes no room from others: without it all are planned again.
+AutoPlan settledPlan(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+                     const AutoSettings& settings) {
+  std::map<std::size_t, std::string> refused;
+  while (true) {
+    AutoPlan plan = planTrails(ground, moments, settings, refused);
+    settle(ground, moments, settings, plan);
+    const std::size_t before = refused.size();
+    for (const std::size_t place : plan.partners) {
+      if (!plan.leftOut[place].empty()) {
+        refused[place] = plan.leftOut[place];
+      }
+    }
+    if (refused.size() == before) {
+      return plan;
+    }
+  }
+}
+
 } // namespace
 
 std::string remarkOn(bool isExaggerated, bool isLevel, const std::string& why) {
@@ -131,12 +152,7 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
     return unchanged(document, moments, "the strength is 0");
   }
   const ClipGround ground = clipGround(document, clip);
-  AutoPlan plan = planTrails(ground, moments, settings, true);
-  settle(ground, moments, settings, plan);
-  if (std::ranges::any_of(plan.partners, [&](std::size_t place) { return !plan.leftOut[place].empty(); })) {
-    plan = planTrails(ground, moments, settings, false); // what is not done takes no room from others
-    settle(ground, moments, settings, plan);
-  }
+  AutoPlan plan = settledPlan(ground, moments, settings);
   std::erase_if(plan.holds.props, [&](const rig::Prop& prop) {
     return std::ranges::none_of(
         plan.trails, [&](const PlannedTrail& planned) { return isHeldBy(prop, planned.trail.limb); });

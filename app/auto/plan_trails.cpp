@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -41,8 +42,8 @@ bool overlap(const rig::Moment& a, const rig::Moment& b) {
 class Planner {
 public:
   Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
-          bool withPartners)
-      : ground_(ground), moments_(moments), settings_(settings), withPartners_(withPartners) {
+          const std::map<std::size_t, std::string>& refusedPartners)
+      : ground_(ground), moments_(moments), settings_(settings), refusedPartners_(refusedPartners) {
     for (const std::vector<rig::Moment>* const all : {&moments, &settings.beside}) {
       for (const rig::Moment& moment : *all) {
         const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
@@ -75,7 +76,10 @@ private:
       return "it is too weak to be an action";
     }
     if (isWeak(moment)) {
-      if (!withPartners_ || std::ranges::none_of(moments_, [&](const rig::Moment& other) {
+      if (const auto refused = refusedPartners_.find(place); refused != refusedPartners_.end()) {
+        return refused->second;
+      }
+      if (std::ranges::none_of(moments_, [&](const rig::Moment& other) {
             return !isWeak(other) && arePartners(ground_, moment, other);
           })) {
         return "it is weak beside the clip's strongest";
@@ -330,7 +334,7 @@ private:
   const ClipGround& ground_;
   const std::vector<rig::Moment>& moments_;
   const AutoSettings& settings_;
-  bool withPartners_ = false;
+  const std::map<std::size_t, std::string>& refusedPartners_;
   double strongest_ = 0.0;
   AutoPlan plan_;
 };
@@ -338,8 +342,8 @@ private:
 } // namespace
 
 AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
-                    const AutoSettings& settings, bool withPartners) {
-  return Planner(ground, moments, settings, withPartners).plan();
+                    const AutoSettings& settings, const std::map<std::size_t, std::string>& refusedPartners) {
+  return Planner(ground, moments, settings, refusedPartners).plan();
 }
 
 Vec2 windowOf(const rig::TrailSettings& settings) {

@@ -44,8 +44,12 @@ Result<TakenPose> withPose(const Document& document, int clip, const PoseRequest
   if (!(request.amount >= 0.0 && request.amount <= 1.0)) {
     return Error{fmt::format("{:g} is no amount", request.amount), "--pose-amount", "give 0 to 1"};
   }
-  const Result<LibraryPose> found = findPose(request.pose, posesFolder());
   const Result<std::optional<Vec2>> range = rangeOf(request);
+  if (range && *range && !((*range)->x <= request.frame && request.frame <= (*range)->y)) {
+    return Error{fmt::format("the range {} does not hold frame {:g}", request.range, request.frame),
+                 "--pose-range", "give a range around --pose-frame"};
+  }
+  const Result<LibraryPose> found = findPose(request.pose, posesFolder());
   if (!found || !range) {
     return !found ? found.error() : range.error();
   }
@@ -58,7 +62,7 @@ Result<TakenPose> withPose(const Document& document, int clip, const PoseRequest
   const Result<PoseBlend> blend =
       blendInto(session, request.isMirrored ? mirroredPose(document, found->pose) : found->pose);
   if (!blend) {
-    return Error{blend.error().what, "--pose", blend.error().remedy};
+    return Error{blend.error().what, "--pose", "give another pose, or another frame"};
   }
   const OffsetPose pose = blended(*blend, request.amount);
   Result<Document> posed =

@@ -243,8 +243,9 @@ Status takePose(const PoseRequest& request, int clip, Document& document, Json& 
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart = checkOutput(arguments.output.file,
-                                 {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
+  if (Status apart =
+          checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe, arguments.offsets,
+                                              arguments.prop, arguments.library.pose});
       !apart) {
     return apart;
   }
@@ -289,8 +290,7 @@ Verb poseVerb() {
   return {
       "pose",
       "Adjusts a clip by the controllers that a recipe or a table keys, a pose of the library, and the pins, "
-      "grips "
-      "and props that a recipe holds, puts the thing of another file into a hand, and saves the file.",
+      "grips and props that a recipe holds, puts the thing of another file into a hand, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",

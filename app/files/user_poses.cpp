@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -101,18 +102,31 @@ Error inFile(const Error& error, const fs::path& path) {
   return {error.what, error.where.empty() ? path.string() : path.string() + ": " + error.where, error.remedy};
 }
 
+Status checkName(const std::string& name) {
+  constexpr std::size_t longest = 100; // bytes: a file's name has room for 255
+  const bool isUsable = !name.empty() && name.size() <= longest && !name.ends_with(".json");
+  return isUsable ? Status(Success{})
+                  : Status(Error{name.empty() ? "a pose needs a name"
+                                              : "'" + name.substr(0, longest) + "' is no name of a pose",
+                                 "name", "give up to 100 bytes that do not end with .json"});
+}
+
 Result<LibraryPose> poseOf(const Json& json) {
   PoseFile file;
-  if (const Status read = readEntry(json, poseSchema(), unknownKey, file); !read) {
+  const bool isLater = json.is_object() && json.contains("version") && json["version"].is_number() &&
+                       json["version"] != poseVersion; // which may have other keys
+  if (const Status read = readEntry(json, poseSchema(), unknownKey, file); !read && !isLater) {
     return read.error();
   }
-  if (file.version != poseVersion) {
+  if (isLater) {
     return Error{"this program does not know this version of a pose", "version",
                  "open it with the program that wrote it"};
   }
-  if (file.name.empty() || file.pose.controllers.empty()) {
-    return Error{"has no name, or no controller", file.name.empty() ? "name" : "controllers",
-                 "keep the pose again"};
+  if (const Status named = checkName(file.name); !named) {
+    return named.error();
+  }
+  if (file.pose.controllers.empty()) {
+    return Error{"has no controller", "controllers", "keep the pose again"};
   }
   const double length = glm::length(file.pose.leftOnItsWay);
   if (!(length > 0.0)) {
@@ -120,11 +134,6 @@ Result<LibraryPose> poseOf(const Json& json) {
   }
   file.pose.leftOnItsWay /= length;
   return LibraryPose{file.name, file.pose};
-}
-
-bool hasPose(const fs::path& folder, const std::string& name) {
-  std::error_code ignored;
-  return fs::exists(fileOfName(folder, name), ignored);
 }
 
 } // namespace
@@ -136,10 +145,17 @@ Result<LibraryPose> loadPose(const fs::path& path) {
   }
   const Result<Json> json = gltf::parseHandwrittenJson(*text, "give a pose, as the editor keeps it");
   Result<LibraryPose> pose = json ? poseOf(*json) : Result<LibraryPose>(json.error());
-  return pose ? pose : Result<LibraryPose>(inFile(pose.error(), path));
+  if (!pose) {
+    return inFile(pose.error(), path);
+  }
+  pose->file = path;
+  return pose;
 }
 
 Status savePose(const LibraryPose& pose, const fs::path& path) {
+  if (Status named = checkName(pose.name); !named) {
+    return named;
+  }
   return writeText(path,
                    writeEntry(poseSchema(), PoseFile{poseVersion, pose.name, pose.pose}).dump(2) + "\n");
 }
@@ -148,46 +164,74 @@ fs::path posesFolder() {
   return configFolder() / "poses";
 }
 
-fs::path pictureOfPose(const fs::path& folder, const std::string& name) {
-  return fileOfName(folder, name).replace_extension(".png");
+fs::path pictureOfPose(const fs::path& file) {
+  return fs::path(file).replace_extension(".png");
 }
 
-std::vector<LibraryPose> userPoses(const fs::path& folder) {
-  std::vector<LibraryPose> poses;
+PoseFolder posesIn(const fs::path& folder) {
+  PoseFolder found;
   for (const fs::path& file : jsonFilesIn(folder)) {
-    if (Result<LibraryPose> pose = loadPose(file)) {
-      poses.push_back(std::move(*pose));
+    Result<LibraryPose> pose = loadPose(file);
+    if (pose) {
+      found.poses.push_back(std::move(*pose));
+    } else {
+      found.refused.push_back(pose.error().line());
     }
   }
-  std::ranges::sort(poses, {}, &LibraryPose::name);
-  return poses;
+  std::ranges::sort(found.poses, {}, &LibraryPose::name);
+  std::ranges::sort(found.refused);
+  return found;
 }
 
-Status renamePose(const fs::path& folder, const LibraryPose& pose, const std::string& newName) {
-  if (newName.empty() || hasPose(folder, newName)) {
-    return Error{newName.empty() ? "a pose needs a name" : "another pose is called '" + newName + "'", "",
-                 "give a name that no other pose has"};
+std::string freePoseName(const fs::path& folder) {
+  const std::vector<LibraryPose> poses = posesIn(folder).poses;
+  const auto isTaken = [&](const std::string& name) {
+    std::error_code ignored;
+    return fs::exists(fileOfName(folder, name), ignored) ||
+           std::ranges::find(poses, name, &LibraryPose::name) != poses.end();
+  };
+  std::string name = "Pose 1";
+  for (int number = 2; isTaken(name); ++number) {
+    name = fmt::format("Pose {}", number);
   }
-  if (Status saved = savePose({newName, pose.pose}, fileOfName(folder, newName)); !saved) {
-    return saved;
-  }
-  std::error_code ignored; // A pose may have no picture.
-  fs::rename(pictureOfPose(folder, pose.name), pictureOfPose(folder, newName), ignored);
-  removePose(folder, pose.name);
-  return Success{};
+  return name;
 }
 
-void removePose(const fs::path& folder, const std::string& name) {
+Result<fs::path> renamePose(const LibraryPose& pose, const std::string& newName) {
+  const fs::path file = fileOfName(pose.file.parent_path(), newName);
   std::error_code ignored;
-  fs::remove(fileOfName(folder, name), ignored);
-  fs::remove(pictureOfPose(folder, name), ignored);
+  const bool stays = fs::equivalent(file, pose.file, ignored);
+  if (!stays && fs::exists(file, ignored)) {
+    return Error{"'" + newName + "' would take the place of another pose", file.string(),
+                 "give another name"};
+  }
+  if (const Status saved = savePose({newName, pose.pose}, file); !saved) {
+    return saved.error();
+  }
+  if (stays) {
+    return file;
+  }
+  fs::rename(pictureOfPose(pose.file), pictureOfPose(file), ignored); // A pose may have no picture.
+  const Status removed = removePose(pose);
+  return removed ? Result<fs::path>(file) : Result<fs::path>(removed.error());
+}
+
+Status removePose(const LibraryPose& pose) {
+  std::error_code problem;
+  fs::remove(pose.file, problem);
+  if (problem) {
+    return Error{"the pose cannot be removed: " + problem.message(), pose.file.string(),
+                 "look at the rights of its folder"};
+  }
+  fs::remove(pictureOfPose(pose.file), problem); // It may have none.
+  return Success{};
 }
 
 Result<LibraryPose> findPose(const std::string& text, const fs::path& folder) {
   if (fs::path(text).extension() == ".json") {
     return loadPose(text);
   }
-  const std::vector<LibraryPose> poses = userPoses(folder);
+  const std::vector<LibraryPose> poses = posesIn(folder).poses;
   const auto found = std::ranges::find(poses, text, &LibraryPose::name);
   if (found != poses.end()) {
     return *found;

@@ -13,30 +13,37 @@ namespace stretch::app {
 // name (PNG) in the folder "poses" of the configuration folder.
 
 struct LibraryPose {
-  std::string name; ///< Not empty.
-  SeenPose pose;    ///< In standard form (standardised).
+  std::string name;                ///< Not empty, at most 100 bytes, without ".json" at its end.
+  SeenPose pose;                   ///< In standard form (standardised).
+  std::filesystem::path file = {}; ///< File that it was read from; its name may be another one.
+};
+
+/// Poses of a folder, and why its other files are none.
+struct PoseFolder {
+  std::vector<LibraryPose> poses;   ///< By name.
+  std::vector<std::string> refused; ///< A line for each file that cannot be read as a pose.
 };
 
 /// Reads a file that holds a pose; an error names the file and the key.
 [[nodiscard]] Result<LibraryPose> loadPose(const std::filesystem::path& path);
 
-/// Writes a pose as such a file.
+/// Writes a pose as such a file. An error for a name that a pose may not have.
 [[nodiscard]] Status savePose(const LibraryPose& pose, const std::filesystem::path& path);
 
 [[nodiscard]] std::filesystem::path posesFolder();
-[[nodiscard]] std::filesystem::path pictureOfPose(const std::filesystem::path& folder,
-                                                  const std::string& name);
+[[nodiscard]] std::filesystem::path pictureOfPose(const std::filesystem::path& file);
 
-/// The user's poses by name, from files that can be read as one.
-[[nodiscard]] std::vector<LibraryPose> userPoses(const std::filesystem::path& folder);
+[[nodiscard]] PoseFolder posesIn(const std::filesystem::path& folder);
 
-/// Gives a pose of the folder and its picture another name. An error where it is empty or another pose has
-/// it.
-[[nodiscard]] Status renamePose(const std::filesystem::path& folder, const LibraryPose& pose,
-                                const std::string& newName);
+/// "Pose 1", or the next number that no pose of the folder and none of its files has.
+[[nodiscard]] std::string freePoseName(const std::filesystem::path& folder);
 
-/// Takes a pose and its picture out of the folder.
-void removePose(const std::filesystem::path& folder, const std::string& name);
+/// Gives a pose that was read from a file another name, and its file and picture that name; answers the file.
+/// An error where another file stands in its place, and for a name that a pose may not have.
+[[nodiscard]] Result<std::filesystem::path> renamePose(const LibraryPose& pose, const std::string& newName);
+
+/// Removes the file of a pose and its picture.
+[[nodiscard]] Status removePose(const LibraryPose& pose);
 
 /// The pose of a name, or in a file where `text` ends with ".json". An error lists the names.
 [[nodiscard]] Result<LibraryPose> findPose(const std::string& text, const std::filesystem::path& folder);

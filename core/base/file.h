@@ -19,11 +19,12 @@ using Bytes = std::vector<std::uint8_t>;
 [[nodiscard]] Result<Bytes> readFile(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> readText(const std::filesystem::path& path);
 
-/// How the name of a file begins that is written beside its place, up to the number of a process.
-constexpr const char* partName = ".stretch-engine-part-";
+/// How the name of a file begins that is written beside its place.
+inline constexpr const char* partName = ".stretch-engine-part-";
 
-/// Removes the parts that killed programs left in a folder. Whoever writes a part holds its lock, here or on
-/// another machine: one that can be locked belongs to nobody.
+/// Removes the parts that killed programs left in a folder. Whoever writes a part holds its lock: one that
+/// can be locked belongs to nobody. On a network's disk whose locks do not reach other machines it may be
+/// theirs.
 void removeLeftParts(const std::filesystem::path& folder);
 
 struct OutputFile {

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/file.h"
 #include "ui/batch/video_writer.h"
 #include "ui/render/picture/image_edits.h"
 
@@ -92,6 +93,8 @@ Status writeFilm(const Film& film, const PictureOptions& options, const std::fil
       return opened.error();
     }
     video.emplace(std::move(opened).value());
+  } else {
+    removeLeftParts(path.parent_path());
   }
   const auto count = static_cast<double>(film.frames.size());
   Status drawn = drawFilm(film, options, [&](std::size_t index, const Image& picture) {

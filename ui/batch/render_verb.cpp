@@ -19,6 +19,7 @@
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "core/anim/frames.h"
+#include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/film.h"
@@ -164,6 +165,7 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
 
 /// The one file, or the numbered ones, that the arguments ask for.
 Status draw(const RenderArguments& arguments, const Film& film, const PictureOptions& options) {
+  removeLeftParts(std::filesystem::path(arguments.output).parent_path());
   if (arguments.sheet) {
     const Result<Image> sheet = renderSheet(*film.sides.front().scene, film.sides.front().pictures, options);
     return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
@@ -309,6 +311,7 @@ Status renderSequence(const RenderArguments& arguments) {
     return frames.error();
   }
   if (arguments.stages) {
+    removeLeftParts(std::filesystem::path(arguments.output).parent_path());
     const Result<Image> sheet = drawStages(*content, *frames, *options);
     return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
   }

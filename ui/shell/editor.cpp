@@ -265,7 +265,8 @@ bool update(Editor& editor) {
   Shell& shell = editor.shell;
   InputQueue& input = editor.window.input();
   const double now = clockSeconds();
-  const bool wasLoading = isBusy(shell);
+  const bool wasLoading =
+      isBusy(shell) || shell.beside.library.picture != nullptr || shell.ui.trails.clipStyle.working;
   updateFileWork(shell, input, now);
   takeAnswers(editor);
   const bool otherKeyboard = updateKeyboard(shell);

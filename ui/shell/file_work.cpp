@@ -53,6 +53,8 @@ void showCharacter(Shell& shell) {
 void leaveCharacter(Shell& shell) {
   app::Session& session = *shell.open.character();
   finishTool(session, shell.tool, false);
+  closePoseLibrary(shell);
+  closeClipStyle(shell);
   const std::string view =
       viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name}, shell.viewport.look.kept);
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));

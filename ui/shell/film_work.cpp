@@ -85,6 +85,10 @@ void startFilm(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::warning, shell.beside.film.path.filename().string() + " is still being drawn");
     return;
   }
+  if (shell.beside.library.picture != nullptr) {
+    tell(shell, ToastKind::warning, "A picture is still being drawn: try again in a moment");
+    return;
+  }
   shell.beside.film.path = path;
   shell.beside.film.job = std::make_unique<app::Job<std::filesystem::path>>(
       [path, request = requestOf(shell)](const skinning::Proceed& proceed) {

@@ -1,6 +1,7 @@
 #include "ui/shell/pose_library.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -33,15 +34,21 @@ bool hasChosenPose(const Shell& shell) {
   return shell.ui.body.library.open && shell.ui.body.library.chosen >= 0;
 }
 
-/// The list as the folder has it; the pose of this name is chosen.
-void listPoses(PoseLibraryState& state, const std::string& chosen) {
-  state.poses = app::userPoses(app::posesFolder());
-  const auto found = std::ranges::find(state.poses, chosen, &app::LibraryPose::name);
+/// The list as the folder has it; the pose of this file is chosen.
+void listPoses(Shell& shell, const std::filesystem::path& chosen) {
+  PoseLibraryState& state = shell.ui.body.library;
+  app::PoseFolder folder = app::posesIn(app::posesFolder());
+  state.poses = std::move(folder.poses);
+  state.refused = folder.refused.empty() ? "" : folder.refused.front();
+  const auto found = std::ranges::find(state.poses, chosen, &app::LibraryPose::file);
   state.chosen = found == state.poses.end() ? -1 : static_cast<int>(found - state.poses.begin());
-  state.typedName = state.chosen < 0 ? "" : chosen;
+  state.typedName = state.chosen < 0 ? "" : found->name;
   state.reaches = false;
   state.remark.clear();
+  state.deleteAsked = false;
   state.changed = true;
+  state.scrolls = true;
+  shell.beside.library.blendOf = -1;
   ++state.version;
 }
 
@@ -51,93 +58,104 @@ void openLibrary(Shell& shell) {
   state.accepted = false;
   state.amount = 1.0;
   state.mirrored = false;
-  listPoses(state, "");
+  shell.ui.time.timeline.playing = false; // A pose is for the frame that is seen.
+  listPoses(shell, {});
   hideNews(shell.ui);
 }
 
-/// The character without what is tried on it.
+/// The character without what is tried on it, and with what was posed without a key before.
 void takeOffPose(Shell& shell) {
   PoseLibraryWork& work = shell.beside.library;
   if (work.begun) {
     shell.open.character()->cancel();
+    shell.open.character()->view().unkeyed = std::exchange(work.unkeyed, {});
   }
   work.begun = false;
   work.blend.reset();
   work.blendOf = -1;
 }
 
-std::string freePoseName(const std::vector<app::LibraryPose>& poses) {
-  std::string name = "Pose 1";
-  for (int number = 2; std::ranges::find(poses, name, &app::LibraryPose::name) != poses.end(); ++number) {
-    name = fmt::format("Pose {}", number);
-  }
-  return name;
-}
-
-/// Draws the character at the playhead beside the window, with what is posed there without a key.
-void drawPictureOf(Shell& shell, const std::string& name) {
+/// Draws the character at the playhead beside the window, as it is seen there.
+void drawPictureFor(Shell& shell, const std::filesystem::path& file) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
-  const std::filesystem::path path = app::pictureOfPose(app::posesFolder(), name);
   PictureOptions options;
   options.widthPixels = options.heightPixels = picturePixels;
   options.facingYawRadians = shell.viewport.look.facingYawRadians;
-  shell.beside.library.picture = std::make_unique<app::Job<std::filesystem::path>>(
-      [document = session.posedDocument(), clip = view.clip, frame = view.frame, options,
-       path](const skinning::Proceed&) -> Result<std::filesystem::path> {
+  shell.beside.library.pictureFile = file;
+  shell.beside.library.picture =
+      std::make_unique<app::Job<Image>>([document = session.posedDocument(), clip = view.clip,
+                                         frame = view.frame, options](const skinning::Proceed&) {
         const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(document, clip));
         CharacterLook look;
         look.trails = false;
-        const std::vector<PictureFrame> pictures = picturesOfCharacter(document, motion, {frame}, look);
-        const Result<Image> image = renderSheet(*document.scene, pictures, options);
-        const Status written = image ? writePng(path, *image) : Status(image.error());
-        return written ? Result<std::filesystem::path>(path) : Result<std::filesystem::path>(written.error());
+        return renderSheet(*document.scene, picturesOfCharacter(document, motion, {frame}, look), options);
       });
 }
 
 Status keepPose(Shell& shell) {
   PoseLibraryState& state = shell.ui.body.library;
-  if (shell.beside.library.picture != nullptr) {
-    return Error{"the picture of the last pose is still being drawn", "", "try again in a moment"};
+  if (shell.beside.library.picture != nullptr || shell.beside.film.job != nullptr) {
+    return Error{"another picture is still being drawn", "", "try again when it is done"};
   }
+  const std::string name = app::freePoseName(app::posesFolder());
+  const std::filesystem::path file = app::fileOfName(app::posesFolder(), name);
+  const app::SeenPose seen = app::seenAtPlayhead(*shell.open.character());
+  if (Status saved = app::savePose({name, app::standardised(seen)}, file); !saved) {
+    return saved;
+  }
+  drawPictureFor(shell, file);
   if (!state.open) {
     openLibrary(shell);
   }
   takeOffPose(shell);
-  const std::string name = freePoseName(state.poses);
-  const app::SeenPose seen = app::seenAtPlayhead(*shell.open.character());
-  if (Status saved =
-          app::savePose({name, app::standardised(seen)}, app::fileOfName(app::posesFolder(), name));
-      !saved) {
-    return saved;
-  }
-  drawPictureOf(shell, name);
-  listPoses(state, name);
+  listPoses(shell, file);
   return Success{};
 }
 
-void forgetPose(Shell& shell) {
+/// Deletes at the second press: there is no undo for it.
+Status forgetPose(Shell& shell) {
   PoseLibraryState& state = shell.ui.body.library;
-  const std::string name = state.poses[static_cast<std::size_t>(state.chosen)].name;
+  if (!std::exchange(state.deleteAsked, true)) {
+    return Success{};
+  }
+  const app::LibraryPose pose = state.poses[static_cast<std::size_t>(state.chosen)];
+  if (Status removed = app::removePose(pose); !removed) {
+    return removed;
+  }
+  if (shell.beside.library.pictureFile == pose.file) {
+    shell.beside.library.pictureFile.clear();
+  }
   takeOffPose(shell);
-  app::removePose(app::posesFolder(), name);
-  listPoses(state, "");
-  tell(shell, ToastKind::info, "The pose " + name + " is deleted");
+  listPoses(shell, {});
+  tell(shell, ToastKind::info, "The pose " + pose.name + " is deleted");
+  return Success{};
 }
 
+/// The order of the list stays as it is until the library is opened again, so that nothing moves under the
+/// mouse.
 void renameChosen(Shell& shell) {
   PoseLibraryState& state = shell.ui.body.library;
   state.renamed = false;
   if (state.chosen < 0) {
     return;
   }
-  const app::LibraryPose pose = state.poses[static_cast<std::size_t>(state.chosen)];
+  app::LibraryPose& pose = state.poses[static_cast<std::size_t>(state.chosen)];
   if (state.typedName == pose.name) {
     return;
   }
-  const Status renamed = app::renamePose(app::posesFolder(), pose, state.typedName);
-  tellProblem(shell, renamed);
-  listPoses(state, renamed ? state.typedName : pose.name);
+  const Result<std::filesystem::path> renamed = app::renamePose(pose, state.typedName);
+  if (!renamed) {
+    tellProblem(shell, renamed.error());
+    state.typedName = pose.name;
+    return;
+  }
+  if (shell.beside.library.pictureFile == pose.file) {
+    shell.beside.library.pictureFile = *renamed;
+  }
+  pose.name = state.typedName;
+  pose.file = *renamed;
+  ++state.version;
 }
 
 /// The way to the chosen pose from the character as it was when the library was opened.
@@ -150,7 +168,7 @@ void findWayToPose(Shell& shell) {
   Result<app::PoseBlend> blend =
       app::blendInto(session, state.mirrored ? app::mirroredPose(session.document(), pose) : pose);
   state.reaches = blend.ok();
-  state.remark = blend ? app::missedText(session.document(), blend->missed) : blend.error().what;
+  state.remark = blend ? app::missedText(session.document(), blend->missed) : blend.error().line();
   work.blend = blend ? std::optional(std::move(*blend)) : std::nullopt;
   work.blendOf = state.chosen;
   work.isMirrored = state.mirrored;
@@ -175,16 +193,27 @@ void tryPose(Shell& shell) {
   if (!work.begun) {
     session.begin("Take a pose");
     work.begun = true;
+    work.unkeyed = std::exchange(session.view().unkeyed, {});
   }
-  tellProblem(shell, app::previewPose(session, app::blended(*work.blend, state.amount)));
+  const app::OffsetPose pose = app::blended(*work.blend, state.amount);
+  const app::ViewState& view = session.view();
+  Result<app::Document> posed = app::setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets,
+                                                pose.values, app::keyRange(session));
+  if (posed) {
+    session.preview(std::move(*posed));
+  } else {
+    tellProblem(shell, posed.error());
+  }
 }
 
 void takePosePicture(Shell& shell) {
   PoseLibraryWork& work = shell.beside.library;
-  const Result<std::filesystem::path> made = work.picture->take();
+  const Result<Image> made = work.picture->take();
   work.picture.reset();
   if (!made) {
     tellProblem(shell, made.error());
+  } else if (!work.pictureFile.empty()) {
+    tellProblem(shell, writePng(app::pictureOfPose(work.pictureFile), *made));
   }
   ++shell.ui.body.library.version;
 }
@@ -193,6 +222,9 @@ void takePosePicture(Shell& shell) {
 void acceptPose(Shell& shell) {
   PoseLibraryState& state = shell.ui.body.library;
   state.accepted = false;
+  if (state.changed) {
+    tryPose(shell);
+  }
   const std::string name = state.poses[static_cast<std::size_t>(state.chosen)].name;
   const std::optional<app::PoseBlend> blend = shell.beside.library.blend;
   takeOffPose(shell);
@@ -204,6 +236,12 @@ void acceptPose(Shell& shell) {
 
 } // namespace
 
+void closePoseLibrary(Shell& shell) {
+  takeOffPose(shell);
+  shell.ui.body.library.open = false;
+  shell.ui.body.library.chosen = -1;
+}
+
 void updatePoseLibrary(Shell& shell) {
   PoseLibraryState& state = shell.ui.body.library;
   PoseLibraryWork& work = shell.beside.library;
@@ -211,9 +249,6 @@ void updatePoseLibrary(Shell& shell) {
     takePosePicture(shell);
   }
   if (shell.open.character() == nullptr) {
-    state.open = false;
-    work.begun = false;
-    work.blendOf = -1;
     return;
   }
   if (state.renamed) {
@@ -236,7 +271,7 @@ void updatePosePictures(PosePictures& pictures, PoseLibraryState& state) {
   pictures.textures.clear();
   state.pictures.clear();
   for (const app::LibraryPose& pose : state.poses) {
-    const Result<Image> image = readPng(app::pictureOfPose(app::posesFolder(), pose.name));
+    const Result<Image> image = readPng(app::pictureOfPose(pose.file));
     pictures.textures.push_back(image ? uploadPicture(*image) : GlTexture());
     // Dear ImGui holds OpenGL's name of a texture as a pointer.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
@@ -259,8 +294,8 @@ std::vector<ShellCommand> poseLibraryCommands() {
           "picture: for any character.",
           {}, posableNeeded, keepPose),
       shellCommand(app::command::poseForget, "Delete the pose from the library",
-                   "Takes the pose that is chosen in the library away, for good.", {},
-                   {hasChosenPose, "choose a pose in the library"}, app::doing(forgetPose))};
+                   "Takes the pose that is chosen in the library away, for good, at the second press.", {},
+                   {hasChosenPose, "choose a pose in the library"}, forgetPose)};
 }
 
 } // namespace stretch::ui

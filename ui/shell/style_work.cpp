@@ -148,6 +148,10 @@ const rig::Style& chosenStyle(const Shell& shell) {
   return panels.styles[std::min(place, panels.styles.size() - 1)];
 }
 
+void closeClipStyle(Shell& shell) {
+  endClip(shell, false);
+}
+
 void updateClipStyle(Shell& shell) {
   ClipStyleState& state = shell.ui.trails.clipStyle;
   StyleWork& work = shell.beside.styling;

@@ -25,6 +25,9 @@ struct StyleWork {
 /// Offers the styles of the user's folder with those that the program brings along.
 void loadStyles(TrailPanels& panels);
 
+/// Drops what is shown and closes the dialog: another file is about to be opened.
+void closeClipStyle(Shell& shell);
+
 /// Once per frame: works out what the dialog asks for, shows it, and keeps or drops it as one step.
 void updateClipStyle(Shell& shell);
 

@@ -114,7 +114,7 @@ private:
   /// The part of this face that is under the mouse.
   void lightUp(int axis, int side) const {
     const std::optional<CubePart>& part = context_.viewport.look.hoveredPart;
-    if (!part || part->side[static_cast<std::size_t>(axis)] != side) {
+    if (!part || isRunning(context_.tool) || part->side[static_cast<std::size_t>(axis)] != side) {
       return;
     }
     const auto rangeOf = [&](int other) {
@@ -187,7 +187,7 @@ void drawViewCube(ViewportContext& context) {
     drawAxes(context, centre);
   }
   if (const std::optional<CubePart>& part = context.viewport.look.hoveredPart;
-      part && context.viewport.gesture == ViewportGesture::none) {
+      part && context.viewport.gesture == ViewportGesture::none && !isRunning(context.tool)) {
     tooltipNow({context.theme, context.items},
                {"View from: " + nameOf(*part), "A click looks from there, a drag turns the view.", {}});
   }

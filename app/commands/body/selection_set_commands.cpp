@@ -11,7 +11,6 @@
 #include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/pose/selection_set_edits.h"
-#include "app/named.h"
 
 namespace stretch::app {
 
@@ -48,31 +47,42 @@ Status keep(Session& session) {
                 "Keep a selection set");
 }
 
-/// The set after the one that is selected; the first where none is, or after the last.
+bool canSelect(const Session& session, const SelectionSet& set) {
+  const SelectionSet present = presentIn(session.document(), set);
+  return !present.limbs.empty() || !present.controllers.empty();
+}
+
+bool canSelectAny(const Session& session) {
+  return std::ranges::any_of(session.document().selectionSets,
+                             [&](const SelectionSet& set) { return canSelect(session, set); });
+}
+
+/// The set after the one that is selected; the first where none is, or after the last. Passes over sets of
+/// which the character has nothing.
 void selectNext(Session& session) {
   const std::vector<SelectionSet>& sets = session.document().selectionSets;
   const SelectionSet* const now = selectedSet(session);
-  const std::size_t next = now == nullptr ? 0 : static_cast<std::size_t>(now - sets.data()) + 1;
+  std::size_t next = now == nullptr ? 0 : static_cast<std::size_t>(now - sets.data()) + 1;
+  while (!canSelect(session, sets[next % sets.size()])) {
+    ++next;
+  }
   selectSet(session, sets[next % sets.size()], false);
 }
 
 } // namespace
 
 void selectSet(Session& session, const SelectionSet& set, bool add) {
-  const Document& document = session.document();
-  if (!set.controllers.empty()) {
-    const rig::ControllerList list = controllersOf(document);
+  const SelectionSet present = presentIn(session.document(), set);
+  if (!present.controllers.empty()) {
     std::vector<std::string> ids = add ? session.view().selection.controllers() : std::vector<std::string>{};
-    std::ranges::copy_if(set.controllers, std::back_inserter(ids), [&](const std::string& id) {
-      return findController(document, list, id).ok() && std::ranges::find(ids, id) == ids.end();
-    });
+    std::ranges::copy_if(present.controllers, std::back_inserter(ids),
+                         [&](const std::string& id) { return std::ranges::find(ids, id) == ids.end(); });
     selectControllers(session, std::move(ids));
     return;
   }
   bool addsNext = add;
-  for (const std::string& id : set.limbs) {
-    const bool isThere = addsNext && isSelected(session, id);
-    if (!isThere && findLimb(document, id) != nullptr) {
+  for (const std::string& id : present.limbs) {
+    if (!addsNext || !isSelected(session, id)) {
       selectLimb(session, id, addsNext);
       addsNext = true;
     }
@@ -87,9 +97,7 @@ std::vector<DocumentCommand> selectionSetCommands() {
             "Keeps the selected limbs or controllers under a name, with the file.", {},
             {canKeep, "select limbs or controllers that no set holds yet"}, keep),
       entry(command::selectionNext, "Select the next set", "Selects what the next selection set holds.", {},
-            {[](const Session& session) { return !session.document().selectionSets.empty(); },
-             "keep a selection as a set first"},
-            doing(selectNext)),
+            {canSelectAny, "keep a selection as a set first"}, doing(selectNext)),
       entry(command::selectionForget, "Forget the selection set",
             "Takes the set that is selected away; what it holds stays as it is.", {}, setNeeded,
             [](Session& session) {

@@ -34,8 +34,10 @@ bool hasAny(const Session& session, const SeenPose& pose) {
 Result<PoseBlend> blendInto(Session& session, const SeenPose& pose) {
   const SeenPose wanted = onSelected(session, pose);
   if (!hasAny(session, wanted)) {
-    return Error{"the pose has none of these controllers", "",
-                 "select others, or none for the whole character"};
+    const bool isWhole = session.view().selection.controllers().empty();
+    return isWhole ? Error{"this character has none of the pose's controllers", "", "take another pose"}
+                   : Error{"the pose has none of the selected controllers", "",
+                           "select others, or none for the whole character"};
   }
   Result<PosedAsSeen> posed = posedAsSeen(session, wanted);
   if (!posed) {

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "app/named.h"
+
 namespace stretch::app {
 
 namespace {
@@ -26,9 +28,21 @@ std::string freeName(const Document& document, const std::string& wanted) {
 
 } // namespace
 
+SelectionSet presentIn(const Document& document, const SelectionSet& set) {
+  const rig::ControllerList list = controllersOf(document);
+  SelectionSet present = set;
+  std::erase_if(present.limbs, [&](const std::string& id) { return findLimb(document, id) == nullptr; });
+  std::erase_if(present.controllers,
+                [&](const std::string& id) { return !findController(document, list, id).ok(); });
+  return present;
+}
+
 const SelectionSet* setOfSelection(const Document& document, const Selection& selection) {
   const auto found = std::ranges::find_if(document.selectionSets, [&](const SelectionSet& set) {
-    return holdSame(set.limbs, selection.limbs()) && holdSame(set.controllers, selection.controllers());
+    const SelectionSet present = presentIn(document, set);
+    const bool isAny = !present.limbs.empty() || !present.controllers.empty();
+    return isAny && holdSame(present.limbs, selection.limbs()) &&
+           holdSame(present.controllers, selection.controllers());
   });
   return found == document.selectionSets.end() ? nullptr : &*found;
 }

@@ -7,7 +7,10 @@
 
 namespace stretch::app {
 
-/// Returns the set that holds just what is selected, in any order; null where there is none.
+/// Returns what the character has of a set, by the set's name.
+[[nodiscard]] SelectionSet presentIn(const Document& document, const SelectionSet& set);
+
+/// Returns the set of which the character has just what is selected, in any order; null where there is none.
 [[nodiscard]] const SelectionSet* setOfSelection(const Document& document, const Selection& selection);
 
 /// Keeps the selected limbs or controllers as a set of this name, which is not empty; with a number behind it

@@ -326,6 +326,8 @@ std::vector<RefusedLine> refusedPoses(const std::string& out, const std::string&
       {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-frame", "61"},
        "frame 61 lies outside the clip, which has the frames 0 to 60"},
       {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-amount", "1.5"}, "1.5 is no amount"},
+      {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-range", "4:9"},
+       "the range 4:9 does not hold frame 0"},
       {{"pose", dummy, "-o", out, "--pose", trails}, "is missing"},
       {{"pose", dummy, "-o", out, "--recipe", trails}, "holds no adjustments, pins, grips or props"},
   };

@@ -140,7 +140,7 @@ TEST_CASE("A pose that cannot be taken says why") {
     std::erase_if(feet.controllers, [](const SeenController& seen) { return seen.id != "left-foot"; });
     selectControllers(session, {"left-hand"});
     CHECK_THAT(test::refusal(blendInto(session, feet)),
-               Catch::StartsWith("the pose has none of these controllers"));
+               Catch::StartsWith("the pose has none of the selected controllers"));
   }
   SECTION("the character has none of its controllers") {
     SeenPose wings = punch;
@@ -148,7 +148,7 @@ TEST_CASE("A pose that cannot be taken says why") {
       seen.id += "-wing";
     }
     CHECK_THAT(test::refusal(blendInto(session, wings)),
-               Catch::StartsWith("the pose has none of these controllers"));
+               Catch::StartsWith("this character has none of the pose's controllers"));
   }
   SECTION("the working range does not hold the playhead") {
     session.view().rangeStart = 30.0;

@@ -133,6 +133,32 @@ TEST_CASE("The next set is the first, then each in turn, and the first again") {
   CHECK_FALSE(run(without, command::selectionNext).empty());
 }
 
+TEST_CASE(
+    "Of a set the character has what is left of it, and a set of which nothing is left is passed over") {
+  Document document = withSets();
+  document.selectionSets.insert(document.selectionSets.begin(), {"Wings", {}, {"left-wing", "right-wing"}});
+  document.selectionSets[2].controllers.push_back("tail");
+  CHECK(presentIn(document, document.selectionSets[0]).controllers.empty());
+  CHECK(presentIn(document, document.selectionSets[2]).controllers == Names{"left-hand", "right-hand"});
+  Session session(document);
+  selectSet(session, session.document().selectionSets[0], false);
+  CHECK(session.view().selection.controllers().empty());
+  CHECK(session.view().selection.limbs().empty());
+  for (const auto& [limbs, controllers] : {std::pair{Names{"left-arm", "right-arm"}, Names{}},
+                                           {Names{}, Names{"left-hand", "right-hand"}},
+                                           {Names{"left-arm", "right-arm"}, Names{}}}) {
+    REQUIRE(run(session, command::selectionNext).empty());
+    CHECK(session.view().selection.limbs() == limbs);
+    CHECK(session.view().selection.controllers() == controllers);
+  }
+  selectSet(session, session.document().selectionSets[2], false);
+  REQUIRE(run(session, command::selectionForget).empty());
+  CHECK(namesOf(session.document()) == Names{"Wings", "Arms"});
+  document.selectionSets.resize(1);
+  Session none(document);
+  CHECK_FALSE(run(none, command::selectionNext).empty());
+}
+
 TEST_CASE("A set is forgotten while it is selected, and what it held stays selected") {
   Session session(withSets());
   CHECK_FALSE(run(session, command::selectionForget).empty());

@@ -96,9 +96,17 @@ TEST_CASE("A file that is no pose is refused with the file, the key and what to 
     CHECK_THAT(without(key), Catch::StartsWith(file + ": " + key + ": is missing"));
   }
   CHECK_THAT(with("version", 2), Catch::StartsWith(file + ": version: this program does not know"));
-  CHECK_THAT(with("name", ""), Catch::StartsWith(file + ": name: has no name"));
+  Json later = good; // which may have keys that this program does not know
+  later["version"] = 2;
+  later["weight"] = 0.5;
+  CHECK_THAT(refusalOf(folder.path(), later),
+             Catch::StartsWith(file + ": version: this program does not know"));
+  CHECK_THAT(with("name", std::string(101, 'a')), Catch::Contains("is no name of a pose"));
+  CHECK_THAT(with("name", "Guard.json"), Catch::Contains("is no name of a pose"));
+  CHECK_FALSE(with("name", std::string(100, 'a')).find("is no name") != std::string::npos);
+  CHECK_THAT(with("name", ""), Catch::StartsWith(file + ": name: a pose needs a name"));
   CHECK_THAT(with("controllers", Json::array()),
-             Catch::StartsWith(file + ": controllers: has no name, or no"));
+             Catch::StartsWith(file + ": controllers: has no controller"));
   CHECK_THAT(with("controllers", 3), Catch::StartsWith(file + ": controllers: is not a list"));
   CHECK_THAT(with("values", Json::object()), Catch::StartsWith(file + ": values: is not a list"));
   CHECK_THAT(with("left_on_its_way", {0, 0, 0}),
@@ -114,7 +122,7 @@ TEST_CASE("A file that is no pose is refused with the file, the key and what to 
   CHECK_THAT(test::refusal(loadPose(folder.path() / "none.json")), Catch::Contains("none.json"));
 }
 
-TEST_CASE("Poses of the folder come by name, and files that are none are passed over") {
+TEST_CASE("Poses of the folder come by name, and files that are none are told") {
   const test::TemporaryFolder folder;
   for (const char* const name : {"Wave", "Guard", "A/B"}) {
     LibraryPose pose = guard();
@@ -123,8 +131,11 @@ TEST_CASE("Poses of the folder come by name, and files that are none are passed 
   }
   std::ofstream(folder.path() / "broken.json") << "{";
   std::ofstream(folder.path() / "Guard.png") << "a picture";
-  const std::vector<LibraryPose> poses = userPoses(folder.path());
+  const PoseFolder found = posesIn(folder.path());
+  const std::vector<LibraryPose>& poses = found.poses;
   REQUIRE(poses.size() == 3);
+  REQUIRE(found.refused.size() == 1);
+  CHECK_THAT(found.refused[0], Catch::Contains("broken.json"));
   CHECK(poses[0].name == "A/B");
   CHECK(poses[1].name == "Guard");
   CHECK(poses[2].name == "Wave");
@@ -137,26 +148,71 @@ TEST_CASE("Poses of the folder come by name, and files that are none are passed 
              Catch::EndsWith("give a file of a pose (.json)"));
 }
 
-TEST_CASE("A pose is renamed with its picture, never to the name of another one, and removed with it") {
+TEST_CASE("A pose is renamed with its picture, never into the place of another one, and removed with it") {
   const test::TemporaryFolder folder;
-  REQUIRE(savePose(guard(), fileOfName(folder.path(), "Guard")));
-  std::ofstream(pictureOfPose(folder.path(), "Guard")) << "a picture";
+  const fs::path file = fileOfName(folder.path(), "Guard");
+  REQUIRE(savePose(guard(), file));
+  std::ofstream(pictureOfPose(file)) << "a picture";
   LibraryPose other = guard();
   other.name = "Wave";
   REQUIRE(savePose(other, fileOfName(folder.path(), "Wave")));
-  CHECK_THAT(test::refusal(renamePose(folder.path(), guard(), "Wave")),
-             Catch::Contains("another pose is called 'Wave'"));
-  CHECK_THAT(test::refusal(renamePose(folder.path(), guard(), "")), Catch::Contains("a pose needs a name"));
-  CHECK(userPoses(folder.path()).size() == 2);
+  const LibraryPose kept = *loadPose(file);
+  CHECK_THAT(test::refusal(renamePose(kept, "Wave")),
+             Catch::Contains("'Wave' would take the place of another pose"));
+  CHECK_THAT(test::refusal(renamePose(kept, "")), Catch::Contains("a pose needs a name"));
+  CHECK(posesIn(folder.path()).poses.size() == 2);
 
-  REQUIRE(renamePose(folder.path(), guard(), "Low guard"));
-  CHECK_FALSE(fs::exists(folder.path() / "Guard.json"));
+  CHECK(*renamePose(kept, "Low guard") == folder.path() / "Low guard.json");
+  CHECK_FALSE(fs::exists(file));
   CHECK_FALSE(fs::exists(folder.path() / "Guard.png"));
-  CHECK(findPose("Low guard", folder.path())->pose.values == guard().pose.values);
+  const LibraryPose low = *findPose("Low guard", folder.path());
+  CHECK(low.pose.values == guard().pose.values);
   CHECK(*readText(folder.path() / "Low guard.png") == "a picture");
+  CHECK(*renamePose(low, "Low:guard") == folder.path() / "Low_guard.json");
+  // Another name that its own file is kept under.
+  const LibraryPose again = *findPose("Low:guard", folder.path());
+  CHECK(*renamePose(again, "Low*guard") == folder.path() / "Low_guard.json");
+  CHECK(findPose("Low*guard", folder.path()));
+  CHECK(fs::exists(folder.path() / "Low_guard.png"));
 
-  removePose(folder.path(), "Low guard");
-  CHECK_FALSE(fs::exists(folder.path() / "Low guard.json"));
-  CHECK_FALSE(fs::exists(folder.path() / "Low guard.png"));
-  CHECK(userPoses(folder.path()).size() == 1);
+  REQUIRE(removePose(*findPose("Low*guard", folder.path())));
+  CHECK_FALSE(fs::exists(folder.path() / "Low_guard.json"));
+  CHECK_FALSE(fs::exists(folder.path() / "Low_guard.png"));
+  CHECK(posesIn(folder.path()).poses.size() == 1);
+}
+
+TEST_CASE("A pose is renamed and removed by the file that it was read from, whatever that is called") {
+  const test::TemporaryFolder folder;
+  REQUIRE(savePose(guard(), folder.path() / "from-a-friend.json"));
+  LibraryPose own = guard();
+  own.pose.values.clear();
+  REQUIRE(savePose(own, fileOfName(folder.path(), "Guard")));
+  const LibraryPose friends = *loadPose(folder.path() / "from-a-friend.json");
+  SECTION("removed") {
+    REQUIRE(removePose(friends));
+    REQUIRE(posesIn(folder.path()).poses.size() == 1);
+    CHECK(posesIn(folder.path()).poses[0].pose.values.empty());
+  }
+  SECTION("renamed") {
+    CHECK(*renamePose(friends, "Bow") == folder.path() / "Bow.json");
+    CHECK_FALSE(fs::exists(folder.path() / "from-a-friend.json"));
+    CHECK(posesIn(folder.path()).poses.size() == 2);
+  }
+}
+
+TEST_CASE("A free name is one that no pose and no file of the folder has") {
+  const test::TemporaryFolder folder;
+  CHECK(freePoseName(folder.path()) == "Pose 1");
+  std::ofstream(folder.path() / "Pose 1.json") << "{";
+  CHECK(freePoseName(folder.path()) == "Pose 2");
+  LibraryPose pose = guard();
+  pose.name = "Pose 2";
+  REQUIRE(savePose(pose, folder.path() / "of-another-name.json"));
+  CHECK(freePoseName(folder.path()) == "Pose 3");
+}
+
+TEST_CASE("A pose that cannot be removed says so") {
+  LibraryPose pose = guard();
+  pose.file = "/proc/version";
+  CHECK_THAT(test::refusal(removePose(pose)), Catch::Contains("the pose cannot be removed"));
 }

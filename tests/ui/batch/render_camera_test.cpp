@@ -207,6 +207,20 @@ TEST_CASE("a video that is not finished leaves nothing, and without ffmpeg the r
              Catch::Contains("ffmpeg, which is not installed") && Catch::Contains("-o picture.png"));
 }
 
+TEST_CASE("A picture, a sheet and numbered pictures remove what one that was killed left in their folder") {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> own = GENERATE(std::vector<std::string>{"--frame", "3"},
+                                                std::vector<std::string>{"--frames", "0:2", "--sheet"},
+                                                std::vector<std::string>{"--frames", "0:1"});
+  folder.write(".stretch-engine-part-1-0.tmp", "left");
+  std::vector<std::string> words{STRETCH_SOURCE_DIR "/assets/dummy.glb", "-o",
+                                 (folder / "picture.png").string(), "--size", "32x32"};
+  words.insert(words.end(), own.begin(), own.end());
+  REQUIRE(render(words).exitCode == 0);
+  CHECK_FALSE(fs::exists(folder / ".stretch-engine-part-1-0.tmp"));
+  CHECK(folder.fileCount() >= 1);
+}
+
 TEST_CASE("A video removes what a killed one left in its folder, and nothing that is still written") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder programs;

@@ -7,7 +7,6 @@
 #include "../../support/ui/picture_baseline.h"
 #include "../../support/ui/render_scenes.h"
 #include "app/evaluate/evaluate.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/ui/render_frame.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/overlay/skeleton_drawing.h"
@@ -243,12 +242,4 @@ TEST_CASE("Reducing a picture averages its blocks") {
 TEST_CASE("A picture that cannot be written leaves what was there") {
   CHECK_FALSE(writePng("/nonexistent-folder/picture.png", filled(2, 2, glm::vec3(0.5F))));
   CHECK_FALSE(encodePng(Image{}));
-}
-
-TEST_CASE("A picture removes what one that was killed left in its folder") {
-  const TemporaryFolder folder;
-  folder.write(".stretch-engine-part-1-0.tmp", "left");
-  REQUIRE(writePng(folder / "picture.png", filled(2, 2, glm::vec3(0.5F))));
-  CHECK(std::filesystem::exists(folder / "picture.png"));
-  CHECK(folder.fileCount() == 1);
 }

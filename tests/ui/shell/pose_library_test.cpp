@@ -8,6 +8,7 @@
 #include "app/files/user_poses.h"
 #include "tests/support/ui/editor_stage.h"
 #include "ui/render/picture/image_edits.h"
+#include "ui/shell/file_work.h"
 
 using namespace stretch;
 using namespace stretch::ui;
@@ -55,7 +56,7 @@ TEST_CASE("A pose is kept with a picture of the character and a free name, and t
   REQUIRE(stage.library().poses.size() == 1);
   CHECK(stage.library().poses[0].name == "Pose 1");
   CHECK(stage.library().chosen == -1);
-  const Result<Image> picture = readPng(app::pictureOfPose(app::posesFolder(), "Pose 1"));
+  const Result<Image> picture = readPng(app::pictureOfPose(app::posesFolder() / "Pose 1.json"));
   REQUIRE(picture);
   CHECK(picture->width == picture->height);
   stage.run(command::poseKeep);
@@ -145,7 +146,7 @@ TEST_CASE("A pose that the character has already can be looked at and not be tak
   stage.click("pose-library/pose-0");
   stage.frames(3);
   CHECK_FALSE(stage.library().reaches);
-  CHECK(stage.library().remark == "the character stands so already");
+  CHECK_THAT(stage.library().remark, Catch::StartsWith("the character stands so already"));
   CHECK_FALSE(stage.shell.items.find("pose-library/Pose")->enabled);
   stage.pressWidgetKey(ImGuiKey_Enter);
   stage.frames(2);
@@ -167,8 +168,83 @@ TEST_CASE("The arrows go through the poses, and a deleted one is gone with its p
   CHECK(stage.library().chosen == 1);
   stage.click("pose.forget");
   stage.frames(3);
+  CHECK(stage.library().poses.size() == 2); // It asks first.
+  stage.click("pose.forget");
+  stage.frames(3);
   CHECK(stage.library().poses.size() == 1);
   CHECK(stage.library().chosen == -1);
-  CHECK_FALSE(std::filesystem::exists(app::pictureOfPose(app::posesFolder(), "Pose 2")));
+  CHECK_FALSE(std::filesystem::exists(app::pictureOfPose(app::posesFolder() / "Pose 2.json")));
   CHECK_FALSE(stage.shell.items.find("pose.forget")->enabled);
+}
+
+TEST_CASE(
+    "With auto-key off a tried pose is taken off again, and what was posed before without a key is back",
+    "[jobs]") {
+  Library stage;
+  stage.session().view().autoKey = false;
+  REQUIRE(app::poseAll(stage.session(), {{}, {{"left-hand.curl", 1.0}}}, "Fist"));
+  const app::UnkeyedPose fist = stage.session().view().unkeyed;
+  const Vec3 before = stage.hand();
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  CHECK(glm::length(stage.hand() - before) > 0.2);
+  stage.pressWidgetKey(ImGuiKey_Escape);
+  stage.frames(3);
+  CHECK(glm::length(stage.hand() - before) == 0.0);
+  CHECK(stage.session().view().unkeyed == fist);
+  CHECK(stage.session().document().adjustments.empty());
+}
+
+TEST_CASE("A pose that is renamed while it is tried can be taken, under its new name", "[jobs]") {
+  Library stage;
+  stage.open();
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  stage.library().typedName = "Guard";
+  stage.library().renamed = true;
+  stage.frames(3);
+  REQUIRE(stage.library().poses[0].name == "Guard");
+  CHECK(std::filesystem::exists(app::pictureOfPose(app::posesFolder() / "Guard.json")));
+  stage.click("pose-library/Pose");
+  stage.frames(3);
+  CHECK(stage.session().history().undoLabel() == "Take the pose Guard");
+}
+
+TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one that is deleted leaves none",
+          "[jobs]") {
+  Library stage;
+  stage.open();
+  stage.run(command::poseKeep);
+  SECTION("renamed") {
+    stage.library().typedName = "Hook";
+    stage.library().renamed = true;
+    stage.settle();
+    CHECK(std::filesystem::exists(app::posesFolder() / "Hook.png"));
+  }
+  SECTION("deleted") {
+    stage.run(command::poseForget);
+    stage.run(command::poseForget);
+    stage.settle();
+    CHECK(stage.library().poses.size() == 1);
+  }
+  CHECK_FALSE(std::filesystem::exists(app::posesFolder() / "Pose 2.png"));
+}
+
+TEST_CASE("Where another file is opened the library is closed with what it tried, and playing stops for it",
+          "[jobs]") {
+  Library stage;
+  stage.shell.ui.time.timeline.playing = true;
+  stage.open();
+  CHECK_FALSE(stage.shell.ui.time.timeline.playing);
+  stage.click("pose-library/pose-0");
+  stage.frames(3);
+  REQUIRE(stage.shell.beside.library.begun);
+  openFile(stage.shell, {STRETCH_SOURCE_DIR "/assets/dummy_leap.glb"});
+  stage.settle();
+  stage.frames(3);
+  CHECK(stage.shell.files.path().filename() == "dummy_leap.glb");
+  CHECK_FALSE(stage.library().open);
+  CHECK_FALSE(stage.shell.beside.library.begun);
+  CHECK(stage.session().document().adjustments.empty());
 }

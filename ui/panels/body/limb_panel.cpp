@@ -204,7 +204,12 @@ void selectionSetRow(PanelContext& context) {
   const app::SelectionSet* const selected = app::setOfSelection(session.document(), session.view().selection);
   std::vector<Choice> choices;
   for (const app::SelectionSet& set : sets) {
-    choices.push_back({.text = set.name, .help = {set.name, "Selects it; Shift adds it.", {}}});
+    const app::SelectionSet present = app::presentIn(session.document(), set);
+    const bool isAny = !present.limbs.empty() || !present.controllers.empty();
+    choices.push_back(
+        {.text = set.name,
+         .help = {set.name, isAny ? "Selects it; Shift adds it." : "This character has nothing of it.", {}},
+         .enabled = isAny});
   }
   const float buttons = 2.0F * context.theme.px(34.0F); // icon buttons, with their gaps
   const Help help{"Selection sets", "Limbs or controllers that are selected together.", {}};

@@ -62,6 +62,7 @@ void choose(PoseLibraryState& state, int place) {
   state.chosen = place;
   state.typedName = state.poses[static_cast<std::size_t>(place)].name;
   state.changed = true;
+  state.deleteAsked = false;
 }
 
 /// The poses, row by row; the arrows go through them.
@@ -82,6 +83,7 @@ void poseGrid(PanelContext& context) {
     const int next = std::clamp(before + step, 0, static_cast<int>(state.poses.size()) - 1);
     if (step != 0 && next != before) {
       choose(state, next);
+      state.scrolls = true;
     }
   }
   ImGui::BeginChild("pose-library/poses", {0.0F, rows * row});
@@ -92,6 +94,10 @@ void poseGrid(PanelContext& context) {
     }
     if (poseCard(context, i, width)) {
       choose(state, static_cast<int>(i));
+    }
+    if (state.scrolls && static_cast<int>(i) == state.chosen) {
+      ImGui::SetScrollHereY();
+      state.scrolls = false;
     }
   }
   ImGui::EndChild();
@@ -162,7 +168,12 @@ void drawPoseLibraryDialog(PanelContext& context) {
   const float width = columnWidth(2);
   commandButton(context, {.command = command::poseKeep, .text = "Keep this pose", .width = width});
   ImGui::SameLine();
-  commandButton(context, {.command = command::poseForget, .text = "Delete", .width = width});
+  commandButton(context, {.command = command::poseForget,
+                          .text = state.deleteAsked ? "Delete for good" : "Delete",
+                          .width = width});
+  if (!state.refused.empty()) {
+    notice(widgetsOf(context), NoticeKind::warning, state.refused);
+  }
   const bool isChosen = state.chosen >= 0;
   if (isChosen) {
     chosenRows(context);

@@ -39,11 +39,14 @@ struct PoseLibraryState {
   double amount = 1.0;
   bool mirrored = false;
   std::string typedName = {};
-  std::string remark = {}; ///< Why the chosen pose cannot be taken, or which controllers do not come there.
-  bool reaches = false;    ///< The chosen pose can be taken.
-  bool changed = false;    ///< The preview is to be made anew.
-  bool renamed = false;    ///< The typed name is to be taken.
-  bool accepted = false;   ///< The preview is to be kept.
+  std::string refused = {}; ///< Why a file of the folder is no pose; empty: all are.
+  bool deleteAsked = false; ///< The chosen pose is deleted by the next press.
+  bool scrolls = false;     ///< The chosen pose is to be scrolled into view.
+  std::string remark = {};  ///< Why the chosen pose cannot be taken, or which controllers do not come there.
+  bool reaches = false;     ///< The chosen pose can be taken.
+  bool changed = false;     ///< The preview is to be made anew.
+  bool renamed = false;     ///< The typed name is to be taken.
+  bool accepted = false;    ///< The preview is to be kept.
 };
 
 /// The panels of limbs, rig and controllers.

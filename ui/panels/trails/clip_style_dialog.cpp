@@ -128,9 +128,15 @@ int clipButtons(PanelContext& context, const std::string& nothing) {
 } // namespace
 
 std::string whyNothing(const ClipStyleState& state) {
-  return state.working || state.changed || !state.trails.empty() ? ""
-         : state.made.empty()                                    ? "every moment is switched off"
-                                                                 : state.made.front().why;
+  if (state.working || state.changed || !state.trails.empty()) {
+    return {};
+  }
+  if (state.made.empty()) {
+    return "every moment is switched off";
+  }
+  const std::string& why = state.made.front().why;
+  const bool isOfAll = std::ranges::all_of(state.made, [&](const auto& one) { return one.why == why; });
+  return isOfAll ? why : "each row says why";
 }
 
 void drawClipStyleDialog(PanelContext& context) {

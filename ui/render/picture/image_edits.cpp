@@ -149,7 +149,6 @@ Status writePng(const std::filesystem::path& path, const Image& image) {
   if (!bytes) {
     return bytes.error();
   }
-  removeLeftParts(path.parent_path());
   return writeFile(path, *bytes);
 }
 
