@@ -49,8 +49,7 @@ struct Library : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("A pose is kept with a picture of the character and a free name, and the library shows it",
-          "[jobs]") {
+TEST_CASE("A pose is kept with a picture of the character and a free name, and the library shows it") {
   Library stage;
   stage.open();
   REQUIRE(stage.library().poses.size() == 1);
@@ -67,7 +66,7 @@ TEST_CASE("A pose is kept with a picture of the character and a free name, and t
   CHECK(stage.library().chosen == 1);
 }
 
-TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc takes it off again", "[jobs]") {
+TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc takes it off again") {
   Library stage;
   const Vec3 before = stage.hand();
   stage.open();
@@ -88,7 +87,7 @@ TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc tak
   CHECK(stage.session().document().adjustments.empty());
 }
 
-TEST_CASE("What is taken from the library is one step that says which pose it was", "[jobs]") {
+TEST_CASE("What is taken from the library is one step that says which pose it was") {
   Library stage;
   const Vec3 before = stage.hand();
   stage.open();
@@ -105,7 +104,7 @@ TEST_CASE("What is taken from the library is one step that says which pose it wa
   CHECK(glm::length(stage.hand() - before) == 0.0);
 }
 
-TEST_CASE("While auto-key is off a pose of the library is shown without a key", "[jobs]") {
+TEST_CASE("While auto-key is off a pose of the library is shown without a key") {
   Library stage;
   stage.session().view().autoKey = false;
   const Vec3 before = stage.hand();
@@ -119,8 +118,7 @@ TEST_CASE("While auto-key is off a pose of the library is shown without a key", 
   CHECK(glm::length(stage.hand() - before) > 0.2);
 }
 
-TEST_CASE("Selected controllers alone take the pose, mirrored from the other side where that is asked for",
-          "[jobs]") {
+TEST_CASE("Selected controllers alone take the pose, mirrored from the other side where that is asked for") {
   Library stage;
   app::selectControllers(stage.session(), {"left-hand"});
   stage.open();
@@ -139,7 +137,7 @@ TEST_CASE("Selected controllers alone take the pose, mirrored from the other sid
   CHECK_FALSE(stage.session().document().adjustments.empty());
 }
 
-TEST_CASE("A pose that the character has already can be looked at and not be taken", "[jobs]") {
+TEST_CASE("A pose that the character has already can be looked at and not be taken") {
   Library stage;
   stage.session().view().frame = 0.0;
   stage.open();
@@ -153,7 +151,7 @@ TEST_CASE("A pose that the character has already can be looked at and not be tak
   CHECK(stage.library().open);
 }
 
-TEST_CASE("The arrows go through the poses, and a deleted one is gone with its picture", "[jobs]") {
+TEST_CASE("The arrows go through the poses, and a deleted one is gone with its picture") {
   Library stage;
   stage.open();
   stage.run(command::poseKeep);
@@ -178,8 +176,7 @@ TEST_CASE("The arrows go through the poses, and a deleted one is gone with its p
 }
 
 TEST_CASE(
-    "With auto-key off a tried pose is taken off again, and what was posed before without a key is back",
-    "[jobs]") {
+    "With auto-key off a tried pose is taken off again, and what was posed before without a key is back") {
   Library stage;
   stage.session().view().autoKey = false;
   REQUIRE(app::poseAll(stage.session(), {{}, {{"left-hand.curl", 1.0}}}, "Fist"));
@@ -196,7 +193,7 @@ TEST_CASE(
   CHECK(stage.session().document().adjustments.empty());
 }
 
-TEST_CASE("A pose that is renamed while it is tried can be taken, under its new name", "[jobs]") {
+TEST_CASE("A pose that is renamed while it is tried can be taken, under its new name") {
   Library stage;
   stage.open();
   stage.click("pose-library/pose-0");
@@ -211,8 +208,7 @@ TEST_CASE("A pose that is renamed while it is tried can be taken, under its new 
   CHECK(stage.session().history().undoLabel() == "Take the pose Guard");
 }
 
-TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one that is deleted leaves none",
-          "[jobs]") {
+TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one that is deleted leaves none") {
   Library stage;
   stage.open();
   stage.run(command::poseKeep);
@@ -231,8 +227,7 @@ TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one th
   CHECK_FALSE(std::filesystem::exists(app::posesFolder() / "Pose 2.png"));
 }
 
-TEST_CASE("Where another file is opened the library is closed with what it tried, and playing stops for it",
-          "[jobs]") {
+TEST_CASE("Where another file is opened the library is closed with what it tried, and playing stops for it") {
   Library stage;
   stage.shell.ui.time.timeline.playing = true;
   stage.open();
