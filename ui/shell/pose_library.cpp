@@ -274,9 +274,8 @@ void updatePosePictures(PosePictures& pictures, PoseLibraryState& state) {
     const Result<Image> image = readPng(app::pictureOfPose(pose.file));
     pictures.textures.push_back(image ? uploadPicture(*image) : GlTexture());
     // Dear ImGui holds OpenGL's name of a texture as a pointer.
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    state.pictures.push_back(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures.textures.back().name())));
+    const auto name = static_cast<std::uintptr_t>(pictures.textures.back().name());
+    state.pictures.push_back(reinterpret_cast<ImTextureID>(name)); // NOLINT(performance-no-int-to-ptr)
   }
 }
 

@@ -213,8 +213,8 @@ TEST_CASE("A picture, a sheet and numbered pictures remove what one that was kil
                                                 std::vector<std::string>{"--frames", "0:2", "--sheet"},
                                                 std::vector<std::string>{"--frames", "0:1"});
   folder.write(".stretch-engine-part-1-0.tmp", "left");
-  std::vector<std::string> words{STRETCH_SOURCE_DIR "/assets/dummy.glb", "-o",
-                                 (folder / "picture.png").string(), "--size", "32x32"};
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  std::vector<std::string> words{dummy, "-o", (folder / "picture.png").string(), "--size", "32x32"};
   words.insert(words.end(), own.begin(), own.end());
   REQUIRE(render(words).exitCode == 0);
   CHECK_FALSE(fs::exists(folder / ".stretch-engine-part-1-0.tmp"));

@@ -71,8 +71,8 @@ void poseGrid(PanelContext& context) {
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const float row = columnWidth(columns) + context.theme.px(20.0F) + gap;
   constexpr float mostRows = 2.3F; // A third one that is cut says that there are more.
-  const auto needed = static_cast<float>((state.poses.size() + columns - 1) / columns);
-  const float rows = std::min(needed, mostRows);
+  const std::size_t needed = (state.poses.size() + columns - 1) / columns;
+  const float rows = std::min(static_cast<float>(needed), mostRows);
   if (!ImGui::GetIO().WantTextInput) {
     const int before = state.chosen;
     const int step = keyPressed(ImGuiKey_RightArrow, true)  ? 1
