@@ -9,6 +9,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/seen_posing.h"
 #include "app/commands/table/selection.h"
+#include "app/named.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/refusal.h"

@@ -137,7 +137,7 @@ TEST_CASE(
     "Of a set the character has what is left of it, and a set of which nothing is left is passed over") {
   Document document = withSets();
   document.selectionSets.insert(document.selectionSets.begin(), {"Wings", {}, {"left-wing", "right-wing"}});
-  document.selectionSets[2].controllers.push_back("tail");
+  document.selectionSets[2].controllers.emplace_back("tail");
   CHECK(presentIn(document, document.selectionSets[0]).controllers.empty());
   CHECK(presentIn(document, document.selectionSets[2]).controllers == Names{"left-hand", "right-hand"});
   Session session(document);
