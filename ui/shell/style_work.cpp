@@ -72,7 +72,8 @@ Status beginClip(Shell& shell) {
   if (moments.empty()) {
     return Error{"nothing to exaggerate: no limb makes a stroke", "this clip", "view another clip"};
   }
-  refreshStyles(shell, chosenStyle(shell).name);
+  const std::string name = chosenStyle(shell).name; // A copy: the styles that it lies in are read anew.
+  refreshStyles(shell, name);
   state.moments = moments;
   state.on.assign(moments.size(), true);
   state.made.clear();

@@ -107,7 +107,7 @@ TEST_CASE("A set is selected in the place of what was selected, or beside it") {
     selectSet(session, hands, false);
     CHECK(session.view().selection.controllers() == Names{"left-hand", "right-hand"});
   }
-  SECTION("controllers beside controllers, each once") {
+  SECTION("controllers beside others, each once") {
     selectControllers(session, {"head", "right-hand"});
     selectSet(session, hands, true);
     CHECK(session.view().selection.controllers() == Names{"head", "right-hand", "left-hand"});
