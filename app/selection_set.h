@@ -11,6 +11,7 @@ struct SelectionSet {
   std::vector<std::string> limbs;       ///< Ids; empty where it is a set of controllers.
   std::vector<std::string> controllers; ///< Ids; empty where it is a set of limbs.
 
+  [[nodiscard]] bool empty() const { return limbs.empty() && controllers.empty(); }
   friend bool operator==(const SelectionSet&, const SelectionSet&) = default;
 };
 

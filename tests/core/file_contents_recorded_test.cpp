@@ -15,6 +15,8 @@ using test::GlbBuilder;
 
 namespace {
 
+constexpr double recordTolerance = 1e-3;
+
 std::string foreignText(const std::string& title, const std::string& text) {
   const test::TemporaryFolder folder;
   return contentsText(title, gltf::load(folder.write("character.data", text), gltf::Tolerance::warn));
@@ -40,12 +42,6 @@ std::string withOtherNumbers(std::string text, test::Row& row) {
     text.replace(at, length, other.substr(0, length));
   }
   return text;
-}
-
-void compareContents(const std::string& name, const std::string& text) {
-  const std::string difference = test::differenceFromRecord(name, text, 1e-3);
-  INFO(difference);
-  CHECK(difference.empty());
 }
 
 } // namespace
@@ -81,7 +77,7 @@ TEST_CASE("All that is read of files, packed and plain, is as it was looked at")
     posed.json["nodes"][3].erase(part);
   }
   text += contentsText("arm in a pose", test::loadBytes(posed.bytes(), gltf::Tolerance::warn));
-  compareContents("contents-of-files", text);
+  test::compareWithRecord("contents-of-files", text, recordTolerance);
 }
 
 TEST_CASE("All that is read of files of other programs is as it was looked at") {
@@ -113,5 +109,5 @@ TEST_CASE("All that is read of files of other programs is as it was looked at") 
     text += foreignText(fmt::format("Collada of other numbers {}", i),
                         withOtherNumbers(test::postCollada(), row));
   }
-  compareContents("contents-of-foreign-files", text);
+  test::compareWithRecord("contents-of-foreign-files", text, recordTolerance);
 }

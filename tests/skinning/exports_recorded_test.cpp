@@ -27,6 +27,8 @@ using gltf::Json;
 
 namespace {
 
+constexpr double recordTolerance = 1e-3;
+
 struct Body {
   std::string title;
   SkinnedSequence skinned;
@@ -184,12 +186,6 @@ std::string framesText(const Json& format, std::span<const std::uint8_t> bytes, 
   return text;
 }
 
-void compare(const std::string& name, const std::string& text) {
-  const std::string difference = test::differenceFromRecord(name, text, 1e-3);
-  INFO(difference);
-  CHECK(difference.empty());
-}
-
 } // namespace
 
 TEST_CASE("Clips of bodies are written, in each way to write them, as they were looked at") {
@@ -208,7 +204,7 @@ TEST_CASE("Clips of bodies are written, in each way to write them, as they were 
     text += clipText(body, "integers", integers);
     text += clipText(body, "coarse", coarse);
   }
-  compare("exported-clips", text);
+  test::compareWithRecord("exported-clips", text, recordTolerance);
 }
 
 TEST_CASE("Streams of bodies, and frames that are appended to them, are as they were looked at") {
@@ -238,7 +234,7 @@ TEST_CASE("Streams of bodies, and frames that are appended to them, are as they 
       }
     }
   }
-  compare("exported-streams", text);
+  test::compareWithRecord("exported-streams", text, recordTolerance);
 }
 
 TEST_CASE("What a client shows of a file has the rate that it was asked at") {

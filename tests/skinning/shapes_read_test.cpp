@@ -19,6 +19,8 @@ using test::TubePose;
 
 namespace {
 
+constexpr double recordTolerance = 1e-3;
+
 std::string vectorText(const Vec3& value) {
   return fmt::format(" {:.4f} {:.4f} {:.4f}", value.x, value.y, value.z);
 }
@@ -115,12 +117,6 @@ std::string compressionText(const std::string& title, const MeshSequence& sequen
   return text;
 }
 
-void compare(const std::string& name, const std::string& text) {
-  const std::string difference = test::differenceFromRecord(name, text, 1e-3);
-  INFO(difference);
-  CHECK(difference.empty());
-}
-
 } // namespace
 
 TEST_CASE("Where joints are put into made-up persons of many stances is as it was looked at") {
@@ -151,7 +147,7 @@ TEST_CASE("Where joints are put into made-up persons of many stances is as it wa
     return std::ranges::any_of(triangle, [&](std::uint32_t v) { return half.positions[v].y < 0.95; });
   });
   text += fitText("a bust", half);
-  compare("fitted-joints", text);
+  test::compareWithRecord("fitted-joints", text, recordTolerance);
 }
 
 TEST_CASE("The weights of bound bodies are as they were looked at") {
@@ -169,7 +165,7 @@ TEST_CASE("The weights of bound bodies are as they were looked at") {
       {Vec3(0, 0, 0), -1}, {Vec3(4, 0, 0), 0}, {Vec3(7, 0, 0), 1}, {Vec3(9.5, 0, 0), 2}};
   text += weightsText("tube", bindWeights(tube.positions, tube.triangles, bones));
   text += weightsText("tube on its surface", bindWeightsOnSurface(tube.positions, tube.triangles, bones));
-  compare("bound-weights", text);
+  test::compareWithRecord("bound-weights", text, recordTolerance);
 }
 
 TEST_CASE("Ways over surfaces and how thick bodies are is as it was looked at") {
@@ -193,7 +189,7 @@ TEST_CASE("Ways over surfaces and how thick bodies are is as it was looked at") 
                           thick ? thick->vertices[v] : -1.0, rough ? rough->vertices[v] : -1.0);
     }
   }
-  compare("ways-and-thickness", text);
+  test::compareWithRecord("ways-and-thickness", text, recordTolerance);
 }
 
 TEST_CASE(
@@ -223,5 +219,5 @@ TEST_CASE(
       text += compressionText("strong tube, " + title, strong, settings);
     }
   }
-  compare("compressions", text);
+  test::compareWithRecord("compressions", text, recordTolerance);
 }

@@ -1,5 +1,7 @@
 #include "tests/support/recorded.h"
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -81,6 +83,12 @@ std::string differenceFromRecord(const std::string& name, const std::string& tex
          (was == before.end() ? end : *was) + "\nand is\n" + (is == now.end() ? end : *is) + "\nCompare " +
          keepForALook(name, text).string() + " with " + record.string() +
          " and, if it is right, copy it there.";
+}
+
+void compareWithRecord(const std::string& name, const std::string& text, double tolerance) {
+  const std::string difference = differenceFromRecord(name, text, tolerance);
+  INFO(difference);
+  CHECK(difference.empty());
 }
 
 } // namespace stretch::test

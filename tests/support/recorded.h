@@ -15,4 +15,7 @@ namespace stretch::test {
 [[nodiscard]] std::string differenceFromRecord(const std::string& name, const std::string& text,
                                                double tolerance = 1e-4);
 
+/// Fails the test with that answer where they differ.
+void compareWithRecord(const std::string& name, const std::string& text, double tolerance);
+
 } // namespace stretch::test

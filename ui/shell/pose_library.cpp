@@ -8,7 +8,6 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/seen_posing.h"
 #include "app/commands/table/command_ids.h"
-#include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/user_files.h"
@@ -19,6 +18,7 @@
 #include "ui/render/gl/picture_texture.h"
 #include "ui/render/picture/image_edits.h"
 #include "ui/shell/shell_command.h"
+#include "ui/widgets/control.h"
 
 namespace stretch::ui {
 
@@ -195,15 +195,7 @@ void tryPose(Shell& shell) {
     work.begun = true;
     work.unkeyed = std::exchange(session.view().unkeyed, {});
   }
-  const app::OffsetPose pose = app::blended(*work.blend, state.amount);
-  const app::ViewState& view = session.view();
-  Result<app::Document> posed = app::setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets,
-                                                pose.values, app::keyRange(session));
-  if (posed) {
-    session.preview(std::move(*posed));
-  } else {
-    tellProblem(shell, posed.error());
-  }
+  tellProblem(shell, app::previewKeyed(session, app::blended(*work.blend, state.amount)));
 }
 
 void takePosePicture(Shell& shell) {
@@ -273,9 +265,7 @@ void updatePosePictures(PosePictures& pictures, PoseLibraryState& state) {
   for (const app::LibraryPose& pose : state.poses) {
     const Result<Image> image = readPng(app::pictureOfPose(pose.file));
     pictures.textures.push_back(image ? uploadPicture(*image) : GlTexture());
-    // Dear ImGui holds OpenGL's name of a texture as a pointer.
-    const auto name = static_cast<std::uintptr_t>(pictures.textures.back().name());
-    state.pictures.push_back(reinterpret_cast<ImTextureID>(name)); // NOLINT(performance-no-int-to-ptr)
+    state.pictures.push_back(textureOf(pictures.textures.back().name()));
   }
 }
 

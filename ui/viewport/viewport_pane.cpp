@@ -18,6 +18,7 @@
 #include "ui/viewport/viewport_mouse.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/viewport/welcome.h"
+#include "ui/widgets/control.h"
 
 namespace stretch::ui {
 
@@ -253,9 +254,8 @@ void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn
 
 void showPicture(const DrawnPicture& drawn, const Rect& box) {
   // The target's rows run from the bottom.
-  // NOLINTNEXTLINE(performance-no-int-to-ptr)
-  auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(drawn.target.textureId()));
-  ImGui::GetWindowDrawList()->AddImage(texture, box.min, box.max, {0.0F, 1.0F}, {1.0F, 0.0F});
+  ImGui::GetWindowDrawList()->AddImage(textureOf(drawn.target.textureId()), box.min, box.max, {0.0F, 1.0F},
+                                       {1.0F, 0.0F});
 }
 
 Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {

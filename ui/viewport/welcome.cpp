@@ -10,6 +10,7 @@
 #include "ui/panels/files/welcome_entries.h"
 #include "ui/render/gl/picture_texture.h"
 #include "ui/render/picture/image_edits.h"
+#include "ui/widgets/control.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
@@ -80,19 +81,6 @@ Rect shifted(const Rect& rect, const ImVec2& by) {
   return {{rect.min.x + by.x, rect.min.y + by.y}, {rect.max.x + by.x, rect.max.y + by.y}};
 }
 
-void drawClipPicture(const Theme& theme, const GlTexture& picture, const Rect& box) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (!picture) {
-    list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
-    return;
-  }
-  // Dear ImGui holds OpenGL's name of a texture as a pointer.
-  // NOLINTNEXTLINE(performance-no-int-to-ptr)
-  auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.name()));
-  list->AddImageRounded(texture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
-                        theme.corner());
-}
-
 /// The name of a clip and its line, on up to two rows each, as many as have room.
 void drawClipText(const WidgetContext& widgets, const app::BundledClip& clip, const Rect& box) {
   const Theme& theme = widgets.theme;
@@ -120,7 +108,7 @@ bool clipCard(ViewportContext& context, const app::BundledClip& clip, const GlTe
   const WidgetContext widgets = widgetsOf(context);
   const Control place = takePlace(widgets, std::string("welcome/") + clip.file, plan.size);
   drawFrame(context.theme, place, highlighted);
-  drawClipPicture(context.theme, picture, shifted(plan.picture, place.box.min));
+  drawThumbnail(context.theme, textureOf(picture.name()), shifted(plan.picture, place.box.min));
   drawClipText(widgets, clip, shifted(plan.text, place.box.min));
   tooltip(widgets, {clip.name, clip.line, {}});
   return place.clicked;

@@ -1,6 +1,7 @@
 #include "ui/widgets/control.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <imgui_internal.h>
 
@@ -205,6 +206,21 @@ float columnWidth(int count) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   return std::floor((ImGui::GetContentRegionAvail().x - spacing * static_cast<float>(count - 1)) /
                     static_cast<float>(count));
+}
+
+ImTextureID textureOf(unsigned name) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
+}
+
+void drawThumbnail(const Theme& theme, ImTextureID picture, const Rect& box) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  if (picture == nullptr) {
+    list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
+    return;
+  }
+  list->AddImageRounded(picture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
+                        theme.corner());
 }
 
 } // namespace stretch::ui

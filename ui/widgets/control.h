@@ -83,4 +83,10 @@ void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32
 /// Width of one column of `count` that share the available width with the style's spacing.
 [[nodiscard]] float columnWidth(int count);
 
+/// A texture of OpenGL as Dear ImGui names it; null for 0, which is none.
+[[nodiscard]] ImTextureID textureOf(unsigned name);
+
+/// Draws a picture with rounded corners, or its empty place where there is none.
+void drawThumbnail(const Theme& theme, ImTextureID picture, const Rect& box);
+
 } // namespace stretch::ui

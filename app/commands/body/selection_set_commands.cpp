@@ -48,8 +48,7 @@ Status keep(Session& session) {
 }
 
 bool canSelect(const Session& session, const SelectionSet& set) {
-  const SelectionSet present = presentIn(session.document(), set);
-  return !present.limbs.empty() || !present.controllers.empty();
+  return !presentIn(session.document(), set).empty();
 }
 
 bool canSelectAny(const Session& session) {

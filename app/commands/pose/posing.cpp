@@ -228,10 +228,11 @@ Status poseAll(Session& session, const OffsetPose& pose, const std::string& labe
 }
 
 Status previewPose(Session& session, const OffsetPose& pose) {
+  return session.view().autoKey ? previewKeyed(session, pose) : poseWithoutKey(session, pose);
+}
+
+Status previewKeyed(Session& session, const OffsetPose& pose) {
   const ViewState& view = session.view();
-  if (!view.autoKey) {
-    return poseWithoutKey(session, pose);
-  }
   Result<Document> keyed =
       setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets, pose.values, keyRange(session));
   if (!keyed) {

@@ -62,6 +62,8 @@ Status poseAll(Session& session, const OffsetPose& pose, const std::string& labe
 
 /// Poses within a drag that was begun; each preview is made from the state at its beginning.
 Status previewPose(Session& session, const OffsetPose& pose);
+/// Poses with keys there, also while auto-key is off.
+Status previewKeyed(Session& session, const OffsetPose& pose);
 
 /// "Move the left hand", "Turn 3 controllers".
 [[nodiscard]] std::string poseLabel(const Document& document, const std::string& verb,

@@ -40,8 +40,7 @@ SelectionSet presentIn(const Document& document, const SelectionSet& set) {
 const SelectionSet* setOfSelection(const Document& document, const Selection& selection) {
   const auto found = std::ranges::find_if(document.selectionSets, [&](const SelectionSet& set) {
     const SelectionSet present = presentIn(document, set);
-    const bool isAny = !present.limbs.empty() || !present.controllers.empty();
-    return isAny && holdSame(present.limbs, selection.limbs()) &&
+    return !present.empty() && holdSame(present.limbs, selection.limbs()) &&
            holdSame(present.controllers, selection.controllers());
   });
   return found == document.selectionSets.end() ? nullptr : &*found;
@@ -50,7 +49,7 @@ const SelectionSet* setOfSelection(const Document& document, const Selection& se
 Result<Document> keepSelectionSet(const Document& document, const Selection& selection,
                                   const std::string& name) {
   SelectionSet set{"", selection.limbs(), selection.controllers()};
-  if (set.limbs.empty() && set.controllers.empty()) {
+  if (set.empty()) {
     return Error{"no limb and no controller is selected", "", "select what the set is to hold"};
   }
   if (const SelectionSet* const known = setOfSelection(document, selection)) {

@@ -19,6 +19,8 @@ using test::TemporaryFolder;
 
 namespace {
 
+constexpr double recordTolerance = 1e-3;
+
 std::vector<std::string> wordsOf(std::string line, const std::string& folder) {
   for (std::size_t at = line.find("IN/"); at != std::string::npos;
        at = line.find("IN/", at + folder.size())) {
@@ -45,12 +47,6 @@ std::string tellings(const std::vector<std::string>& lines, const TemporaryFolde
     text += fmt::format("{}\n exit {}\n{}\n", line, answer.exitCode, told);
   }
   return text;
-}
-
-void compareTellings(const std::string& name, const std::string& text) {
-  const std::string difference = test::differenceFromRecord(name, text, 1e-3);
-  INFO(difference);
-  CHECK(difference.empty());
 }
 
 /// Command lines that are refused, or whose answer says that nothing is there.
@@ -134,7 +130,7 @@ void addClip(const TemporaryFolder& folder) {
 TEST_CASE("What the verbs tell of work in plain words is as it was looked at") {
   const TemporaryFolder folder;
   addClip(folder);
-  compareTellings(
+  test::compareWithRecord(
       "plain-tellings",
       tellings(
           {"exaggerate IN/dummy.glb -o IN/punch.glb --limb left-arm --range 21:27 --scale 3 --overshoot 0.3",
@@ -148,7 +144,8 @@ TEST_CASE("What the verbs tell of work in plain words is as it was looked at") {
            "info IN/more.glb", "resave IN/two.glb -o IN/again.gltf",
            "flatten --mass 2 --young 30000 --length 0.5 --width 0.2 --angle 20",
            "compare IN/dummy.glb IN/punch.glb"},
-          folder));
+          folder),
+      recordTolerance);
 }
 
 TEST_CASE("What the verbs tell of sequences and meshes in plain words is as it was looked at") {
@@ -158,7 +155,7 @@ TEST_CASE("What the verbs tell of sequences and meshes in plain words is as it w
   test::writeMeshFile(folder / "person.gltf", person.positions, person.triangles);
   const std::string measured =
       "compress IN/tube -o IN/measured.glb --bones 3 --stretch measured --stream IN/stream --open-stream";
-  compareTellings(
+  test::compareWithRecord(
       "plain-tellings-of-meshes",
       tellings({"compress IN/tube -o IN/tube.glb --bones 4", "info IN/tube.glb", measured,
                 "compress IN/tube -o IN/more.glb --append IN/stream", "compare IN/tube IN/tube.glb",
@@ -166,7 +163,8 @@ TEST_CASE("What the verbs tell of sequences and meshes in plain words is as it w
                 "rig IN/person.gltf -o IN/places.json --locators-only", "rig IN/person.gltf -o IN/rigged.glb",
                 "info IN/rigged.glb", "bind IN/person.gltf -o IN/bound.glb --locators IN/places.json",
                 "info IN/bound.glb", "info IN/person.gltf"},
-               folder));
+               folder),
+      recordTolerance);
 }
 
 TEST_CASE("What the verbs refuse, and why, is as it was looked at") {
@@ -186,5 +184,5 @@ TEST_CASE("What the verbs refuse, and why, is as it was looked at") {
   for (const char* const own : refusedTrails) {
     lines.push_back("exaggerate IN/dummy.glb -o IN/out.glb " + std::string(own));
   }
-  compareTellings("refusals", tellings(lines, folder));
+  test::compareWithRecord("refusals", tellings(lines, folder), recordTolerance);
 }

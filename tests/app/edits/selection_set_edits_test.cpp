@@ -40,6 +40,17 @@ Document withSets() {
   return document;
 }
 
+/// What the next set selects, three times: arms, hands, and arms again.
+void checkArmsHandsArms(Session& session) {
+  for (const auto& [limbs, controllers] : {std::pair{Names{"left-arm", "right-arm"}, Names{}},
+                                           {Names{}, Names{"left-hand", "right-hand"}},
+                                           {Names{"left-arm", "right-arm"}, Names{}}}) {
+    REQUIRE(run(session, command::selectionNext).empty());
+    CHECK(session.view().selection.limbs() == limbs);
+    CHECK(session.view().selection.controllers() == controllers);
+  }
+}
+
 std::string refusalOf(const Json& sets) {
   return test::refusal(selectionSetsFromJson(sets));
 }
@@ -122,13 +133,7 @@ TEST_CASE("A set is selected in the place of what was selected, or beside it") {
 
 TEST_CASE("The next set is the first, then each in turn, and the first again") {
   Session session(withSets());
-  for (const auto& [limbs, controllers] : {std::pair{Names{"left-arm", "right-arm"}, Names{}},
-                                           {Names{}, Names{"left-hand", "right-hand"}},
-                                           {Names{"left-arm", "right-arm"}, Names{}}}) {
-    REQUIRE(run(session, command::selectionNext).empty());
-    CHECK(session.view().selection.limbs() == limbs);
-    CHECK(session.view().selection.controllers() == controllers);
-  }
+  checkArmsHandsArms(session);
   Session without(bundled());
   CHECK_FALSE(run(without, command::selectionNext).empty());
 }
@@ -144,13 +149,7 @@ TEST_CASE(
   selectSet(session, session.document().selectionSets[0], false);
   CHECK(session.view().selection.controllers().empty());
   CHECK(session.view().selection.limbs().empty());
-  for (const auto& [limbs, controllers] : {std::pair{Names{"left-arm", "right-arm"}, Names{}},
-                                           {Names{}, Names{"left-hand", "right-hand"}},
-                                           {Names{"left-arm", "right-arm"}, Names{}}}) {
-    REQUIRE(run(session, command::selectionNext).empty());
-    CHECK(session.view().selection.limbs() == limbs);
-    CHECK(session.view().selection.controllers() == controllers);
-  }
+  checkArmsHandsArms(session);
   selectSet(session, session.document().selectionSets[2], false);
   REQUIRE(run(session, command::selectionForget).empty());
   CHECK(namesOf(session.document()) == Names{"Wings", "Arms"});

@@ -36,6 +36,11 @@ struct Library : test::EditorStage {
     run(command::poseLibrary);
     frames(3);
   }
+  void tryFirst() {
+    open();
+    click("pose-library/pose-0");
+    frames(3);
+  }
   [[nodiscard]] PoseLibraryState& library() { return shell.ui.body.library; }
   [[nodiscard]] Vec3 hand() {
     for (const rig::PlacedController& placed : session().controllersAt(punchFrame)) {
@@ -69,9 +74,7 @@ TEST_CASE("A pose is kept with a picture of the character and a free name, and t
 TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc takes it off again") {
   Library stage;
   const Vec3 before = stage.hand();
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   const Vec3 guard = stage.hand();
   CHECK(glm::length(guard - before) > 0.2);
   CHECK(stage.session().history().position() == 0);
@@ -90,9 +93,7 @@ TEST_CASE("A chosen pose is seen at once, as far as the slider says, and Esc tak
 TEST_CASE("What is taken from the library is one step that says which pose it was") {
   Library stage;
   const Vec3 before = stage.hand();
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   const Vec3 tried = stage.hand();
   stage.click("pose-library/Pose");
   stage.frames(3);
@@ -108,9 +109,7 @@ TEST_CASE("While auto-key is off a pose of the library is shown without a key") 
   Library stage;
   stage.session().view().autoKey = false;
   const Vec3 before = stage.hand();
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   stage.click("pose-library/Pose");
   stage.frames(3);
   CHECK(stage.session().document().adjustments.empty());
@@ -121,9 +120,7 @@ TEST_CASE("While auto-key is off a pose of the library is shown without a key") 
 TEST_CASE("Selected controllers alone take the pose, mirrored from the other side where that is asked for") {
   Library stage;
   app::selectControllers(stage.session(), {"left-hand"});
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   const Vec3 plain = stage.hand();
   stage.click("pose-library/mirrored");
   stage.frames(3);
@@ -140,9 +137,7 @@ TEST_CASE("Selected controllers alone take the pose, mirrored from the other sid
 TEST_CASE("A pose that the character has already can be looked at and not be taken") {
   Library stage;
   stage.session().view().frame = 0.0;
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   CHECK_FALSE(stage.library().reaches);
   CHECK_THAT(stage.library().remark, Catch::StartsWith("the character stands so already"));
   CHECK_FALSE(stage.shell.items.find("pose-library/Pose")->enabled);
@@ -182,9 +177,7 @@ TEST_CASE(
   REQUIRE(app::poseAll(stage.session(), {{}, {{"left-hand.curl", 1.0}}}, "Fist"));
   const app::UnkeyedPose fist = stage.session().view().unkeyed;
   const Vec3 before = stage.hand();
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   CHECK(glm::length(stage.hand() - before) > 0.2);
   stage.pressWidgetKey(ImGuiKey_Escape);
   stage.frames(3);
@@ -195,9 +188,7 @@ TEST_CASE(
 
 TEST_CASE("A pose that is renamed while it is tried can be taken, under its new name") {
   Library stage;
-  stage.open();
-  stage.click("pose-library/pose-0");
-  stage.frames(3);
+  stage.tryFirst();
   stage.library().typedName = "Guard";
   stage.library().renamed = true;
   stage.frames(3);

@@ -204,8 +204,7 @@ void selectionSetRow(PanelContext& context) {
   const app::SelectionSet* const selected = app::setOfSelection(session.document(), session.view().selection);
   std::vector<Choice> choices;
   for (const app::SelectionSet& set : sets) {
-    const app::SelectionSet present = app::presentIn(session.document(), set);
-    const bool isAny = !present.limbs.empty() || !present.controllers.empty();
+    const bool isAny = !app::presentIn(session.document(), set).empty();
     choices.push_back(
         {.text = set.name,
          .help = {set.name, isAny ? "Selects it; Shift adds it." : "This character has nothing of it.", {}},

@@ -5,6 +5,7 @@
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "ui/panels/context/dialog_frame.h"
+#include "ui/widgets/control.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -15,16 +16,6 @@ namespace stretch::ui {
 namespace {
 
 constexpr int columns = 3;
-
-void drawPicture(const Theme& theme, ImTextureID picture, const Rect& box) {
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  if (picture == nullptr) {
-    list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
-    return;
-  }
-  list->AddImageRounded(picture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
-                        theme.corner());
-}
 
 /// A pose: its picture over its name. True when it was clicked.
 bool poseCard(PanelContext& context, std::size_t place, float width) {
@@ -44,7 +35,7 @@ bool poseCard(PanelContext& context, std::size_t place, float width) {
                         : card.hovered ? theme.colours.hovered
                                        : theme.colours.raised,
                         theme.corner());
-    drawPicture(
+    drawThumbnail(
         theme, place < state.pictures.size() ? state.pictures[place] : nullptr,
         {{card.box.min.x + pad, card.box.min.y + pad}, {card.box.max.x - pad, card.box.max.y - nameHeight}});
     drawText(widgets, theme.fonts.label,
