@@ -71,6 +71,17 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
 
 } // namespace
 
+std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places) {
+  std::optional<double> lowest;
+  for (const rig::Limb& limb : document.body.limbs) {
+    if (isLeg(limb)) {
+      const double sole = rig::endPosition(limb, places.worlds).y - soleDepth(*document.scene, limb, places);
+      lowest = std::min(lowest.value_or(sole), sole);
+    }
+  }
+  return lowest;
+}
+
 std::optional<double> standingAnkles(const Document& document, int clip) {
   std::optional<double> lowest;
   for (const rig::Limb& limb : document.body.limbs) {

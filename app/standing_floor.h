@@ -5,12 +5,16 @@
 
 #include "app/document.h"
 #include "core/math/bounds.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 
 /// How high the ends of legs are in a clip where they stand lowest, world units along +Y. Nothing where no
 /// leg stands.
 [[nodiscard]] std::optional<double> standingAnkles(const Document& document, int clip);
+
+/// How high the lowest point of all feet is in the bind pose, along +Y. Nothing where there is no leg.
+[[nodiscard]] std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places);
 
 /// Returns what a foot may stand on beside the floor, as boxes in the world: what holds a mesh, stands still
 /// in the clip, is not held in it and is no part of the body.

@@ -51,7 +51,15 @@ EntrySchema<SeenController> controllerSchema() {
              seen.fromBase = fromBase;
              return read;
            },
-           false, [](const SeenController& seen) { return seen.fromBase.has_value(); }}};
+           false, [](const SeenController& seen) { return seen.fromBase.has_value(); }},
+          {"rest_height", [](const SeenController& seen) { return Json(*seen.restHeight); },
+           [](const Json& json, SeenController& seen) {
+             double height = 0.0;
+             Status read = readValue(json, "rest_height", 1.0, height);
+             seen.restHeight = height;
+             return read;
+           },
+           false, [](const SeenController& seen) { return seen.restHeight.has_value(); }}};
 }
 
 EntrySchema<AttributeValue> valueSchema() {

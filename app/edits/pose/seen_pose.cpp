@@ -9,6 +9,7 @@
 #include "app/edits/pose/pose_edits.h"
 #include "app/edits/trail/mirror_edits.h"
 #include "app/named.h"
+#include "app/standing_floor.h"
 #include "core/math/rotation.h"
 #include "rig/reach/bind_places.h"
 
@@ -51,6 +52,30 @@ Quat turnBetweenLefts(const Vec3& from, const Vec3& to) {
   return axisAngle(Vec3(0.0, 1.0, 0.0), std::atan2(glm::cross(from, to).y, glm::dot(from, to)));
 }
 
+/// Heights of a character's controllers above its soles in the bind pose.
+class RestHeights {
+public:
+  explicit RestHeights(const Document& document)
+      : document_(document), places_(rig::bindPlaces(*document.scene)), sole_(soleHeight(document, places_)) {
+  }
+
+  [[nodiscard]] std::optional<double> of(const rig::Controller& controller) const {
+    if (!sole_ || hangsOnItsLimb(controller.kind)) {
+      return std::nullopt;
+    }
+    if (controller.node.exists()) {
+      return positionOf(places_.worlds[at(controller.node)]).y - *sole_;
+    }
+    const rig::Limb* const limb = findLimb(document_, controller.limb);
+    return limb == nullptr ? std::nullopt : std::optional(rig::endPosition(*limb, places_.worlds).y - *sole_);
+  }
+
+private:
+  const Document& document_;
+  rig::BindPlaces places_;
+  std::optional<double> sole_;
+};
+
 double legLengthOf(const rig::ControllerList& list) {
   const rig::Controller* const hips = list.controller("hips");
   return hips == nullptr ? 1.0 : hips->length;
@@ -65,6 +90,7 @@ SeenPose seenPose(const SeenMoment& moment, std::span<const std::string> ids) {
   pose.leftWorld = leftOf(moment.document);
   pose.leftOnItsWay = headingNormal(moment.document, moment.clip, moment.frame);
   pose.legLength = legLengthOf(list);
+  const RestHeights rest(moment.document);
   for (const rig::PlacedController& placed : moment.placed) {
     if (placed.kind == rig::ControllerKind::hips) {
       pose.standingWorld = {placed.placeWorld.x, 0.0, placed.placeWorld.z};
@@ -79,6 +105,7 @@ SeenPose seenPose(const SeenMoment& moment, std::span<const std::string> ids) {
     if (const std::optional<Vec3> base = baseOf(moment, controller)) {
       seen.fromBase = (placed.placeWorld - *base) / controller->length;
     }
+    seen.restHeight = controller != nullptr ? rest.of(*controller) : std::nullopt;
     pose.controllers.push_back(std::move(seen));
   }
   return pose;
@@ -114,6 +141,9 @@ SeenPose standardised(const SeenPose& pose) {
     if (seen.fromBase) {
       seen.fromBase = facing * *seen.fromBase;
     }
+    if (seen.restHeight) {
+      seen.restHeight = *seen.restHeight / pose.legLength;
+    }
     standard.controllers.push_back(std::move(seen));
   }
   return standard;
@@ -125,6 +155,7 @@ std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& po
   const bool sameCharacter = pose.of == moment.document.scene;
   const Quat facing = turnBetweenLefts(pose.leftWorld, leftOf(moment.document));
   const double scale = legLengthOf(list) / pose.legLength;
+  const RestHeights rest(moment.document);
   std::vector<SeenController> goals;
   for (SeenController goal : pose.controllers) {
     const auto placed = std::ranges::find(moment.placed, goal.id, &rig::PlacedController::id);
@@ -138,6 +169,10 @@ std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& po
       goal.placeWorld = base && goal.fromBase
                             ? *base + facing * *goal.fromBase * controller->length
                             : standingWorld + facing * (goal.placeWorld - pose.standingWorld) * scale;
+      const std::optional<double> rests = controller != nullptr ? rest.of(*controller) : std::nullopt;
+      if (rests && goal.restHeight) {
+        goal.placeWorld.y += *rests - *goal.restHeight * scale; // As far from where it rests.
+      }
     }
     goals.push_back(std::move(goal));
   }

@@ -32,6 +32,9 @@ struct SeenController {
   /// From the base of its limb, in lengths of the controller, along the world's axes: what another character
   /// is given of hands, heads, tips and poles. Nothing for all others.
   std::optional<Vec3> fromBase;
+  /// Height above the soles in the bind pose, world units: what its height is counted from on another
+  /// character. Nothing for what is placed from a base, and without legs.
+  std::optional<double> restHeight = {};
 };
 
 /// Places and turns of some controllers at one time, with what they are measured by on another character.

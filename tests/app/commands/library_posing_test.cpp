@@ -115,6 +115,41 @@ TEST_CASE(
   CHECK(blended(*blend, 0.25).values.front().value == Approx(0.1));
 }
 
+TEST_CASE("Hips and feet are as far from where they rest, whatever the proportions of who was seen") {
+  Session session(test::openedFile(test::posedCharacter));
+  SeenPose punch = seenAt(session, punchFrame);
+  session.view().frame = 5.0;
+  const auto goalHeights = [&](const SeenPose& pose) {
+    std::vector<double> heights;
+    for (const SeenController& goal :
+         goalsOn({session.document(), 0, 5.0, session.controllersAt(5.0), session.frameAt(5.0)}, pose,
+                 Vec3(0.0))) {
+      heights.push_back(goal.placeWorld.y);
+    }
+    return heights;
+  };
+  const std::vector<double> plain = goalHeights(punch);
+  for (const char* const id : {"hips", "left-foot", "right-foot"}) {
+    CHECK(seenOf(punch, id).restHeight.has_value());
+  }
+  for (SeenController& seen : punch.controllers) { // As if all were half a leg higher on whom it was seen.
+    if (seen.restHeight) {
+      seen.placeWorld.y += 0.5;
+      *seen.restHeight += 0.5;
+    }
+  }
+  const std::vector<double> higher = goalHeights(punch);
+  REQUIRE(higher.size() == plain.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    CHECK(higher[i] == Approx(plain[i]).margin(1e-9));
+  }
+  // Where nothing tells how high it rests, it goes by the length of the leg alone.
+  const double leg = controllersOf(session.document()).controller("hips")->length;
+  SeenPose bare = punch;
+  bare.controllers = {{"hips", Vec3(0.0, 1.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), std::nullopt}};
+  CHECK(goalHeights(bare).front() == Approx(leg));
+}
+
 TEST_CASE("Selected controllers alone take the pose, with the attributes that go with them") {
   Session session(test::openedFile(test::posedCharacter));
   const SeenPose punch = seenAt(session, punchFrame);

@@ -24,7 +24,7 @@ LibraryPose guard() {
   pose.pose.leftOnItsWay = Vec3(0.8, 0.0, 0.6);
   pose.pose.controllers = {
       {"left-hand", Vec3(0.25, 1.5, -0.5), Quat(0.5, 0.5, -0.5, 0.5), Vec3(0.5, 0.25, -0.125)},
-      {"hips", Vec3(0.0, 1.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), std::nullopt}};
+      {"hips", Vec3(0.0, 1.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), std::nullopt, 1.125}};
   pose.pose.values = {{"left-hand.curl", 0.75}};
   return pose;
 }
@@ -58,6 +58,7 @@ TEST_CASE("A pose of the library is read as it was written: places, turns, bases
     CHECK(read->pose.controllers[i].placeWorld == pose.pose.controllers[i].placeWorld);
     CHECK(read->pose.controllers[i].turnWorld == pose.pose.controllers[i].turnWorld);
     CHECK(read->pose.controllers[i].fromBase == pose.pose.controllers[i].fromBase);
+    CHECK(read->pose.controllers[i].restHeight == pose.pose.controllers[i].restHeight);
   }
 }
 
@@ -116,6 +117,7 @@ TEST_CASE("A file that is no pose is refused with the file, the key and what to 
   CHECK_THAT(ofController("turn", "up"), Catch::StartsWith(file + ": turn: "));
   CHECK_THAT(ofController("place", {1, 2}), Catch::StartsWith(file + ": place: "));
   CHECK_THAT(ofController("from_base", 1), Catch::StartsWith(file + ": from_base: "));
+  CHECK_THAT(ofController("rest_height", "low"), Catch::StartsWith(file + ": rest_height: "));
   CHECK_THAT(ofController("weight", 1), Catch::StartsWith(file + ": weight: is not a part of a pose"));
   CHECK_THAT(with("values", Json::array({{{"attribute", "left-hand.curl"}}})),
              Catch::StartsWith(file + ": value: is missing"));
