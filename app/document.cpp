@@ -27,7 +27,7 @@ bool sameDocument(const Document& a, const Document& b) {
          a.limbsCorrected == b.limbsCorrected && a.locators == b.locators && a.chains == b.chains &&
          a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
          a.weights == b.weights && a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips &&
-         a.rates == b.rates && a.selectionSets == b.selectionSets;
+         a.rates == b.rates && a.selectionSets == b.selectionSets && a.references == b.references;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/clip_reference.h"
 #include "app/selection_set.h"
 #include "app/weight/weight_settings.h"
 #include "core/anim/clip.h"
@@ -75,6 +76,7 @@ struct Document {
   std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.
   std::vector<ClipRate> rates;              ///< Clips that are worked on at another rate than their own.
   std::vector<SelectionSet> selectionSets;  ///< In the order in which they were kept.
+  std::vector<Reference> references;        ///< By clip, at most one of each; no part of the saved file.
   int nextTrailId = 1;
 };
 

@@ -117,6 +117,9 @@ std::size_t bytesBeyond(const Document& document, const Document& other) {
   bytes += bytesOf(document.selectionSets, [&](const SelectionSet& set) {
     return set.name.size() + bytesOf(set.limbs, textBytes) + bytesOf(set.controllers, textBytes);
   });
+  bytes += bytesOf(document.references, [](const Reference& reference) {
+    return reference.images.file.size() + reference.sound.file.size();
+  });
   return bytes + bytesOfLimbs(document.body.limbs) + bytesOfLimbs(document.chains) + bytesOfThings(document) +
          bytesOf(document.loopingClips) + bytesOf(document.rates);
 }

@@ -32,6 +32,12 @@ public:
     return pushed;
   }
 
+  /// Another current state without a step: what belongs to the document and is kept beside its file.
+  void restore(Document current) {
+    history_.replaceCurrent(std::move(current));
+    documentChanged();
+  }
+
   /// A drag or a modal: begin remembers the state; each preview is computed from the state AT BEGIN; commit
   /// pushes one undo step (none when nothing changed), cancel restores.
   void begin(std::string label) {

@@ -45,6 +45,9 @@ public:
     return true;
   }
 
+  /// Puts another state in the place of the current one: no step leads there, and what was saved is.
+  void replaceCurrent(Document document) { entries_[index_].document = std::move(document); }
+
   [[nodiscard]] bool canUndo() const { return index_ > 0; }
   [[nodiscard]] bool canRedo() const { return index_ + 1 < entries_.size(); }
   /// Label of what undo or redo would take back or bring; empty when there is nothing.

@@ -18,6 +18,8 @@ pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
+pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+pkg_check_modules(OPENAL REQUIRED IMPORTED_TARGET openal)
 
 # Headers of packages are no code of ours: their warnings stay off.
 function(stretch_system_includes target)
@@ -35,8 +37,9 @@ set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TB
     draco::draco_static meshoptimizer::meshoptimizer PkgConfig::WEBP assimp::assimp)
 set(STRETCH_LINKS_rig stretch_core)
 set(STRETCH_LINKS_skinning stretch_core embree Eigen3::Eigen OpenMeshCore)
-set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11)
-set(STRETCH_LINKS_ui stretch_app glfw PkgConfig::IMGUI stb PkgConfig::EPOXY PkgConfig::FREETYPE Fontconfig::Fontconfig)
+set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11 PkgConfig::SNDFILE)
+set(STRETCH_LINKS_ui stretch_app glfw PkgConfig::IMGUI stb PkgConfig::EPOXY PkgConfig::FREETYPE Fontconfig::Fontconfig
+    PkgConfig::OPENAL)
 
 # Sources of one target share the cost of the headers that they all read, a few large compilations for each target: so a
 # helper's name is its room's own, even in an unnamed namespace. The dev preset compiles each source by itself.

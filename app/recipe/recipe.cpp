@@ -1,6 +1,7 @@
 #include "app/recipe/recipe.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include "app/evaluate/clip_moments.h"
 #include "app/named.h"
 #include "app/recipe/recipe_parts.h"
+#include "app/reference/reference_edits.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -37,7 +39,7 @@ constexpr int mostGroups = 1000000;
 Status checkKeys(const Json& json) {
   const std::vector<std::string> known{"version", "clip",    "units",       "frames_per_second",
                                        "trails",  "elastic", "adjustments", "pins",
-                                       "grips",   "props"};
+                                       "grips",   "props",   "references"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
@@ -52,8 +54,9 @@ Status checkKeys(const Json& json) {
                  fmt::format("give {}", recipeVersion)};
   }
   const bool isWithoutTrails =
-      !json.contains("trails") && (json.contains("adjustments") || json.contains("pins") ||
-                                   json.contains("grips") || json.contains("props"));
+      !json.contains("trails") &&
+      std::ranges::any_of(std::array{"adjustments", "pins", "grips", "props", "references"},
+                          [&](const char* key) { return json.contains(key); });
   if (!isWithoutTrails && (!json.contains("trails") || !json["trails"].is_array())) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
   }
@@ -266,6 +269,24 @@ Json adjustmentsToJson(const Document& document, int clip) {
   return entries;
 }
 
+/// `framesOfFrame`: frames of the clip for each one of the recipe.
+Status readReference(const Json& json, const std::filesystem::path& folder, double framesOfFrame,
+                     Recipe& recipe) {
+  recipe.reference.clip = recipe.clip;
+  if (!json.contains("references")) {
+    return Success{};
+  }
+  const Result<Reference> read = referenceFromJson(json["references"], recipe.clip, folder.string());
+  if (!read) {
+    const Error& error = read.error();
+    return Error{error.what, error.where.empty() ? "references" : "references." + error.where, error.remedy};
+  }
+  recipe.reference = *read;
+  recipe.reference.images.startFrame *= framesOfFrame;
+  recipe.reference.sound.startFrame *= framesOfFrame;
+  return Success{};
+}
+
 } // namespace
 
 AdjustmentUnits unitsOf(double limbLength, bool inMetres) {
@@ -328,9 +349,8 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
       thing = mapped(std::move(thing), TimeMap{.factor = rate / recipeRate});
     }
   });
-  if (read) {
-    read = addPropFiles(json, ground.inMetres, folder, recipe, document);
-  }
+  read = read ? readReference(json, folder, rate / recipeRate, recipe) : read;
+  read = read ? addPropFiles(json, ground.inMetres, folder, recipe, document) : read;
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
 
@@ -382,6 +402,9 @@ Json recipeToJson(const Document& document, int clip) {
       entry["limb"] = limb.limb;
       json["elastic"].push_back(std::move(entry));
     }
+  }
+  if (Json reference = referenceToJson(referenceOf(document, clip)); !reference.empty()) {
+    json["references"] = std::move(reference);
   }
   return json;
 }

@@ -1,6 +1,7 @@
 #include "app/recipe/replay.h"
 
 #include "app/edits/trail/group_edits.h"
+#include "app/reference/reference_edits.h"
 
 namespace stretch::app {
 
@@ -12,7 +13,9 @@ Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) 
     trail.exaggerated = true;
     trail.connected = true;
   }
-  return place(document, things, Entry::request);
+  const Reference none{.clip = recipe.clip};
+  const bool refers = recipe.reference.images != none.images || recipe.reference.sound != none.sound;
+  return place(refers ? withReference(document, recipe.reference) : document, things, Entry::request);
 }
 
 } // namespace stretch::app

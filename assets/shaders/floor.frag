@@ -2,6 +2,7 @@ in vec2 floorPlace;
 uniform vec2 centre;
 uniform float radius;
 uniform float cellSize; // World units between fine lines; every fifth is stronger.
+uniform float cover; // How much of the background the floor hides between its lines.
 uniform vec3 floorColor;
 uniform vec3 lineColor;
 uniform float lineWidth; // Pixels.
@@ -46,6 +47,6 @@ void main() {
   float dark = darkness();
   vec3 color = mix(floorColor, lineColor, line);
   color = mix(color, shadowColor, dark);
-  float alpha = max(fade * fade * 0.9, max(line * fade, dark * smoothstep(0.0, 0.3, fade)));
+  float alpha = max(fade * fade * cover, max(line * fade, dark * smoothstep(0.0, 0.3, fade)));
   pixel = vec4(dithered(color, gl_FragCoord.xy), alpha);
 }

@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "app/reference/reference_edits.h"
 #include "core/base/file.h"
-#include "ui/batch/video_writer.h"
 #include "ui/render/picture/image_edits.h"
 
 namespace stretch::ui {
@@ -76,6 +76,15 @@ Status drawBeside(const Film& film, const PictureOptions& options,
 
 } // namespace
 
+std::optional<FilmSound> filmSoundOf(const app::Document& document, int clip, double firstFrame) {
+  const app::ReferenceSound sound = app::referenceOf(document, clip).sound;
+  if (sound.file.empty() || sound.volume <= 0.0) {
+    return std::nullopt;
+  }
+  return FilmSound{sound.file, (firstFrame - sound.startFrame) / app::clipOf(document, clip).framesPerSecond,
+                   sound.volume};
+}
+
 Status drawFilm(const Film& film, const PictureOptions& options,
                 const std::function<Status(std::size_t, const Image&)>& keep) {
   return film.sides.size() == 1
@@ -87,8 +96,8 @@ Status writeFilm(const Film& film, const PictureOptions& options, const std::fil
                  const FilmProgress& progress) {
   std::optional<VideoWriter> video;
   if (isVideoName(path)) {
-    Result<VideoWriter> opened =
-        VideoWriter::open({path, options.widthPixels, options.heightPixels, film.framesPerSecond});
+    Result<VideoWriter> opened = VideoWriter::open(
+        {path, options.widthPixels, options.heightPixels, film.framesPerSecond, film.sound});
     if (!opened) {
       return opened.error();
     }

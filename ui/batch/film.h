@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "app/document.h"
+#include "ui/batch/video_writer.h"
 #include "ui/render/picture/picture.h"
 
 namespace stretch::ui {
@@ -19,7 +22,12 @@ struct Film {
   std::vector<FilmSide> sides;   ///< One, or two: the left one first.
   std::vector<double> frames;    ///< Of each picture.
   double framesPerSecond = 30.0; ///< Of the film when it is played.
+  std::optional<FilmSound> sound = {};
 };
+
+/// The sound that a clip refers to, for a film that begins at a frame; nothing where it refers to none.
+[[nodiscard]] std::optional<FilmSound> filmSoundOf(const app::Document& document, int clip,
+                                                   double firstFrame);
 
 /// Draws the pictures one after the other, of the options' size as a whole; `keep` gets each as it is made
 /// and may stop the work with an error.

@@ -393,6 +393,7 @@ std::vector<PictureFrame> picturesBeside(const app::Document& source, const std:
   const int number = app::findClip(source, clip, "--beside").value();
   look.camera = look.camera != nullptr ? cameraNamed(*source.scene, look.camera->name) : nullptr;
   look.weightsOf = NodeIndex::none;
+  look.backdrops = {};
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(source, number));
   std::vector<double> own = frames; // the same moments, counted as this file counts
   for (double& frame : own) {
@@ -404,6 +405,31 @@ std::vector<PictureFrame> picturesBeside(const app::Document& source, const std:
     label = label.empty() ? std::string("before") : fmt::format("before, frame {:g}", frames[i]);
   }
   return pictures;
+}
+
+Result<CharacterLook> lookOf(const RenderArguments& arguments, const app::Document& document, int clip,
+                             std::size_t frameCount) {
+  const Result<NodeIndex> joint = weightJoint(*document.scene, arguments.weights);
+  const Result<const SceneCamera*> camera = cameraOf(*document.scene, arguments.camera);
+  if (!joint || !camera) {
+    return joint ? camera.error() : joint.error();
+  }
+  ViewportOverlays overlays;
+  if (Status set = app::setFromTexts(overlaySchema(), arguments.overlays, overlays); !set) {
+    return set.error();
+  }
+  Result<Backdrops> backdrops = backdropsOf(document, clip);
+  if (!backdrops) {
+    return backdrops.error();
+  }
+  return CharacterLook{.skeleton = arguments.skeleton,
+                       .trails = !arguments.withoutTrails,
+                       .ghosts = arguments.ghosts,
+                       .weightsOf = *joint,
+                       .labelled = clip >= 0 && (frameCount > 1 || arguments.sheet),
+                       .shadeAs = overlays.shadeAs,
+                       .camera = *camera,
+                       .backdrops = std::move(*backdrops)};
 }
 
 Status renderCharacter(const RenderArguments& arguments) {
@@ -428,23 +454,11 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!frames) {
     return frames.error();
   }
-  const Result<NodeIndex> joint = weightJoint(*document->scene, arguments.weights);
-  const Result<const SceneCamera*> camera = cameraOf(*document->scene, arguments.camera);
-  if (!joint || !camera) {
-    return joint ? camera.error() : joint.error();
+  const Result<CharacterLook> look = lookOf(arguments, *document, clip, frames->size());
+  if (!look) {
+    return look.error();
   }
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
-  ViewportOverlays overlays;
-  if (Status set = app::setFromTexts(overlaySchema(), arguments.overlays, overlays); !set) {
-    return set;
-  }
-  const CharacterLook look{.skeleton = arguments.skeleton,
-                           .trails = !arguments.withoutTrails,
-                           .ghosts = arguments.ghosts,
-                           .weightsOf = *joint,
-                           .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet),
-                           .shadeAs = overlays.shadeAs,
-                           .camera = *camera};
   if (Status best = takeBestView(arguments, *document, *motion, *options); !best) {
     return best;
   }
@@ -453,15 +467,17 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!source) {
     return source.error();
   }
-  if (*source && *camera != nullptr && cameraNamed(*(*source)->scene, (*camera)->name) == nullptr) {
-    return Error{"has no camera '" + (*camera)->name + "'", arguments.beside,
+  const SceneCamera* const camera = look->camera;
+  if (*source && camera != nullptr && cameraNamed(*(*source)->scene, camera->name) == nullptr) {
+    return Error{"has no camera '" + camera->name + "'", arguments.beside,
                  "name a file with it, or look by --view"};
   }
   if (*source) {
     film.sides.push_back({(*source)->scene.get(), picturesBeside(**source, app::clipOf(*document, clip).name,
-                                                                 *frames, motion->framesPerSecond, look)});
+                                                                 *frames, motion->framesPerSecond, *look)});
   }
-  film.sides.push_back({document->scene.get(), picturesOfCharacter(*document, motion, *frames, look)});
+  film.sides.push_back({document->scene.get(), picturesOfCharacter(*document, motion, *frames, *look)});
+  film.sound = filmSoundOf(*document, clip, frames->front());
   return draw(arguments, film, *options);
 }
 

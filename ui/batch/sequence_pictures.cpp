@@ -171,6 +171,9 @@ std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,
     pictures.push_back({assemblePicture({document, *motion, trails, frame, pose, measures}, selection,
                                         overlays, paletteOf(ThemeKind::dark)),
                         look.labelled ? fmt::format("frame {:g}", frame) : std::string()});
+    if (look.backdrops) {
+      pictures.back().content.style.backdrop = look.backdrops(frame);
+    }
     if (look.camera != nullptr) {
       pictures.back().through = throughCamera(document, *look.camera, pose);
     }

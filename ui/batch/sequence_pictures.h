@@ -9,6 +9,7 @@
 #include "ui/panels/state/overlays.h"
 #include "ui/render/picture/picture.h"
 #include "ui/viewport/sequence_picture.h"
+#include "ui/viewport/shown/shown_reference.h"
 
 namespace stretch::ui {
 
@@ -47,6 +48,7 @@ struct CharacterLook {
   bool labelled = false;
   ShadeAs shadeAs = ShadeAs::exact;
   const SceneCamera* camera = nullptr; ///< One of the file, looked through; null: none.
+  Backdrops backdrops = {};            ///< Reference images behind the character; empty: none.
 };
 
 /// Pictures of the window at these frames, every trail as if it were selected.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 struct VideoKind {
   const char* ending;
   std::vector<const char*> options;
+  const char* soundCodec; ///< Empty: it has no sound.
 };
 
 // Players want an even number of pixels along each side.
@@ -39,11 +41,13 @@ const std::vector<VideoKind>& videoKinds() {
   static const std::vector<VideoKind> kinds{
       {".mp4",
        {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p",
-        "-movflags", "+faststart", "-f", "mp4"}},
+        "-movflags", "+faststart", "-f", "mp4"},
+       "aac"},
       {".webm",
        {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-pix_fmt",
-        "yuv420p", "-f", "webm"}},
-      {".gif", {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f", "gif"}}};
+        "yuv420p", "-f", "webm"},
+       "libopus"},
+      {".gif", {"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f", "gif"}, ""}};
   return kinds;
 }
 
@@ -51,6 +55,16 @@ const VideoKind* kindOf(const fs::path& path) {
   const auto found = std::ranges::find_if(
       videoKinds(), [&](const VideoKind& kind) { return path.extension() == kind.ending; });
   return found == videoKinds().end() ? nullptr : &*found;
+}
+
+/// Adds the sound as a second input that lasts as long as the pictures: cut where it is longer, else silent.
+void addSound(const FilmSound& sound, const VideoKind& kind, std::vector<std::string>& words) {
+  const bool begins = sound.fromSeconds >= 0.0; // before the video does
+  words.insert(words.end(),
+               {begins ? "-ss" : "-itsoffset", fmt::format("{:.6f}", std::abs(sound.fromSeconds)), "-i",
+                "file:" + sound.file.string(), "-map", "0:v", "-map", "1:a", "-af",
+                fmt::format("volume={:.4f},apad", sound.volume), "-c:a", kind.soundCodec, "-flags:a",
+                "+bitexact", "-shortest"});
 }
 
 std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, const fs::path& part) {
@@ -70,6 +84,9 @@ std::vector<std::string> wordsFor(const VideoPlan& plan, const VideoKind& kind, 
                                  fmt::format("{:.6g}", plan.framesPerSecond),
                                  "-i",
                                  "pipe:0"};
+  if (plan.sound && *kind.soundCodec != '\0') {
+    addSound(*plan.sound, kind, words);
+  }
   words.insert(words.end(), kind.options.begin(), kind.options.end());
   // The same pictures give the same bytes.
   for (const char* const word : {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"}) {

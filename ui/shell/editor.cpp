@@ -265,8 +265,9 @@ bool update(Editor& editor) {
   Shell& shell = editor.shell;
   InputQueue& input = editor.window.input();
   const double now = clockSeconds();
-  const bool wasLoading =
-      isBusy(shell) || shell.beside.library.picture != nullptr || shell.ui.trails.clipStyle.working;
+  const bool wasLoading = isBusy(shell) || shell.beside.library.picture != nullptr ||
+                          shell.ui.trails.clipStyle.working || isReadingReference(shell.beside.reference) ||
+                          shell.beside.reference.output.isPlaying();
   updateFileWork(shell, input, now);
   takeAnswers(editor);
   const bool otherKeyboard = updateKeyboard(shell);

@@ -13,6 +13,7 @@
 #include "app/files/user_styles.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
+#include "app/reference/reference_edits.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/added_file.h"
 #include "core/interchange/file_kind.h"
@@ -33,6 +34,7 @@ void showCharacter(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   app::Session& session = *shell.open.character();
   viewport.shown = {};
+  shell.beside.reference.kept.clear();
   viewport.look.through.reset();
   viewport.look.name.clear();
   viewport.look.kept = {};
@@ -42,6 +44,7 @@ void showCharacter(Shell& shell) {
   if (const auto text = readText(viewPath(shell.files.path()))) {
     ViewBookmark now{viewport.camera};
     readView(*text, session.document(), session.view(), now, viewport.look.kept);
+    takeReferences(shell, *text);
     viewport.camera = now.camera;
     viewport.look.name = now.through;
     session.followSelection();
@@ -55,12 +58,7 @@ void leaveCharacter(Shell& shell) {
   finishTool(session, shell.tool, false);
   closePoseLibrary(shell);
   closeClipStyle(shell);
-  const std::string view =
-      viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name}, shell.viewport.look.kept);
-  tellProblem(shell, writeText(viewPath(shell.files.path()), view));
-  if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
-    tellProblem(shell, writeText(viewPath(session.savePath()), view));
-  }
+  keepView(shell);
 }
 
 /// What was seen of the time of the file before says nothing about this one.
@@ -133,6 +131,12 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::saveFilm:
     startFilm(shell, choice.path);
     break;
+  case FilePurpose::openReferenceImages:
+    referToImages(shell, choice.path);
+    break;
+  case FilePurpose::openReferenceSound:
+    referToSound(shell, choice.path);
+    break;
   case FilePurpose::openModel:
   case FilePurpose::saveFrames:
   case FilePurpose::exportSequence:
@@ -200,6 +204,9 @@ void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
       shell.files.question().kind != app::FileQuestion::Kind::none || shell.files.isOpening();
   const app::Session* const character = shell.open.character();
   const std::vector<fs::path> paths = droppedPaths(drops);
+  if (!isAsked && showsClip(shell) && takeDroppedReference(shell, paths.front())) {
+    return;
+  }
   DroppedFile dropped{paths.front()};
   if (!isAsked && character != nullptr && paths.size() == 1) {
     // A file of another program is not read to ask: it may be a clip.
@@ -244,6 +251,16 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
 }
 
 } // namespace
+
+void keepView(Shell& shell) {
+  const app::Session& session = *shell.open.character();
+  const std::string view = viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name},
+                                    shell.viewport.look.kept, app::referencesToJson(session.document()));
+  tellProblem(shell, writeText(viewPath(shell.files.path()), view));
+  if (!session.savePath().empty() && session.savePath() != shell.files.path()) {
+    tellProblem(shell, writeText(viewPath(session.savePath()), view));
+  }
+}
 
 void openFile(Shell& shell, const std::vector<fs::path>& paths) {
   WindowUser user(shell);
@@ -310,6 +327,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   updateClipImport(shell);
   updateClipStyle(shell);
   updatePoseLibrary(shell);
+  updateReference(shell, nowSeconds);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

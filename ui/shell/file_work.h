@@ -31,6 +31,8 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds);
 
 /// Writes how the file was looked at, and forgets the autosave: the program ends in peace.
 void closeFile(Shell& shell);
+/// Writes how the open character is looked at, and what it refers to, into the user's settings of its file.
+void keepView(Shell& shell);
 
 /// "punch.glb": the file of what is open, or where it was saved to; empty while nothing is.
 [[nodiscard]] std::string openFileName(const Shell& shell);

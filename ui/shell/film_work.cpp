@@ -40,6 +40,10 @@ FilmRequest requestOf(Shell& shell) {
   request.look.ghosts = overlays.ghosts ? overlays.ghostsBefore : 0;
   request.look.trails = false;
   request.look.labelled = true;
+  if (overlays.reference) {
+    const Result<Backdrops> backdrops = backdropsOf(request.document, view.clip);
+    request.look.backdrops = backdrops ? *backdrops : Backdrops(); // What is not there was told before.
+  }
   request.look.camera = cameraNamed(*request.document.scene, shell.viewport.look.name);
   request.options.safeFrame = overlays.safeFrame;
   request.options.camera = shell.viewport.camera;
@@ -62,7 +66,10 @@ FilmSide sideOf(const app::Document& document, const std::shared_ptr<const rig::
 
 Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const FilmRequest& request,
                                      const skinning::Proceed& proceed) {
-  Film film{{}, request.frames, request.motion->framesPerSecond};
+  Film film{{},
+            request.frames,
+            request.motion->framesPerSecond,
+            filmSoundOf(request.document, request.motion->clip, request.frames.front())};
   if (request.besideOriginal) {
     const app::Document original = originalOf(request.document);
     film.sides.push_back(

@@ -263,7 +263,7 @@ void updatePosePictures(PosePictures& pictures, PoseLibraryState& state) {
   pictures.textures.clear();
   state.pictures.clear();
   for (const app::LibraryPose& pose : state.poses) {
-    const Result<Image> image = readPng(app::pictureOfPose(pose.file));
+    const Result<Image> image = readImage(app::pictureOfPose(pose.file));
     pictures.textures.push_back(image ? uploadPicture(*image) : GlTexture());
     state.pictures.push_back(textureOf(pictures.textures.back().name()));
   }

@@ -17,6 +17,7 @@
 #include "ui/shell/film_work.h"
 #include "ui/shell/fit_work.h"
 #include "ui/shell/pose_library.h"
+#include "ui/shell/reference_work.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -38,6 +39,7 @@ struct WorkBeside {
   ClipImport clipImport;
   StyleWork styling;
   PoseLibraryWork library;
+  ReferenceWork reference;
   FilmWork film;
 };
 

@@ -76,6 +76,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::viewWeights, &overlays.weights},
       {command::viewGrid, &overlays.grid},
       {command::viewCube, &overlays.viewCube},
+      {command::viewReference, &overlays.reference},
       {command::viewFrameNumbers, &overlays.trailFrameNumbers},
       {command::viewSafeFrame, &overlays.safeFrame},
       {command::viewSideBySide, &overlays.sideBySide},
@@ -443,6 +444,8 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewCube, "View cube",
                     "Shows the cube whose faces, edges and corners are looked from.", {}),
+      switchCommand(command::viewReference, "Reference images",
+                    "Shows the images that the clip is animated after.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),
       switchCommand(command::viewSafeFrame, "Safe frame",
@@ -510,6 +513,7 @@ std::vector<ShellCommand> editorCommands() {
   append(all, toolCommands());
   append(all, styleCommands());
   append(all, poseLibraryCommands());
+  append(all, referenceCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
   append(all, stopCommands());

@@ -168,23 +168,26 @@ void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, Window
   readRecent(json, ui);
 }
 
-std::string viewText(const app::ViewState& view, const ViewBookmark& now, const ViewBookmarks& kept) {
+std::string viewText(const app::ViewState& view, const ViewBookmark& now, const ViewBookmarks& kept,
+                     const Json& references) {
   Json views = Json::object();
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (kept[i]) {
       views[std::to_string(i + 1)] = cameraJson(*kept[i]);
     }
   }
-  return Json{{"version", 1},
-              {"clip", view.clip},
-              {"frame", view.frame},
-              {"range", {view.rangeStart, view.rangeEnd}},
-              {"limbs", view.selection.limbs()},
-              {"trail", view.selection.trail()},
-              {"camera", cameraJson(now)},
-              {"kept_views", views}}
-             .dump(2, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  Json json{{"version", 1},
+            {"clip", view.clip},
+            {"frame", view.frame},
+            {"range", {view.rangeStart, view.rangeEnd}},
+            {"limbs", view.selection.limbs()},
+            {"trail", view.selection.trail()},
+            {"camera", cameraJson(now)},
+            {"kept_views", views}};
+  if (!references.empty()) {
+    json["references"] = references;
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void readView(const std::string& text, const app::Document& document, app::ViewState& view, ViewBookmark& now,
@@ -219,6 +222,11 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
       readCamera(one, kept[i].emplace());
     }
   }
+}
+
+Json referencesOfView(const std::string& text) {
+  const Json json = gltf::parseAnyJson(text);
+  return json.is_object() ? child(json, "references") : Json();
 }
 
 fs::path settingsPath() {

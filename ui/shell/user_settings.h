@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/session.h"
+#include "core/gltf/json/json.h"
 #include "ui/panels/frame/pane_layout.h"
 #include "ui/panels/state/ui_state.h"
 #include "ui/viewport/camera/look_through.h"
@@ -21,11 +22,14 @@ struct WindowMemory {
 [[nodiscard]] std::string settingsText(const UiState& ui, const PaneSizes& panes, const WindowMemory& window);
 void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, WindowMemory& window);
 
-/// How one file was looked at last: camera, clip, playhead, selection; and the views that are kept.
+/// How one file was looked at last: camera, clip, playhead, selection; the views that are kept, and what its
+/// clips refer to (app::referencesToJson).
 [[nodiscard]] std::string viewText(const app::ViewState& view, const ViewBookmark& now,
-                                   const ViewBookmarks& kept);
+                                   const ViewBookmarks& kept, const gltf::Json& references = {});
 void readView(const std::string& text, const app::Document& document, app::ViewState& view, ViewBookmark& now,
               ViewBookmarks& kept);
+
+[[nodiscard]] gltf::Json referencesOfView(const std::string& text);
 
 [[nodiscard]] std::filesystem::path settingsPath();
 [[nodiscard]] std::filesystem::path keysPath();

@@ -75,6 +75,12 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const View
   key.mix(picture.style.wireframe);
   key.mix(picture.style.floor);
   key.mix(picture.style.quality);
+  if (picture.style.backdrop) {
+    const Backdrop& backdrop = *picture.style.backdrop;
+    const Result<std::shared_ptr<const Image>> image = backdrop.image();
+    key.mix(image ? image->get() : nullptr);
+    key.mix(Vec3(backdrop.across, backdrop.height, backdrop.opacity));
+  }
   key.mix(std::span(picture.style.highlight));
   return key.value();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -34,6 +35,10 @@ PictureContent workPicture(app::Session& session, const ViewportState& viewport,
                            const ViewportOverlays& overlays, const Palette& palette,
                            const SceneMeasures& measures) {
   const double at = session.view().frame;
+  const auto withReference = [&](PictureContent content) {
+    content.style.backdrop = viewport.look.reference;
+    return content;
+  };
   const FrameState& pose = session.view().showOriginal ? session.originalAt(at) : session.shownAt(at);
   if (app::showsLocators(session)) { // nothing moves
     PictureContent content =
@@ -41,19 +46,22 @@ PictureContent workPicture(app::Session& session, const ViewportState& viewport,
                      selectionOf(session, viewport), overlays, palette);
     content.skeleton = overlays.skeleton || viewport.weightsOf.exists();
     addHandles(selectionOf(session, viewport), content);
-    return content;
+    return withReference(std::move(content));
   }
-  return assemblePicture({session.document(), session.motion(), viewport.shown, at, pose, measures},
-                         selectionOf(session, viewport), overlays, palette);
+  return withReference(
+      assemblePicture({session.document(), session.motion(), viewport.shown, at, pose, measures},
+                      selectionOf(session, viewport), overlays, palette));
 }
 
 PictureContent originalPicture(app::Session& session, const ViewportState& viewport,
                                const ViewportOverlays& overlays, const Palette& palette,
                                const SceneMeasures& measures) {
   const double at = session.view().frame;
-  return assembleBare(
+  PictureContent content = assembleBare(
       {session.document(), session.motion(), viewport.shown, at, session.originalAt(at), measures},
       selectionOf(session, viewport), overlays, palette);
+  content.style.backdrop = viewport.look.reference;
+  return content;
 }
 
 LimbBones limbBones(const app::Document& document, const FrameState& frame) {

@@ -27,7 +27,7 @@ void loadPictures(WelcomePictures& pictures) {
   const std::optional<std::filesystem::path> folder = app::bundledFolder();
   for (const app::BundledClip& clip : app::bundledClips()) {
     const Result<Image> image =
-        folder ? readPng(*folder / clip.picture) : Result<Image>(Error{"no folder", clip.picture, ""});
+        folder ? readImage(*folder / clip.picture) : Result<Image>(Error{"no folder", clip.picture, ""});
     pictures.textures.push_back(image ? uploadPicture(*image) : GlTexture());
   }
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/widgets/axis.h"
@@ -44,6 +46,14 @@ struct TimelineMoment {
   Help help = {};
 };
 
+/// A sound that runs beside the clip.
+struct TimelineSound {
+  Span frames;       ///< In which it is heard.
+  std::string label; ///< Name of its file.
+  /// Least and greatest value of the sound between two frames, -1..1.
+  std::function<std::pair<float, float>(double fromFrame, double toFrame)> peak;
+};
+
 struct TimelineModel {
   Span clip; ///< First and last frame.
   Span view; ///< Frames that are visible.
@@ -53,6 +63,7 @@ struct TimelineModel {
   std::vector<KeyRow> keyRows;
   std::vector<TimelineBar> bars;
   std::vector<TimelineMoment> moments; ///< In a lane below the ruler, which is there when there are any.
+  std::optional<TimelineSound> sound;  ///< In a lane of its own, below the moments.
   std::size_t rowsAbove = 0;           ///< Rows of bars that stand above the keys; the others stand below.
   std::vector<double> spheres;         ///< Frames of the selected trail's control spheres.
   bool loops = false;        ///< After the clip's end its start comes again: a release goes on there.

@@ -12,6 +12,7 @@ struct Layout {
   Rect box;   ///< Everything.
   Rect ruler; ///< Right of the labels.
   Rect lane;  ///< Below the ruler, where moments are marked; without height where there are none.
+  Rect sound; ///< Below the lane, where the sound is drawn; without height where there is none.
   Rect track; ///< Right of the labels, full height.
   Axis frames;
   float labelLeft = 0.0F;

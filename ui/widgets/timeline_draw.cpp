@@ -15,6 +15,7 @@ namespace {
 
 constexpr float rulerHeight = 26.0F;
 constexpr float laneHeight = 16.0F;
+constexpr float soundHeight = 36.0F;
 constexpr float keyRowHeight = 22.0F;
 constexpr float barRowHeight = 24.0F;
 
@@ -195,6 +196,34 @@ void drawMoments(const WidgetContext& context, const Layout& layout, const Timel
   list->PopClipRect();
 }
 
+/// The wave of the sound, a line for each pixel.
+void drawSound(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
+  if (!model.sound) {
+    return;
+  }
+  const Theme& theme = context.theme;
+  const TimelineSound& sound = *model.sound;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddLine({layout.labelLeft, layout.sound.max.y}, {layout.sound.max.x, layout.sound.max.y},
+                faded(theme.colours.border, 0.5F));
+  const Rect label{{layout.labelLeft + theme.unit(), layout.sound.min.y},
+                   {layout.track.min.x - theme.unit(), layout.sound.max.y}};
+  drawText(context, theme.fonts.label, label, theme.colours.quietText, sound.label);
+  const float first = std::max(layout.sound.min.x, std::floor(layout.frames.toPixel(sound.frames.start)));
+  const float last = std::min(layout.sound.max.x, std::ceil(layout.frames.toPixel(sound.frames.end)));
+  const float middle = layout.sound.centre().y;
+  const float reach = 0.5F * layout.sound.height() - theme.px(2.0F);
+  const ImU32 colour = mixed(theme.colours.quietText, theme.colours.accent, 0.5F);
+  for (float x = first; x < last; x += 1.0F) {
+    const auto [low, high] = sound.peak(layout.frames.toValue(x), layout.frames.toValue(x + 1.0F));
+    // Silence is a line too.
+    list->AddRectFilled(
+        {x, std::floor(middle - high * reach)},
+        {x + 1.0F, std::max(std::floor(middle - high * reach) + 1.0F, std::ceil(middle - low * reach))},
+        colour);
+  }
+}
+
 /// A release from the bar's edge `from` to `to`, later or earlier: it fades. On a loop what lies past the
 /// clip's end stands at its start, and the other way round.
 void drawRelease(const Layout& layout, const TimelineModel& model, const Rect& box, const TimelineBar& bar,
@@ -306,6 +335,8 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
   layout.ruler = {{left, box.min.y}, {box.max.x, box.min.y + theme.px(rulerHeight)}};
   const float lane = model.moments.empty() ? 0.0F : theme.px(laneHeight);
   layout.lane = {{left, layout.ruler.max.y}, {box.max.x, layout.ruler.max.y + lane}};
+  layout.sound = {{left, layout.lane.max.y},
+                  {box.max.x, layout.lane.max.y + (model.sound ? theme.px(soundHeight) : 0.0F)}};
   layout.frames = {model.view.start, std::max(model.view.end, model.view.start + 1e-6),
                    left + theme.px(12.0F), right};
   layout.labelLeft = box.min.x;
@@ -313,7 +344,7 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
 }
 
 Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model, std::size_t row) {
-  const float y = layout.lane.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
+  const float y = layout.sound.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
                   theme.px(keyRowHeight) * static_cast<float>(row);
   return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
 }
@@ -323,7 +354,7 @@ Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model
   const bool isAbove = bar.row < model.rowsAbove;
   const float keys = theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
   const float y =
-      layout.lane.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
+      layout.sound.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
   return {{layout.frames.toPixel(span.start), y + theme.px(2.0F)},
           {layout.frames.toPixel(span.end), y + theme.px(barRowHeight - 2.0F)}};
 }
@@ -367,6 +398,7 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
   drawSeam(context, layout, model);
   drawRange(context, layout, model);
   drawMoments(context, layout, model);
+  drawSound(context, layout, model);
   drawKeys(context, layout, model);
   for (std::size_t place = 0; place < model.bars.size(); ++place) {
     drawBar(context, layout, model, place);
@@ -399,6 +431,7 @@ float timelineHeight(const Theme& theme, const TimelineModel& model) {
     rows = std::max(rows, bar.row + 1);
   }
   return theme.px(rulerHeight + (model.moments.empty() ? 0.0F : laneHeight) +
+                  (model.sound ? soundHeight : 0.0F) +
                   keyRowHeight * static_cast<float>(model.keyRows.size()) +
                   barRowHeight * static_cast<float>(rows) + 12.0F);
 }

@@ -108,6 +108,7 @@ inline constexpr const char* viewShadeAs = "view.shade-as";
 inline constexpr const char* viewWeights = "view.weights";
 inline constexpr const char* viewGrid = "view.grid";
 inline constexpr const char* viewCube = "view.cube";
+inline constexpr const char* viewReference = "view.reference";
 inline constexpr const char* viewFrameNumbers = "view.frame-numbers";
 inline constexpr const char* viewSideBySide = "view.side-by-side";
 inline constexpr const char* viewFrameSelection = "view.frame-selection";
@@ -236,6 +237,12 @@ inline constexpr const char* keysRetime = "key.retime";
 inline constexpr const char* graphFit = "graph.fit";
 inline constexpr const char* graphFitAll = "graph.fit-all";
 inline constexpr const char* graphIsolate = "graph.isolate";
+
+inline constexpr const char* reference = "reference.open";
+inline constexpr const char* referenceImages = "reference.images";
+inline constexpr const char* referenceNoImages = "reference.no-images";
+inline constexpr const char* referenceSound = "reference.sound";
+inline constexpr const char* referenceNoSound = "reference.no-sound";
 
 inline constexpr const char* bundledPunch = "help.bundled-punch";
 inline constexpr const char* bundledSwing = "help.bundled-swing";

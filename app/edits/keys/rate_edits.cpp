@@ -42,6 +42,11 @@ Document workAtRate(const Document& document, int clip, double framesPerSecond) 
       thing = thing.clip == clip ? mapped(std::move(thing), TimeMap{.factor = factor}) : std::move(thing);
     }
   });
+  for (Reference& reference : changed.references) {
+    const double times = reference.clip == clip ? factor : 1.0;
+    reference.images.startFrame *= times;
+    reference.sound.startFrame *= times;
+  }
   return changed;
 }
 

@@ -10,6 +10,7 @@
 #include "app/commands/table/key.h"
 #include "tests/support/ui/drawn.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/recording_device.h"
 #include "ui/panels/context/panels.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/key_pane.h"
@@ -81,6 +82,7 @@ std::string toolText(const Shell& shell) {
 } // namespace
 
 EditorStage::EditorStage() : gui_(ImGui::CreateContext(&PanelDriver::fonts())) {
+  static_cast<void>(recordedSound()); // Nothing is heard.
   for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
     std::filesystem::create_directories(folder / variable);
     setenv(variable, (folder / variable).c_str(), 1);
@@ -143,7 +145,8 @@ void EditorStage::settle() {
   constexpr int most = 20000;
   int waited = 0;
   const auto isWorking = [&] {
-    return isBusy(shell) || shell.ui.trails.clipStyle.working || shell.beside.library.picture != nullptr;
+    return isBusy(shell) || shell.ui.trails.clipStyle.working || shell.beside.library.picture != nullptr ||
+           isReadingReference(shell.beside.reference);
   };
   while (isWorking() && waited < most) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

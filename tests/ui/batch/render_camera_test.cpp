@@ -129,7 +129,7 @@ TEST_CASE("two files stand side by side: the source on the left is the source al
               .exitCode == 0);
   const auto picture = [&](const std::string& file, const std::string& beside) {
     REQUIRE_FALSE(drawn(file, folder, {"--frame", "27", "--beside", beside}).empty());
-    return ui::readPng(folder / "out.png").value();
+    return ui::readImage(folder / "out.png").value();
   };
   const auto halfOf = [](const Image& image, bool left) {
     std::vector<std::uint8_t> bytes;
@@ -152,7 +152,7 @@ TEST_CASE("two files stand side by side: the source on the left is the source al
                          "1", "--fps", "48"})
               .exitCode == 0);
   REQUIRE_FALSE(drawn(fast, folder, {"--frame", "54", "--no-trails", "--beside", dummy}).empty());
-  CHECK(halfOf(ui::readPng(folder / "out.png").value(), true) == halfOf(same, true));
+  CHECK(halfOf(ui::readImage(folder / "out.png").value(), true) == halfOf(same, true));
 }
 
 TEST_CASE("a video has every frame of the clip at its speed, and leaves nothing when it cannot be made") {
@@ -250,4 +250,76 @@ TEST_CASE("A video removes what a killed one left in its folder, and nothing tha
   CHECK(fs::file_size(folder / "a.mp4") == 4 * 16 * 16);
   CHECK(fs::exists(folder / ".stretch-engine-part-video-2.tmp"));
   CHECK(folder.fileCount() == 3);
+}
+
+TEST_CASE("A recipe's reference stands in the picture, and one that is not there is refused by its name") {
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  REQUIRE(ui::writePng(folder / "film-1.png", ui::filled(16, 16, {0.0F, 1.0F, 0.0F})));
+  REQUIRE(ui::writePng(folder / "film-2.png", ui::filled(16, 16, {0.0F, 0.0F, 1.0F})));
+  const auto recipe = [&](const std::string& images) {
+    return folder
+        .write("recipe.json",
+               R"({"version": 1, "references": {"images": {"first_image": ")" + images + R"("}}})")
+        .string();
+  };
+  const auto topColour = [&](int frame) {
+    REQUIRE_FALSE(
+        drawn(dummy, folder, {"--trails", recipe("film-1.png"), "--frame", std::to_string(frame)}).empty());
+    const Image image = ui::readImage(folder / "out.png").value();
+    const auto place = static_cast<std::size_t>(4 * (image.width / 2 + 2 * image.width));
+    return std::vector<int>{image.rgba[place], image.rgba[place + 1], image.rgba[place + 2]};
+  };
+  CHECK(topColour(0) == std::vector<int>{0, 255, 0});
+  CHECK(topColour(1) == std::vector<int>{0, 0, 255});
+  CHECK(topColour(2)[1] < 100);
+  CHECK(topColour(2)[2] < 100);
+  const auto refused = [&](const std::string& images) {
+    return render({dummy, "-o", (folder / "none.png").string(), "--trails", recipe(images), "--frame", "0"});
+  };
+  CHECK(refused("none-1.png").exitCode == 1);
+  CHECK_THAT(refused("none-1.png").told, Catch::Contains("none-1.png"));
+  folder.write("broken-1.png", "no image");
+  CHECK(refused("broken-1.png").exitCode == 1);
+  CHECK_THAT(refused("broken-1.png").told, Catch::Contains("broken-1.png"));
+  CHECK_FALSE(fs::exists(folder / "none.png"));
+}
+
+TEST_CASE("A video is heard with the clip's sound, from where the film begins in it, as loud as it is set") {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder programs;
+  const fs::path ffmpeg =
+      programs.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"" +
+                                   (programs / "words.txt").string() + "\"\nexec cat >\"${last#file:}\"\n");
+  fs::permissions(ffmpeg, fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (programs.path().string() + ":" + path).c_str(), 1);
+  const auto wordsOf = [&](double startFrame, double volume, const char* name) {
+    const std::string recipe =
+        folder
+            .write("recipe.json",
+                   fmt::format(R"({{"version": 1, "references": {{"sound": {{"sound_file": "beat.wav",
+                               "start_frame": {}, "volume": {}}}}}}})",
+                               startFrame, volume))
+            .string();
+    const test::VerbAnswer answer =
+        render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "--video", (folder / name).string(), "--frames",
+                "6:8", "--size", "32x32", "--trails", recipe});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    const Bytes words = readFile(programs / "words.txt").value();
+    return std::string(words.begin(), words.end());
+  };
+  const std::string sound = "-i file:" + (folder / "beat.wav").string() + " -map 0:v -map 1:a ";
+  const double rate = 24.0; // of the bundled clip
+  const std::string inside = wordsOf(0.0, 1.0, "a.mp4");
+  CHECK_THAT(inside, Catch::Contains(fmt::format("-ss {:.6f} ", 6.0 / rate) + sound));
+  CHECK_THAT(inside, Catch::Contains("volume=1.0000,apad -c:a aac"));
+  CHECK_THAT(inside, Catch::Contains("-shortest"));
+  const std::string later = wordsOf(12.0, 0.25, "a.webm");
+  CHECK_THAT(later, Catch::Contains(fmt::format("-itsoffset {:.6f} ", 6.0 / rate) + sound));
+  CHECK_THAT(later, Catch::Contains("volume=0.2500,apad -c:a libopus"));
+  CHECK_THAT(wordsOf(0.0, 1.0, "a.gif"), !Catch::Contains("beat.wav"));
+  CHECK_THAT(wordsOf(0.0, 0.0, "a.mp4"), !Catch::Contains("beat.wav"));
+  setenv("PATH", path.c_str(), 1);
 }

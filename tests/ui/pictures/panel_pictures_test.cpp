@@ -3,6 +3,7 @@
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/weight_edits.h"
+#include "app/reference/reference_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/recorded.h"
 #include "tests/support/skinning/bodies.h"
@@ -29,6 +30,24 @@ struct Panel {
   float height = 0.0F; ///< 0: as high as what it shows.
 };
 
+/// A clip that is animated after a film and to a sound.
+void withReference(const test::Work& work) {
+  test::withLimb(work);
+  const app::Reference reference{0,
+                                 {.file = "/films/film-0001.png", .startFrame = 12.0, .opacity = 0.5},
+                                 {.file = "/films/beat.wav", .startFrame = -6.0, .volume = 0.8}};
+  work.session().edit(app::withReference(work.session().document(), reference), "Refer");
+  auto sound = std::make_shared<app::Sound>();
+  sound->samplesPerSecond = 25'600; // 100 peaks a second
+  sound->samples.resize(38'400);
+  for (int i = 0; i < 150; ++i) { // strong every half a second
+    const float strength = i % 50 < 10 ? 0.8F : 0.2F;
+    sound->peaks.push_back({-strength, 0.5F * strength});
+  }
+  work.ui.time.sound = {sound, 6.0, "beat.wav"};
+  work.ui.dialogs.reference.imageCount = 48;
+}
+
 const Panel panels[] = {
     {"rig", drawRigPanel, test::withLimb},
     {"rig-reasons", drawRigPanel,
@@ -43,6 +62,7 @@ const Panel panels[] = {
     {"trail-settings", drawTrailSettingsPanel, test::withTrail},
     {"weight", drawTrailSettingsPanel, test::withWeight},
     {"timeline", drawBottomPanel, test::withTrail, 960.0F, 192.0F},
+    {"timeline-sound", drawBottomPanel, withReference, 960.0F, 192.0F},
     {"graph", drawBottomPanel,
      [](const test::Work& work) {
        test::withTrail(work);
@@ -117,6 +137,9 @@ const Dialog dialogs[] = {
      test::withLimb},
     {"pose-library", 420.0F, 620.0F, openLibrary, test::withControllers},
     {"pose-library-empty", 420.0F, 300.0F, [](UiState& ui) { ui.body.library.open = true; }, test::withLimb},
+    {"reference", 420.0F, 560.0F, [](UiState& ui) { ui.dialogs.reference.open = true; }, withReference},
+    {"reference-empty", 420.0F, 440.0F, [](UiState& ui) { ui.dialogs.reference.open = true; },
+     test::withLimb},
     {"unsaved", 560.0F, 240.0F, [](UiState&) {},
      [](const test::Work& work) {
        test::withTrail(work);

@@ -60,7 +60,7 @@ TEST_CASE("A pose is kept with a picture of the character and a free name, and t
   REQUIRE(stage.library().poses.size() == 1);
   CHECK(stage.library().poses[0].name == "Pose 1");
   CHECK(stage.library().chosen == -1);
-  const Result<Image> picture = readPng(app::pictureOfPose(app::posesFolder() / "Pose 1.json"));
+  const Result<Image> picture = readImage(app::pictureOfPose(app::posesFolder() / "Pose 1.json"));
   REQUIRE(picture);
   CHECK(picture->width == picture->height);
   stage.run(command::poseKeep);

@@ -258,3 +258,21 @@ TEST_CASE("Moments lie in a lane below the ruler, the keys and bars below it, an
   CHECK_FALSE(strip.dragged({TimelinePart::moment, 0, 16.0, {}, 1}, 30.0).playheadMoved);
   CHECK_FALSE(strip.dragged({TimelinePart::moment, 0, 16.0, {}, 1}, 30.0).rangeChanged);
 }
+
+TEST_CASE("A sound has a lane of its own below the moments, in which the playhead is moved") {
+  Strip strip;
+  const ImVec2 before = strip.onRow(0, 30.0);
+  const float height = timelineHeight(strip.theme, strip.model);
+  strip.model.sound =
+      TimelineSound{{5.0, 40.0}, "beat.wav", [](double, double) { return std::pair(0.0F, 0.0F); }};
+  strip.layout = layoutOf(strip.theme, {{0.0F, 0.0F}, {724.0F, 200.0F}}, strip.model, 100.0F);
+  const float lane = strip.layout.sound.height();
+  CHECK(lane > 20.0F);
+  CHECK(strip.onRow(0, 30.0).y == before.y + lane);
+  CHECK(timelineHeight(strip.theme, strip.model) == height + lane);
+  for (const bool editable : {false, true}) {
+    strip.model.keysEditable = editable;
+    const Hit hit = strip.hit({strip.layout.frames.toPixel(30.0), strip.layout.sound.centre().y});
+    CHECK(hit.part == TimelinePart::playhead);
+  }
+}

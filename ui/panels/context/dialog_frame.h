@@ -46,6 +46,7 @@ void drawRenameDialog(PanelContext& context);
 void drawClipDialog(PanelContext& context);
 void drawClipStyleDialog(PanelContext& context);
 void drawPoseLibraryDialog(PanelContext& context);
+void drawReferenceDialog(PanelContext& context);
 void drawHistoryDialog(PanelContext& context);
 
 } // namespace stretch::ui

@@ -28,6 +28,7 @@ app::Schema<ViewportOverlays> shownThings() {
           &V::shadeAs),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
+      setting<V>({.name = "reference", .help = "The images of the clip's reference."}, &V::reference),
       setting<V>({.name = "view_cube", .help = "The cube whose sides are looked from."}, &V::viewCube),
       setting<V>({.name = "safe_frame", .help = "The part of the picture that every screen shows."},
                  &V::safeFrame),

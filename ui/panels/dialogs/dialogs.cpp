@@ -222,6 +222,7 @@ void drawDialogs(PanelContext& context) {
   drawClipDialog(context);
   drawClipStyleDialog(context);
   drawPoseLibraryDialog(context);
+  drawReferenceDialog(context);
   drawRetimeDialog(context);
   drawHistoryDialog(context);
   drawContextMenu(context);

@@ -67,6 +67,10 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".glb", ".gltf", ".vrm", ".vrma", ".fbx", ".bvh", ".dae"};
   case FilePurpose::saveFilm:
     return {".mp4", ".webm", ".gif", ".png"};
+  case FilePurpose::openReferenceImages:
+    return {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+  case FilePurpose::openReferenceSound:
+    return {".wav", ".aif", ".aiff", ".flac", ".ogg", ".mp3"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -77,7 +81,8 @@ bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
          purpose != FilePurpose::openProp && purpose != FilePurpose::openClip &&
          purpose != FilePurpose::openStyle && purpose != FilePurpose::openModuli &&
-         purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openSkeleton && purpose != FilePurpose::openReferenceImages &&
+         purpose != FilePurpose::openReferenceSound;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -110,6 +115,10 @@ const char* titleOf(FilePurpose purpose) {
     return "Take the bones of a file";
   case FilePurpose::saveFilm:
     return "Save a video or numbered pictures";
+  case FilePurpose::openReferenceImages:
+    return "Choose the first image";
+  case FilePurpose::openReferenceSound:
+    return "Choose a sound";
   case FilePurpose::saveFrames:
     break;
   }

@@ -225,29 +225,12 @@ void drawKeysMenu(PanelContext& context) {
 
 void viewMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context, {"View", {viewFrameSelection,
-                              viewFrameAll,
-                              viewBest,
-                              "",
-                              viewFront,
-                              viewSide,
-                              viewTop,
-                              viewPerspective,
-                              viewCamera,
-                              viewSafeFrame,
-                              "",
-                              viewControllers,
-                              viewSkeleton,
-                              viewWire,
-                              viewJointNames,
-                              viewWeights,
-                              viewHeatMap,
-                              viewShadeAs,
-                              viewGhosts,
-                              viewFrameNumbers,
-                              viewGrid,
-                              viewCube,
-                              viewSideBySide}},
+  drawMenu(context,
+           {"View", {viewFrameSelection, viewFrameAll, viewBest,        "",           viewFront,
+                     viewSide,           viewTop,      viewPerspective, viewCamera,   viewSafeFrame,
+                     reference,          "",           viewControllers, viewSkeleton, viewWire,
+                     viewJointNames,     viewWeights,  viewHeatMap,     viewShadeAs,  viewGhosts,
+                     viewFrameNumbers,   viewGrid,     viewReference,   viewCube,     viewSideBySide}},
            false);
 }
 

@@ -293,6 +293,23 @@ void addMoments(const app::Session& session, TimelineModel& model) {
   }
 }
 
+void addSound(const ShownSound& shown, double framesPerSecond, TimelineModel& model) {
+  if (shown.sound == nullptr) {
+    return;
+  }
+  // The loudest of it fills the lane: a quiet sound is read as well.
+  const app::SoundPeak loudest = app::peakBetween(*shown.sound, 0.0, shown.sound->seconds());
+  const float gain = 1.0F / std::max({loudest.high, -loudest.low, 0.01F});
+  const double start = shown.startFrame;
+  model.sound = TimelineSound{{start, start + shown.sound->seconds() * framesPerSecond},
+                              shown.name,
+                              [sound = shown.sound, start, framesPerSecond, gain](double from, double to) {
+                                const app::SoundPeak peak = app::peakBetween(
+                                    *sound, (from - start) / framesPerSecond, (to - start) / framesPerSecond);
+                                return std::pair(gain * peak.low, gain * peak.high);
+                              }};
+}
+
 } // namespace
 
 Span visibleFrames(const PanelContext& context) {
@@ -337,6 +354,7 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   const double rate = shown.framesPerSecond;
   model.loops = app::isLooping(document, clip);
   model.turn = (shown.endSeconds - shown.startSeconds) * rate;
+  addSound(context.ui.time.sound, rate, model);
   addTrails(context, model);
   addMoments(session, model);
   const bool isDopeSheet = detail == RowDetail::everyLimb;

@@ -48,6 +48,12 @@ struct ClipPick {
   bool wasOpen = false; ///< In the frame before.
 };
 
+/// The dialog of the clip's reference.
+struct ReferenceDialogState {
+  bool open = false;
+  std::size_t imageCount = 0; ///< In the series that was found.
+};
+
 /// Dialogs that can lie over the window, and what each is about.
 struct DialogStates {
   FileDialogState file;
@@ -57,6 +63,7 @@ struct DialogStates {
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
   DroppedFile dropped;
   ClipPick clipPick;
+  ReferenceDialogState reference;
   bool settingsOpen = false;
   bool aboutOpen = false;
   bool navigationChoiceOpen = false; ///< The first start.

@@ -25,7 +25,9 @@ enum class FilePurpose {
   openModuli,
   saveModuli,
   openSkeleton,
-  saveFilm
+  saveFilm,
+  openReferenceImages,
+  openReferenceSound
 };
 
 /// One row of a folder's listing.

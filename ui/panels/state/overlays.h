@@ -17,6 +17,7 @@ struct ViewportOverlays {
   bool ghosts = false;
   bool grid = true;
   bool viewCube = true;
+  bool reference = true; ///< Images beside the clip (app::ReferenceImages).
   bool trailFrameNumbers = false;
   bool trailTicks = true;
   bool safeFrame = false;              ///< The part of the picture that every screen shows.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/edits/keys/retime.h"
+#include "app/reference/sound.h"
 #include "rig/moments/moments.h"
 #include "rig/motion/motion.h"
 #include "ui/widgets/curve_view.h"
@@ -114,10 +115,18 @@ struct KeyRowsState {
   std::optional<app::KeySelection> shownPicks = {}; ///< Picks as the rows mark them.
 };
 
+/// The sound of the clip's reference.
+struct ShownSound {
+  std::shared_ptr<const app::Sound> sound = {}; ///< Null: none, or not read yet.
+  double startFrame = 0.0;
+  std::string name = {};
+};
+
 /// The panes below the picture: timeline, graph and dope sheet.
 struct TimePanes {
   TimelineState timeline;
   GraphState graph;
+  ShownSound sound;
   KeyPane keys;
   KeyRowsState rows;
   RetimeState retime;

@@ -152,21 +152,26 @@ Status writePng(const std::filesystem::path& path, const Image& image) {
   return writeFile(path, *bytes);
 }
 
-Result<Image> readPng(const std::filesystem::path& path) {
+Result<Image> readImage(const std::filesystem::path& path) {
   const Result<std::vector<std::uint8_t>> bytes = readFile(path);
   if (!bytes) {
     return bytes.error();
   }
+  constexpr std::int64_t mostPixels = 100'000'000;
   Image image;
   int channels = 0;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &image.width, &image.height,
-                            &channels, 4),
-      stbi_image_free);
-  if (pixels == nullptr) {
-    return Error{"this is not a picture that can be read", path.string(), "give a PNG"};
+  const auto size = static_cast<int>(std::min<std::size_t>(bytes->size(), std::numeric_limits<int>::max()));
+  if (stbi_info_from_memory(bytes->data(), size, &image.width, &image.height, &channels) != 0 &&
+      std::int64_t{image.width} * image.height > mostPixels) {
+    return Error{"the picture has over 100 million pixels", path.string(), "give a smaller one"};
   }
-  image.rgba.assign(pixels.get(), pixels.get() + static_cast<std::size_t>(4 * image.width * image.height));
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(bytes->data(), size, &image.width, &image.height, &channels, 4), stbi_image_free);
+  if (pixels == nullptr) {
+    return Error{"this is not a picture that can be read", path.string(), "give a PNG, JPEG, BMP or TGA"};
+  }
+  image.rgba.assign(pixels.get(), pixels.get() + std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                                     static_cast<std::size_t>(image.height));
   return image;
 }
 

@@ -50,7 +50,7 @@ struct SheetLayout {
 /// Writes a PNG; an existing file is replaced at once or, on an error, left as it is.
 [[nodiscard]] Status writePng(const std::filesystem::path& path, const Image& image);
 
-/// Reads a PNG as RGBA.
-[[nodiscard]] Result<Image> readPng(const std::filesystem::path& path);
+/// Reads a PNG, JPEG, BMP or TGA as RGBA. An error for another one, and for over 100 million pixels.
+[[nodiscard]] Result<Image> readImage(const std::filesystem::path& path);
 
 } // namespace stretch::ui

@@ -92,6 +92,11 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   const PictureContent& content = picture.content;
   SceneStyle style = content.style;
   style.measures = parts.measures;
+  if (style.backdrop) {
+    if (const auto image = style.backdrop->image(); !image) {
+      return image.error();
+    }
+  }
   if (content.shape) {
     parts.renderer.reshape(content.shape());
   }

@@ -50,6 +50,7 @@ void FloorPass::drawFloor(const View& view, const Palette& palette, const FloorP
   floor_.set("radius", static_cast<float>(radiusInHeights * place.characterHeight));
   floor_.set("floorHeight", static_cast<float>(place.height));
   floor_.set("cellSize", static_cast<float>(floorCellSize(place.characterHeight)));
+  floor_.set("cover", place.covers ? 0.9F : 0.0F);
   floor_.set("floorColor", palette.floor);
   floor_.set("lineColor", palette.floorLine);
   floor_.set("lineWidth", static_cast<float>(view.viewport.pixelsPerPoint));

@@ -8,7 +8,8 @@ namespace stretch::ui {
 struct FloorPlace {
   double height = 0.0; ///< World y.
   double characterHeight = 1.0;
-  Vec2 centre{0.0}; ///< World x, z around which the floor fades.
+  Vec2 centre{0.0};   ///< World x, z around which the floor fades.
+  bool covers = true; ///< It hides what lies behind it; else its lines and shadows alone are drawn.
 };
 
 /// The ground of the picture: a quiet gradient, and a floor with a grid that fades out.

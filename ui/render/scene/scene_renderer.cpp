@@ -19,6 +19,7 @@ struct SceneRenderer::Parts {
   PosingPass posing;
   ShadowPass shadows;
   FloorPass floor;
+  BackdropPass backdrop;
   SurfacePass surface;
   OutlinePass outline;
   const Scene* scene = nullptr;
@@ -90,6 +91,10 @@ Result<SceneRenderer> SceneRenderer::create() {
   if (!floor) {
     return floor.error();
   }
+  Result<BackdropPass> backdrop = BackdropPass::create();
+  if (!backdrop) {
+    return backdrop.error();
+  }
   Result<SurfacePass> surface = SurfacePass::create();
   if (!surface) {
     return surface.error();
@@ -101,6 +106,7 @@ Result<SceneRenderer> SceneRenderer::create() {
   return SceneRenderer(std::make_unique<Parts>(Parts{std::move(posing).value(),
                                                      std::move(shadows).value(),
                                                      std::move(floor).value(),
+                                                     std::move(backdrop).value(),
                                                      std::move(surface).value(),
                                                      std::move(outline).value(),
                                                      nullptr,
@@ -137,10 +143,14 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   glViewport(0, 0, static_cast<GLsizei>(view.viewport.widthPixels),
              static_cast<GLsizei>(view.viewport.heightPixels));
   parts.floor.drawBackground(style.palette);
+  if (style.backdrop) {
+    parts.backdrop.draw(view.viewport, *style.backdrop);
+  }
   if (style.floor) {
     const Vec2 centre = drawsMesh ? shadows.area.centre : Vec2(0.0);
-    parts.floor.drawFloor(view, style.palette,
-                          {style.measures.floorHeight, style.measures.characterHeight, centre}, shadows);
+    parts.floor.drawFloor(
+        view, style.palette,
+        {style.measures.floorHeight, style.measures.characterHeight, centre, !style.backdrop}, shadows);
   }
   if (drawsMesh) {
     drawGhosts(parts, view, ghosts);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/base/result.h"
 #include "skinning/linear_blend_skinning.h"
+#include "ui/render/scene/backdrop_pass.h"
 #include "ui/render/scene/bounds.h"
 #include "ui/render/scene/scene_shape.h"
 #include "ui/render/view/camera.h"
@@ -43,6 +45,7 @@ struct SceneStyle {
                                     ///< empty for none.
   std::vector<double> stretchRatio; ///< One for each node for the heat-map; empty: what FrameState::stretch
                                     ///< says.
+  std::optional<Backdrop> backdrop = {};
 };
 
 /// Draws a scene at a moment into the framebuffer that is bound, which has a depth buffer. A context of
@@ -60,7 +63,8 @@ public:
   /// Moves the vertices of the scene; everything else stays on the graphics card as it is.
   void reshape(const SceneShape& shape);
 
-  /// Background, floor with shadows, ghosts, character. `targetFramebuffer` is the framebuffer to draw into.
+  /// Background and backdrop, floor with shadows, ghosts, character. `targetFramebuffer` is the framebuffer
+  /// to draw into.
   void draw(const View& view, const FrameState& frame, std::span<const Ghost> ghosts, const SceneStyle& style,
             unsigned targetFramebuffer);
 

@@ -6,6 +6,7 @@
 
 #include "app/document.h"
 #include "core/anim/frame_state.h"
+#include "ui/render/scene/backdrop_pass.h"
 #include "ui/render/view/camera_view.h"
 #include "ui/render/view/view_cube.h"
 
@@ -29,6 +30,7 @@ struct ViewportLook {
   ViewBookmarks kept = {};
   double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
                                  ///< start.
+  std::optional<Backdrop> reference = {};   ///< Image of the clip's reference at the playhead.
   std::optional<CubePart> hoveredPart = {}; ///< Part of the view cube under the mouse.
 };
 

@@ -1,0 +1,152 @@
+#include <catch2/catch.hpp>
+
+#include "app/edits/keys/rate_edits.h"
+#include "app/files/saved_work.h"
+#include "app/recipe/recipe.h"
+#include "app/recipe/replay.h"
+#include "app/reference/reference_edits.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/refusal.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+/// Every setting is another than its default.
+Reference whole(int clip = 0) {
+  return {clip,
+          {"/films/film-1.png", 12.0, 25.0, ReferencePlace::left, 0.75, 0.5},
+          {"/sounds/beat.wav", -6.0, 0.25}};
+}
+
+std::string referenceProblem(const Json& json) {
+  const Result<Reference> read = referenceFromJson(json, 0, "/recipes");
+  return read ? std::string() : read.error().where + ": " + read.error().what;
+}
+
+} // namespace
+
+TEST_CASE("A clip refers to one thing at a time: another takes its place, and none takes it away") {
+  const Document document = test::boxer();
+  CHECK(referenceOf(document, 0) == Reference{});
+  const Document refers = withReference(document, whole());
+  CHECK(referenceOf(refers, 0) == whole());
+  CHECK(referenceOf(refers, 1) == Reference{.clip = 1});
+  CHECK_FALSE(sameDocument(document, refers));
+  Reference soundAlone = whole();
+  soundAlone.images = {};
+  const Document changed = withReference(refers, soundAlone);
+  REQUIRE(changed.references.size() == 1);
+  CHECK(changed.references[0] == soundAlone);
+  Reference imagesAlone = whole();
+  imagesAlone.sound = {};
+  CHECK(withReference(refers, imagesAlone).references.size() == 1);
+  CHECK(withReference(refers, {}).references.empty());
+  const Document both = withReference(withReference(document, whole(1)), whole(0));
+  REQUIRE(both.references.size() == 2);
+  CHECK(both.references[0].clip == 0);
+  CHECK(both.references[1].clip == 1);
+}
+
+TEST_CASE("Each part of a reference makes another document") {
+  const Document document = withReference(test::boxer(), whole());
+  const auto differs = [&](auto&& change) {
+    Reference other = whole();
+    change(other);
+    return !sameDocument(document, withReference(document, other));
+  };
+  CHECK_FALSE(differs([](Reference&) {}));
+  CHECK(differs([](Reference& r) { r.images.file = "/films/other-1.png"; }));
+  CHECK(differs([](Reference& r) { r.images.startFrame = 1.0; }));
+  CHECK(differs([](Reference& r) { r.images.imagesPerSecond.reset(); }));
+  CHECK(differs([](Reference& r) { r.images.place = ReferencePlace::right; }));
+  CHECK(differs([](Reference& r) { r.images.size = 1.0; }));
+  CHECK(differs([](Reference& r) { r.images.opacity = 1.0; }));
+  CHECK(differs([](Reference& r) { r.sound.file = "/sounds/other.wav"; }));
+  CHECK(differs([](Reference& r) { r.sound.startFrame = 1.0; }));
+  CHECK(differs([](Reference& r) { r.sound.volume = 1.0; }));
+}
+
+TEST_CASE("A reference is read as it was written, and where it lies beside the recipe by that") {
+  const Result<Reference> read = referenceFromJson(referenceToJson(whole()), 0, "/recipes");
+  REQUIRE(read);
+  CHECK(*read == whole());
+  const Result<Reference> beside = referenceFromJson(
+      {{"images", {{"first_image", "film/f-1.png"}}}, {"sound", {{"sound_file", "beat.wav"}}}}, 2,
+      "/recipes");
+  REQUIRE(beside);
+  CHECK(beside->clip == 2);
+  CHECK(beside->images == ReferenceImages{.file = "/recipes/film/f-1.png"});
+  CHECK(beside->sound == ReferenceSound{.file = "/recipes/beat.wav"});
+  CHECK(referenceToJson({}).empty());
+}
+
+TEST_CASE("What is no reference is refused with the key and what is wrong") {
+  CHECK(referenceProblem(3) == ": is not an object");
+  CHECK(referenceProblem({{"film", {{"file", "a.png"}}}}) == "film: is not a part of a reference");
+  CHECK(referenceProblem({{"images", 3}}) == "images: is not an object");
+  CHECK(referenceProblem({{"sound", "a.wav"}}) == "sound: is not an object");
+  CHECK(referenceProblem({{"images", Json::object()}}) == "images: names no file");
+  CHECK(referenceProblem({{"sound", {{"volume", 0.5}}}}) == "sound: names no file");
+  CHECK_THAT(referenceProblem({{"images", {{"first_image", "a.png"}, {"where", "above"}}}}),
+             Catch::StartsWith("images.where: "));
+  CHECK_THAT(referenceProblem({{"images", {{"first_image", "a.png"}, {"images_per_second", 0}}}}),
+             Catch::StartsWith("images.images_per_second: "));
+  CHECK_THAT(referenceProblem({{"sound", {{"sound_file", "a.wav"}, {"volume", 2}}}}),
+             Catch::StartsWith("sound.volume: "));
+  CHECK(referenceProblem({{"sound", {{"sound_file", "a.wav"}, {"speed", 2}}}}) ==
+        "sound.speed: is not a setting of a reference");
+}
+
+TEST_CASE("A recipe brings its reference along, at frames as it counts them") {
+  Document document = test::boxer();
+  const Json recipe = recipeToJson(withReference(document, whole()), 0);
+  const Result<Recipe> read = recipeFromJson(recipe, document);
+  REQUIRE(read);
+  CHECK(read->reference == whole());
+  const Result<PlacedTrails> placed = withRecipe(document, *read);
+  REQUIRE(placed);
+  CHECK(referenceOf(placed->document, 0) == whole());
+  // One that has none leaves what is there.
+  const Document refers = withReference(document, whole());
+  Document fresh = test::boxer();
+  const Result<Recipe> without = recipeFromJson({{"version", 1}, {"trails", Json::array()}}, fresh);
+  REQUIRE(without);
+  CHECK(referenceOf(withRecipe(refers, *without)->document, 0) == whole());
+  // Counted twice as fast, the recipe's frame 12 is the clip's frame 6.
+  const double rate = clipOf(document, 0).framesPerSecond;
+  Json twice{{"version", 1}, {"frames_per_second", 2.0 * rate}, {"references", recipe["references"]}};
+  const Result<Recipe> slower = recipeFromJson(twice, document);
+  REQUIRE(slower);
+  CHECK(slower->reference.images.startFrame == Approx(6.0));
+  CHECK(slower->reference.sound.startFrame == Approx(-3.0));
+  twice["references"] = 3;
+  const Result<Recipe> wrong = recipeFromJson(twice, document);
+  REQUIRE_FALSE(wrong);
+  CHECK(wrong.error().where == "references");
+}
+
+TEST_CASE("At another rate of the clip a reference begins at the same time, those of other clips stay") {
+  Document document = withReference(test::boxer(), whole(0));
+  document.references.push_back(whole(1));
+  const double rate = clipOf(document, 0).framesPerSecond;
+  const Document twice = workAtRate(document, 0, 2.0 * rate);
+  CHECK(twice.references[0].images.startFrame == Approx(24.0));
+  CHECK(twice.references[0].sound.startFrame == Approx(-12.0));
+  CHECK(twice.references[1] == whole(1));
+}
+
+TEST_CASE("The file knows nothing of a reference, the user's settings keep it by the clip's name") {
+  const Document document = withReference(test::boxer(), whole());
+  CHECK(workOf(document).is_null());
+  CHECK(referencesFromJson(referencesToJson(document), document) == document.references);
+  CHECK(referencesFromJson({}, document).empty());
+  CHECK(referencesFromJson({{"another clip", referenceToJson(whole())}}, document).empty());
+  // What cannot be understood is left out.
+  const std::string clip = clipOf(document, 0).name;
+  CHECK(referencesFromJson({{clip, {{"images", 3}}}}, document).empty());
+  CHECK(referencesFromJson({{clip, Json::object()}}, document).empty());
+}
