@@ -267,7 +267,8 @@ TEST_CASE("A recipe's reference stands in the picture, and one that is not there
     REQUIRE_FALSE(
         drawn(dummy, folder, {"--trails", recipe("film-1.png"), "--frame", std::to_string(frame)}).empty());
     const Image image = ui::readImage(folder / "out.png").value();
-    const auto place = static_cast<std::size_t>(4 * (image.width / 2 + 2 * image.width));
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t place = 4 * (width / 2 + 2 * width);
     return std::vector<int>{image.rgba[place], image.rgba[place + 1], image.rgba[place + 2]};
   };
   CHECK(topColour(0) == std::vector<int>{0, 255, 0});
@@ -294,6 +295,7 @@ TEST_CASE("A video is heard with the clip's sound, from where the film begins in
   fs::permissions(ffmpeg, fs::perms::owner_all);
   const std::string path = std::getenv("PATH");
   setenv("PATH", (programs.path().string() + ":" + path).c_str(), 1);
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
   const auto wordsOf = [&](double startFrame, double volume, const char* name) {
     const std::string recipe =
         folder
@@ -302,9 +304,8 @@ TEST_CASE("A video is heard with the clip's sound, from where the film begins in
                                "start_frame": {}, "volume": {}}}}}}})",
                                startFrame, volume))
             .string();
-    const test::VerbAnswer answer =
-        render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "--video", (folder / name).string(), "--frames",
-                "6:8", "--size", "32x32", "--trails", recipe});
+    const test::VerbAnswer answer = render({dummy, "--video", (folder / name).string(), "--frames", "6:8",
+                                            "--size", "32x32", "--trails", recipe});
     INFO(answer.told);
     REQUIRE(answer.exitCode == 0);
     const Bytes words = readFile(programs / "words.txt").value();
