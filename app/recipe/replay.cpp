@@ -13,9 +13,10 @@ Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) 
     trail.exaggerated = true;
     trail.connected = true;
   }
-  const Reference none{.clip = recipe.clip};
-  const bool refers = recipe.reference.images != none.images || recipe.reference.sound != none.sound;
-  return place(refers ? withReference(document, recipe.reference) : document, things, Entry::request);
+  Reference reference = referenceOf(document, recipe.clip);
+  reference.images = recipe.reference.images.file.empty() ? reference.images : recipe.reference.images;
+  reference.sound = recipe.reference.sound.file.empty() ? reference.sound : recipe.reference.sound;
+  return place(withReference(document, reference), things, Entry::request);
 }
 
 } // namespace stretch::app

@@ -1,7 +1,6 @@
 #include "app/reference/image_series.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -37,9 +36,13 @@ std::optional<std::uint64_t> numberOf(std::string_view digits) {
 
 } // namespace
 
+const std::vector<std::string>& imageEndings() {
+  static const std::vector<std::string> endings{".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+  return endings;
+}
+
 bool isImageName(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> endings{".png", ".jpg", ".jpeg", ".bmp", ".tga"};
-  return std::ranges::find(endings, lowerCase(path.extension().string())) != endings.end();
+  return std::ranges::find(imageEndings(), lowerCase(path.extension().string())) != imageEndings().end();
 }
 
 Result<ImageSeries> imageSeriesFrom(const fs::path& first) {
@@ -55,8 +58,8 @@ Result<ImageSeries> imageSeriesFrom(const fs::path& first) {
   const SplitStem named = splitStem(stem);
   const std::optional<std::uint64_t> start = numberOf(named.digits);
   ImageSeries series;
+  series.images.push_back({start.value_or(0), first});
   if (!start) {
-    series.images.push_back({0, first});
     return series;
   }
   const fs::path folder = first.has_parent_path() ? first.parent_path() : fs::path(".");
@@ -66,9 +69,12 @@ Result<ImageSeries> imageSeriesFrom(const fs::path& first) {
     const std::string other = file.stem().string();
     const SplitStem split = splitStem(other);
     const std::optional<std::uint64_t> number = numberOf(split.digits);
-    if (number && *number >= *start && split.name == named.name && file.extension() == first.extension()) {
+    // Of one number the chosen image is meant, else any.
+    if (number && *number > *start && split.name == named.name && file.extension() == first.extension() &&
+        entry->is_regular_file(failed)) {
       series.images.push_back({*number, file});
     }
+    failed.clear();
   }
   std::ranges::sort(series.images, {}, &ImageSeries::Numbered::number);
   return series;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "app/clip_reference.h"
@@ -18,7 +19,9 @@ struct ImageSeries {
   std::vector<Numbered> images; ///< By number; a single one where the name has no number. Empty: none.
 };
 
-/// Whether the name ends as one of the images that can be read: .png, .jpg, .jpeg, .bmp or .tga.
+/// Endings of the images that can be read, in small letters: ".png", ".jpg" and so on.
+[[nodiscard]] const std::vector<std::string>& imageEndings();
+/// Whether the name ends so.
 [[nodiscard]] bool isImageName(const std::filesystem::path& path);
 
 /// Finds the series that begins with this image. An error where it is not there or is no image by its name.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
+#include "app/edits/keys/rate_edits.h"
 #include "app/schema/reference_schema.h"
 #include "app/schema/schema_json.h"
 
@@ -43,6 +45,33 @@ void writePart(const Settings& part, const char* key, const Schema<Settings>& sc
     json[key] = Json::object();
     writeSettings(schema, part, json[key]);
   }
+}
+
+/// With frames that are counted in another rate.
+Reference startingLater(Reference reference, double times) {
+  reference.images.startFrame *= times;
+  reference.sound.startFrame *= times;
+  return reference;
+}
+
+/// The clip of its number where that has the name, else the only one of that name.
+std::optional<int> clipOfEntry(const Json& entry, const Document& document) {
+  if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string()) {
+    return std::nullopt;
+  }
+  const auto name = entry["name"].get<std::string>();
+  std::vector<int> named;
+  for (std::size_t clip = 0; clip < document.clips->size(); ++clip) {
+    if ((*document.clips)[clip].name == name) {
+      named.push_back(static_cast<int>(clip));
+    }
+  }
+  const int number =
+      entry.contains("clip") && entry["clip"].is_number_integer() ? entry["clip"].get<int>() : -1;
+  if (std::ranges::find(named, number) != named.end()) {
+    return number;
+  }
+  return named.size() == 1 ? std::optional(named.front()) : std::nullopt;
 }
 
 } // namespace
@@ -86,24 +115,31 @@ Result<Reference> referenceFromJson(const Json& json, int clip, const std::strin
 }
 
 Json referencesToJson(const Document& document) {
-  Json json = Json::object();
+  Json json = Json::array();
   for (const Reference& reference : document.references) {
-    json[clipOf(document, reference.clip).name] = referenceToJson(reference);
+    const Clip& clip = clipOf(document, reference.clip);
+    const double ownFrames = ownRate(document, reference.clip) / clip.framesPerSecond;
+    json.push_back({{"clip", reference.clip},
+                    {"name", clip.name},
+                    {"reference", referenceToJson(startingLater(reference, ownFrames))}});
   }
   return json;
 }
 
 std::vector<Reference> referencesFromJson(const Json& json, const Document& document) {
   std::vector<Reference> references;
-  for (std::size_t clip = 0; json.is_object() && clip < document.clips->size(); ++clip) {
-    const auto found = json.find((*document.clips)[clip].name);
-    const Result<Reference> read = found == json.end()
-                                       ? Result<Reference>(Error{})
-                                       : referenceFromJson(*found, static_cast<int>(clip), {});
-    if (read && *read != Reference{.clip = static_cast<int>(clip)}) {
-      references.push_back(*read);
+  for (const Json& entry : json.is_array() ? json : Json::array()) {
+    const std::optional<int> clip = clipOfEntry(entry, document);
+    const Result<Reference> read = clip && entry.contains("reference")
+                                       ? referenceFromJson(entry["reference"], *clip, {})
+                                       : Result<Reference>(Error{});
+    const bool isKnown = clip && std::ranges::find(references, *clip, &Reference::clip) != references.end();
+    if (read && !isKnown && *read != Reference{.clip = *clip}) {
+      references.push_back(
+          startingLater(*read, clipOf(document, *clip).framesPerSecond / ownRate(document, *clip)));
     }
   }
+  std::ranges::sort(references, {}, &Reference::clip);
   return references;
 }
 

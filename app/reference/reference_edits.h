@@ -17,8 +17,9 @@ namespace stretch::app {
 [[nodiscard]] Result<Reference> referenceFromJson(const gltf::Json& json, int clip,
                                                   const std::string& folder);
 
-/// The references of all clips for the user's settings of the file, by the clips' names; reading takes what
-/// it understands and leaves out the rest.
+/// The references of all clips for the user's settings of the file: by number and name of the clip, frames
+/// counted in the clip's own rate. Reading takes what it understands and leaves out the rest; a clip that has
+/// another number now is found by its name, where one clip alone has that.
 [[nodiscard]] gltf::Json referencesToJson(const Document& document);
 [[nodiscard]] std::vector<Reference> referencesFromJson(const gltf::Json& json, const Document& document);
 

@@ -1,10 +1,8 @@
 #include "app/reference/sound.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
-#include <string_view>
 
 #include <sndfile.h>
 
@@ -14,9 +12,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr std::size_t mostSamples = 100'000'000; // 200 MB; 17 minutes of stereo at 48 kHz
-
-constexpr std::array<std::string_view, 6> soundEndings{".wav", ".aif", ".aiff", ".flac", ".ogg", ".mp3"};
+constexpr std::size_t mostSamples = 100'000'000; // 200 MB; 17 minutes at 48 kHz
 
 Error noSound(const std::filesystem::path& path) {
   return {"this is not a sound that can be read", path.string(), "give a WAV, AIFF, FLAC, Ogg or MP3"};
@@ -34,20 +30,20 @@ void addBlock(const float* values, std::size_t count, int channels, Sound& sound
   const auto width = static_cast<std::size_t>(channels);
   for (std::size_t i = 0; i < count; ++i) {
     const float* const time = values + i * width;
-    if (channels == sound.channels) {
-      std::transform(time, time + width, std::back_inserter(sound.samples), toSample);
+    if (channels == 2) {
+      sound.samples.insert(sound.samples.end(), {toSample(time[0]), toSample(time[1])});
       continue;
     }
     float sum = 0.0F;
     for (std::size_t channel = 0; channel < width; ++channel) {
       sum += time[channel];
     }
-    sound.samples.push_back(toSample(sum / static_cast<float>(width)));
+    sound.samples.insert(sound.samples.end(), 2, toSample(sum / static_cast<float>(width)));
   }
 }
 
 std::vector<SoundPeak> peaksOf(const Sound& sound) {
-  const std::size_t step = static_cast<std::size_t>(samplesOfPeak) * static_cast<std::size_t>(sound.channels);
+  constexpr std::size_t step = 2 * static_cast<std::size_t>(samplesOfPeak);
   std::vector<SoundPeak> peaks;
   for (std::size_t begin = 0; begin < sound.samples.size(); begin += step) {
     const auto first = sound.samples.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -61,9 +57,7 @@ std::vector<SoundPeak> peaksOf(const Sound& sound) {
 } // namespace
 
 double Sound::seconds() const {
-  return samplesPerSecond <= 0
-             ? 0.0
-             : static_cast<double>(samples.size()) / static_cast<double>(channels) / samplesPerSecond;
+  return samplesPerSecond <= 0 ? 0.0 : 0.5 * static_cast<double>(samples.size()) / samplesPerSecond;
 }
 
 double secondsOfPeak(const Sound& sound) {
@@ -88,11 +82,16 @@ SoundPeak peakBetween(const Sound& sound, double fromSeconds, double toSeconds) 
   return loudest;
 }
 
-bool isSoundName(const std::filesystem::path& path) {
-  return std::ranges::find(soundEndings, lowerCase(path.extension().string())) != soundEndings.end();
+const std::vector<std::string>& soundEndings() {
+  static const std::vector<std::string> endings{".wav", ".aif", ".aiff", ".flac", ".ogg", ".mp3"};
+  return endings;
 }
 
-Result<Sound> readSound(const std::filesystem::path& path) {
+bool isSoundName(const std::filesystem::path& path) {
+  return std::ranges::find(soundEndings(), lowerCase(path.extension().string())) != soundEndings().end();
+}
+
+Result<Sound> readSound(const std::filesystem::path& path, const std::function<bool()>& goesOn) {
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) { // A pipe would be waited for.
     return Error{"the sound is not there", path.string(), "choose it again"};
@@ -104,12 +103,14 @@ Result<Sound> readSound(const std::filesystem::path& path) {
   }
   Sound sound;
   sound.samplesPerSecond = facts.samplerate;
-  sound.channels = facts.channels == 2 ? 2 : 1;
   constexpr sf_count_t timesAtOnce = 4096;
   std::vector<float> block(static_cast<std::size_t>(timesAtOnce * facts.channels));
   for (sf_count_t read = timesAtOnce; read > 0;) {
     read = sf_readf_float(file.get(), block.data(), timesAtOnce);
     addBlock(block.data(), static_cast<std::size_t>(std::max<sf_count_t>(0, read)), facts.channels, sound);
+    if (!goesOn()) {
+      return Error{"reading it was stopped", path.string(), "choose it again"};
+    }
     if (sound.samples.size() > mostSamples) {
       return Error{"the sound takes over 200 MB", path.string(), "cut it, or give one at a lower rate"};
     }
@@ -118,6 +119,9 @@ Result<Sound> readSound(const std::filesystem::path& path) {
     return noSound(path);
   }
   sound.peaks = peaksOf(sound);
+  for (const SoundPeak& peak : sound.peaks) {
+    sound.loudest = std::max({sound.loudest, peak.high, -peak.low});
+  }
   return sound;
 }
 

@@ -76,13 +76,18 @@ Status drawBeside(const Film& film, const PictureOptions& options,
 
 } // namespace
 
-std::optional<FilmSound> filmSoundOf(const app::Document& document, int clip, double firstFrame) {
+Result<std::optional<FilmSound>> filmSoundOf(const app::Document& document, int clip,
+                                             const std::vector<double>& frames) {
   const app::ReferenceSound sound = app::referenceOf(document, clip).sound;
-  if (sound.file.empty() || sound.volume <= 0.0) {
-    return std::nullopt;
+  if (sound.file.empty() || sound.volume <= 0.0 || frames.empty()) {
+    return std::optional<FilmSound>();
   }
-  return FilmSound{sound.file, (firstFrame - sound.startFrame) / app::clipOf(document, clip).framesPerSecond,
-                   sound.volume};
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(sound.file, failed)) {
+    return Error{"the sound of the reference is not there", sound.file, "choose it again, or take it off"};
+  }
+  const double rate = app::clipOf(document, clip).framesPerSecond;
+  return std::optional(FilmSound{sound.file, (frames.front() - sound.startFrame) / rate, sound.volume});
 }
 
 Status drawFilm(const Film& film, const PictureOptions& options,

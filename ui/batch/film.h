@@ -25,9 +25,10 @@ struct Film {
   std::optional<FilmSound> sound = {};
 };
 
-/// The sound that a clip refers to, for a film that begins at a frame; nothing where it refers to none.
-[[nodiscard]] std::optional<FilmSound> filmSoundOf(const app::Document& document, int clip,
-                                                   double firstFrame);
+/// The sound that a clip refers to, for a film of these frames; nothing where it refers to none. An error
+/// where its file is not there.
+[[nodiscard]] Result<std::optional<FilmSound>> filmSoundOf(const app::Document& document, int clip,
+                                                           const std::vector<double>& frames);
 
 /// Draws the pictures one after the other, of the options' size as a whole; `keep` gets each as it is made
 /// and may stop the work with an error.

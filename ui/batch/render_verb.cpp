@@ -477,7 +477,11 @@ Status renderCharacter(const RenderArguments& arguments) {
                                                                  *frames, motion->framesPerSecond, *look)});
   }
   film.sides.push_back({document->scene.get(), picturesOfCharacter(*document, motion, *frames, *look)});
-  film.sound = filmSoundOf(*document, clip, frames->front());
+  Result<std::optional<FilmSound>> sound = filmSoundOf(*document, clip, *frames);
+  if (!sound && !arguments.video.empty()) {
+    return sound.error();
+  }
+  film.sound = sound ? std::move(*sound) : std::nullopt;
   return draw(arguments, film, *options);
 }
 

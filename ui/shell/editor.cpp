@@ -287,6 +287,7 @@ void drawFrame(Editor& editor) {
   describeCommands(shell);
   editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
+  updateReference(shell, began);
   updateTour(shell);
   updatePosePictures(editor.poses, shell.ui.body.library);
   keepToolOnPress(shell);

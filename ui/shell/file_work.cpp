@@ -58,6 +58,7 @@ void leaveCharacter(Shell& shell) {
   finishTool(session, shell.tool, false);
   closePoseLibrary(shell);
   closeClipStyle(shell);
+  forgetReference(shell);
   keepView(shell);
 }
 
@@ -204,7 +205,7 @@ void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
       shell.files.question().kind != app::FileQuestion::Kind::none || shell.files.isOpening();
   const app::Session* const character = shell.open.character();
   const std::vector<fs::path> paths = droppedPaths(drops);
-  if (!isAsked && showsClip(shell) && takeDroppedReference(shell, paths.front())) {
+  if (!isAsked && showsClip(shell) && takeDroppedReference(shell, drops)) {
     return;
   }
   DroppedFile dropped{paths.front()};
@@ -327,7 +328,6 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   updateClipImport(shell);
   updateClipStyle(shell);
   updatePoseLibrary(shell);
-  updateReference(shell, nowSeconds);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

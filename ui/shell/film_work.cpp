@@ -66,10 +66,12 @@ FilmSide sideOf(const app::Document& document, const std::shared_ptr<const rig::
 
 Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const FilmRequest& request,
                                      const skinning::Proceed& proceed) {
-  Film film{{},
-            request.frames,
-            request.motion->framesPerSecond,
-            filmSoundOf(request.document, request.motion->clip, request.frames.front())};
+  Result<std::optional<FilmSound>> sound =
+      filmSoundOf(request.document, request.motion->clip, request.frames);
+  if (!sound) {
+    return sound.error();
+  }
+  Film film{{}, request.frames, request.motion->framesPerSecond, std::move(*sound)};
   if (request.besideOriginal) {
     const app::Document original = originalOf(request.document);
     film.sides.push_back(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
@@ -55,6 +56,8 @@ void updateImages(Shell& shell, const app::ReferenceImages& images) {
                                                           : app::imageSeriesFrom(images.file);
     work.series = series ? std::move(*series) : app::ImageSeries{};
     work.shown = nullptr;
+    work.images = {};
+    work.brokenTold = false;
     tellProblem(shell, series ? Status(Success{}) : Status(series.error()));
   }
   shell.ui.dialogs.reference.imageCount = work.series.images.size();
@@ -64,10 +67,14 @@ void updateImages(Shell& shell, const app::ReferenceImages& images) {
   if (images.file.empty() || !shell.ui.overlays.reference) {
     wanted.clear();
   }
-  tellProblem(shell, work.images.update(wanted));
+  const Status read = work.images.update(wanted);
+  if (!read && !std::exchange(work.brokenTold, true)) {
+    tellProblem(shell, read);
+  }
   // While one is read the one before stays.
   std::shared_ptr<const Image> image = work.images.at(now);
-  work.shown = now.empty() ? nullptr : image != nullptr ? std::move(image) : work.shown;
+  const bool isNone = now.empty() || work.images.isBroken(now);
+  work.shown = isNone ? nullptr : image != nullptr ? std::move(image) : work.shown;
   shell.viewport.look.reference =
       shell.ui.overlays.reference && work.shown != nullptr
           ? std::optional(backdropOf(images, [shown = work.shown] { return shown; }))
@@ -79,9 +86,13 @@ void readSoundOf(Shell& shell, const std::string& file) {
   if (std::exchange(work.soundOf, file) != file) {
     work.output.stop();
     work.sound = nullptr;
-    work.reading = file.empty() ? nullptr
-                                : std::make_unique<app::Job<app::Sound>>(
-                                      [file](const skinning::Proceed&) { return app::readSound(file); });
+    work.heardFrame.reset();
+    work.silent = false;
+    work.reading = file.empty()
+                       ? nullptr
+                       : std::make_unique<app::Job<app::Sound>>([file](const skinning::Proceed& proceed) {
+                           return app::readSound(file, [&] { return proceed(0.0); });
+                         });
   }
   if (work.reading != nullptr && work.reading->isFinished()) {
     Result<app::Sound> read = work.reading->take();
@@ -113,10 +124,12 @@ void updateHearing(Shell& shell, const app::ReferenceSound& settings, double now
   constexpr double leastHeard = 0.06; // Seconds: less is a click.
   ReferenceWork& work = shell.beside.reference;
   const TimelineState& time = shell.ui.time.timeline;
-  const double frame = shell.open.character()->view().frame;
+  // What is drawn may be held for some frames: the clock runs on.
+  const double frame = time.playing ? time.clock : shell.open.character()->view().frame;
   const double rate = framesPerSecondOf(shell);
   const double seconds = (frame - settings.startFrame) / rate;
-  const bool moved = std::exchange(work.heardFrame, frame) != frame;
+  const bool moved = work.heardFrame && *work.heardFrame != frame;
+  work.heardFrame = frame;
   const bool wasPlaying = std::exchange(work.plays, time.playing);
   work.output.setVolume(settings.volume);
   if (time.playing) {
@@ -142,29 +155,18 @@ void updateSound(Shell& shell, const app::ReferenceSound& settings, double nowSe
   if (work.sound == nullptr) {
     return;
   }
-  if (work.heardFrame < 0.0) { // The first frame with it: nobody has moved the playhead.
-    work.heardFrame = shell.open.character()->view().frame;
-  }
   updateHearing(shell, settings, nowSeconds);
 }
 
-void forgetReference(Shell& shell) {
-  ReferenceWork& work = shell.beside.reference;
-  work.output.stop();
-  work.seriesOf.clear();
-  work.series = {};
-  work.shown = nullptr;
-  work.soundOf.clear();
-  work.sound = nullptr;
-  work.reading.reset();
-  work.heardFrame = -1.0;
-  shell.viewport.look.reference.reset();
-  shell.ui.time.sound = {};
-}
-
-void editReference(Shell& shell, const app::Reference& reference, const char* label) {
+/// False while something else is dragged, which is told.
+bool editReference(Shell& shell, const app::Reference& reference, const char* label) {
   app::Session& session = *shell.open.character();
+  if (session.isDragging()) {
+    refuse(shell, "Finish what is being dragged first");
+    return false;
+  }
   session.edit(app::withReference(session.document(), reference), label);
+  return true;
 }
 
 bool refersToImages(const Shell& shell) {
@@ -178,16 +180,31 @@ bool refersToSound(const Shell& shell) {
 void takeOffImages(Shell& shell) {
   app::Reference reference = shownReference(shell);
   reference.images = {};
-  editReference(shell, reference, "Take off the reference images");
+  static_cast<void>(editReference(shell, reference, "Take off the reference images"));
 }
 
 void takeOffSound(Shell& shell) {
   app::Reference reference = shownReference(shell);
   reference.sound = {};
-  editReference(shell, reference, "Take off the reference sound");
+  static_cast<void>(editReference(shell, reference, "Take off the reference sound"));
 }
 
 } // namespace
+
+void forgetReference(Shell& shell) {
+  ReferenceWork& work = shell.beside.reference;
+  work.output.stop();
+  work.seriesOf.reset();
+  work.series = {};
+  work.images = {};
+  work.shown = nullptr;
+  work.soundOf.reset();
+  work.sound = nullptr;
+  work.reading.reset();
+  shell.viewport.look.reference.reset();
+  shell.ui.time.sound = {};
+  shell.ui.dialogs.reference = {};
+}
 
 bool isReadingReference(const ReferenceWork& work) {
   return work.images.isReading() || work.reading != nullptr;
@@ -226,24 +243,39 @@ void referToImages(Shell& shell, const std::filesystem::path& first) {
   }
   app::Reference reference = shownReference(shell);
   reference.images.file = std::filesystem::absolute(first).lexically_normal().string();
-  editReference(shell, reference, "Refer to images");
-  shell.ui.overlays.reference = true;
-  shell.ui.dialogs.reference.open = true;
+  if (editReference(shell, reference, "Refer to images")) {
+    shell.beside.reference.seriesOf.reset(); // The same one again is read anew.
+    shell.ui.overlays.reference = true;
+    shell.ui.dialogs.reference.open = true;
+  }
 }
 
 void referToSound(Shell& shell, const std::filesystem::path& file) {
   app::Reference reference = shownReference(shell);
   reference.sound.file = std::filesystem::absolute(file).lexically_normal().string();
-  editReference(shell, reference, "Refer to a sound");
-  shell.ui.dialogs.reference.open = true;
+  if (editReference(shell, reference, "Refer to a sound")) {
+    shell.beside.reference.soundOf.reset();
+    shell.ui.dialogs.reference.open = true;
+  }
 }
 
-bool takeDroppedReference(Shell& shell, const std::filesystem::path& file) {
-  const bool isImage = app::isImageName(file);
-  if (!isImage && !app::isSoundName(file)) {
+bool takeDroppedReference(Shell& shell, const std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> images;
+  std::vector<std::filesystem::path> sounds;
+  std::ranges::copy_if(files, std::back_inserter(images), app::isImageName);
+  std::ranges::copy_if(files, std::back_inserter(sounds), app::isSoundName);
+  if (files.empty() || images.size() + sounds.size() != files.size()) {
     return false;
   }
-  (isImage ? referToImages : referToSound)(shell, file);
+  if (!images.empty()) { // "film-2" comes before "film-10".
+    referToImages(shell, std::ranges::min(images, {}, [](const std::filesystem::path& file) {
+                    const std::string name = file.string();
+                    return std::pair(name.size(), name);
+                  }));
+  }
+  if (!sounds.empty()) {
+    referToSound(shell, sounds.front());
+  }
   return true;
 }
 

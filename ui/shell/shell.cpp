@@ -59,7 +59,8 @@ EditorStatus statusOf(const Shell& shell) {
     status.busyText = "Drawing " + shell.beside.film.path.filename().string();
     status.busyFraction = static_cast<float>(shell.beside.film.job->share());
   } else if (shell.beside.reference.reading != nullptr) {
-    status.busyText = "Reading " + std::filesystem::path(shell.beside.reference.soundOf).filename().string();
+    status.busyText =
+        "Reading " + std::filesystem::path(shell.beside.reference.soundOf.value_or("")).filename().string();
   } else if (shell.beside.reference.images.isReading() && shell.beside.reference.shown == nullptr) {
     status.busyText = "Reading the reference images";
   } else if (shell.beside.binding.job != nullptr) {

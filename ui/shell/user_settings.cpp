@@ -226,7 +226,7 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
 
 Json referencesOfView(const std::string& text) {
   const Json json = gltf::parseAnyJson(text);
-  return json.is_object() ? child(json, "references") : Json();
+  return json.is_object() ? json.value("references", Json()) : Json();
 }
 
 fs::path settingsPath() {

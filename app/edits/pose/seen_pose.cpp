@@ -155,7 +155,8 @@ std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& po
   const bool sameCharacter = pose.of == moment.document.scene;
   const Quat facing = turnBetweenLefts(pose.leftWorld, leftOf(moment.document));
   const double scale = legLengthOf(list) / pose.legLength;
-  const RestHeights rest(moment.document);
+  const std::optional<RestHeights> rest =
+      sameCharacter ? std::nullopt : std::optional<RestHeights>(std::in_place, moment.document);
   std::vector<SeenController> goals;
   for (SeenController goal : pose.controllers) {
     const auto placed = std::ranges::find(moment.placed, goal.id, &rig::PlacedController::id);
@@ -169,7 +170,7 @@ std::vector<SeenController> goalsOn(const SeenMoment& moment, const SeenPose& po
       goal.placeWorld = base && goal.fromBase
                             ? *base + facing * *goal.fromBase * controller->length
                             : standingWorld + facing * (goal.placeWorld - pose.standingWorld) * scale;
-      const std::optional<double> rests = controller != nullptr ? rest.of(*controller) : std::nullopt;
+      const std::optional<double> rests = controller != nullptr ? rest->of(*controller) : std::nullopt;
       if (rests && goal.restHeight) {
         goal.placeWorld.y += *rests - *goal.restHeight * scale; // As far from where it rests.
       }

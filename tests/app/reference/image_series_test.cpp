@@ -38,9 +38,11 @@ TEST_CASE("A series is all images of one name that follow by number, whatever el
                                  "film-13.jpg", "film-x.png", "film-.png", "film-12b.png"}) {
     folder.write(name, "");
   }
-  std::filesystem::create_directory(folder / "film-14.txt");
+  std::filesystem::create_directory(folder / "film-14.png"); // a folder is no image
+  folder.write("film-09.png", "");                           // another 9: the chosen one is meant
   CHECK(numbersFrom(folder / "film-9.png") == std::vector<std::uint64_t>{9, 10, 11});
-  CHECK(numbersFrom(folder / "film-2.png") == std::vector<std::uint64_t>{2, 9, 10, 11});
+  CHECK(numbersFrom(folder / "film-2.png") == std::vector<std::uint64_t>{2, 9, 9, 10, 11});
+  CHECK(imageSeriesFrom(folder / "film-9.png")->images.front().file == folder / "film-9.png");
   CHECK(numbersFrom(folder / "film-11.png") == std::vector<std::uint64_t>{11});
   CHECK(numbersFrom(folder / "film-13.jpg") == std::vector<std::uint64_t>{13});
   CHECK(numbersFrom(folder / "film-x.png") == std::vector<std::uint64_t>{0});

@@ -110,6 +110,16 @@ TEST_CASE("A recipe brings its reference along, at frames as it counts them") {
   const Result<PlacedTrails> placed = withRecipe(document, *read);
   REQUIRE(placed);
   CHECK(referenceOf(placed->document, 0) == whole());
+  // What a recipe leaves out of it stays.
+  Reference imagesAlone = whole();
+  imagesAlone.sound = {};
+  imagesAlone.images.opacity = 0.125;
+  Document other = test::boxer();
+  const Result<Recipe> half = recipeFromJson(recipeToJson(withReference(other, imagesAlone), 0), other);
+  REQUIRE(half);
+  const Reference mixed = referenceOf(withRecipe(withReference(other, whole()), *half)->document, 0);
+  CHECK(mixed.images == imagesAlone.images);
+  CHECK(mixed.sound == whole().sound);
   // One that has none leaves what is there.
   const Document refers = withReference(document, whole());
   Document fresh = test::boxer();
@@ -144,9 +154,40 @@ TEST_CASE("The file knows nothing of a reference, the user's settings keep it by
   CHECK(workOf(document).is_null());
   CHECK(referencesFromJson(referencesToJson(document), document) == document.references);
   CHECK(referencesFromJson({}, document).empty());
-  CHECK(referencesFromJson({{"another clip", referenceToJson(whole())}}, document).empty());
-  // What cannot be understood is left out.
+  CHECK(referencesFromJson(Json::array(), document).empty());
+  const auto kept = [&](const Json& clip, const Json& name, const Json& reference) {
+    const Json entry{{"clip", clip}, {"name", name}, {"reference", reference}};
+    return referencesFromJson(Json::array({entry}), document);
+  };
   const std::string clip = clipOf(document, 0).name;
-  CHECK(referencesFromJson({{clip, {{"images", 3}}}}, document).empty());
-  CHECK(referencesFromJson({{clip, Json::object()}}, document).empty());
+  CHECK(kept(0, clip, referenceToJson(whole())) == document.references);
+  CHECK(kept(7, clip, referenceToJson(whole())) == document.references); // it has another number now
+  CHECK(kept(0, "another clip", referenceToJson(whole())).empty());
+  // What cannot be understood is left out.
+  CHECK(kept(0, 3, referenceToJson(whole())).empty());
+  CHECK(kept(0, clip, {{"images", 3}}).empty());
+  CHECK(kept(0, clip, Json::object()).empty());
+  CHECK(referencesFromJson(Json::array({3, Json::object()}), document).empty());
+}
+
+TEST_CASE("Of clips that have one name each keeps its own reference") {
+  Document document = test::boxer();
+  auto clips = std::make_shared<std::vector<Clip>>(2, document.clips->front());
+  document.clips = clips;
+  document.references = {whole(0), whole(1)};
+  document.references[1].images.file = "/films/second-1.png";
+  CHECK(referencesFromJson(referencesToJson(document), document) == document.references);
+  // By the name alone nobody knows which of them is meant.
+  Json moved = referencesToJson(document);
+  moved[0]["clip"] = 5;
+  const std::vector<Reference> read = referencesFromJson(moved, document);
+  REQUIRE(read.size() == 1);
+  CHECK(read[0] == document.references[1]);
+}
+
+TEST_CASE("The user's settings count frames in the clip's own rate, whatever it is worked on at") {
+  const Document document = withReference(test::boxer(), whole());
+  const Document twice = workAtRate(document, 0, 2.0 * clipOf(document, 0).framesPerSecond);
+  CHECK(referencesToJson(twice) == referencesToJson(document));
+  CHECK(referencesFromJson(referencesToJson(document), twice) == twice.references);
 }

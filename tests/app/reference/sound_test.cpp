@@ -46,24 +46,47 @@ TEST_CASE("A sound is read as it was written: its rate, its channels, every valu
   const test::TemporaryFolder folder;
   const Sound mono = soundOf(folder, test::wavOf({0, 1000, -1000, 32767, -32768}, 8000));
   CHECK(mono.samplesPerSecond == 8000);
-  CHECK(mono.channels == 1);
-  REQUIRE(mono.samples.size() == 5);
-  CHECK(mono.samples[1] == 1000);
-  CHECK(mono.samples[2] == -1000);
-  CHECK(mono.samples[3] >= 32766);
-  CHECK(mono.samples[4] <= -32766);
+  REQUIRE(mono.samples.size() == 10); // alike on the left and on the right
+  for (std::size_t i = 0; i < mono.samples.size(); i += 2) {
+    CHECK(mono.samples[i] == mono.samples[i + 1]);
+  }
+  CHECK(mono.samples[2] == 1000);
+  CHECK(mono.samples[4] == -1000);
+  CHECK(mono.samples[6] >= 32766);
+  CHECK(mono.samples[8] <= -32766);
   CHECK(mono.seconds() == Approx(5.0 / 8000.0));
+  CHECK(mono.loudest == Approx(1.0).margin(1e-4));
   const Sound stereo = soundOf(folder, test::wavOf({100, -200, 300, -400}, 44100, 2));
-  CHECK(stereo.channels == 2);
   CHECK(stereo.samples == std::vector<std::int16_t>{100, -200, 300, -400});
   CHECK(stereo.seconds() == Approx(2.0 / 44100.0));
+  CHECK(stereo.loudest == Approx(400.0 / 32767.0).margin(1e-4));
 }
 
-TEST_CASE("More than two channels are heard in one, as loud as their mean") {
+TEST_CASE("More than two channels are heard in both, as loud as their mean") {
   const test::TemporaryFolder folder;
   const Sound sound = soundOf(folder, test::wavOf({3000, 6000, 9000, -3000, 0, 0}, 48000, 3));
-  CHECK(sound.channels == 1);
-  CHECK(sound.samples == std::vector<std::int16_t>{6000, -1000});
+  CHECK(sound.samples == std::vector<std::int16_t>{6000, 6000, -1000, -1000});
+}
+
+TEST_CASE("Reading a sound ends when it is told to, with an error that names it") {
+  const test::TemporaryFolder folder;
+  const std::string file =
+      folder.write("long.wav", test::wavOf(std::vector<std::int16_t>(100'000, 7), 8000)).string();
+  int asked = 0;
+  const Result<Sound> stopped = readSound(file, [&] { return ++asked < 3; });
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().what == "reading it was stopped");
+  CHECK(stopped.error().where == file);
+  CHECK(asked == 3);
+}
+
+TEST_CASE("Sounds are known by their names, in capital letters too") {
+  for (const char* const name : {"a.wav", "a.aif", "a.aiff", "a.flac", "a.ogg", "a.mp3", "a.WAV"}) {
+    INFO(name);
+    CHECK(isSoundName(name));
+  }
+  CHECK_FALSE(isSoundName("a.png"));
+  CHECK_FALSE(isSoundName("wav"));
 }
 
 TEST_CASE("Values beyond what can be heard are the loudest, and those that are no numbers are silence") {
@@ -71,7 +94,7 @@ TEST_CASE("Values beyond what can be heard are the loudest, and those that are n
   const float infinity = std::numeric_limits<float>::infinity();
   const Sound sound =
       soundOf(folder, floatWav({0.5F, 3.0F, -infinity, std::numeric_limits<float>::quiet_NaN()}, 8000));
-  CHECK(sound.samples == std::vector<std::int16_t>{16384, 32767, -32767, 0});
+  CHECK(sound.samples == std::vector<std::int16_t>{16384, 16384, 32767, 32767, -32767, -32767, 0, 0});
 }
 
 TEST_CASE("A stretch of sound is as loud as the loudest in it, and beside the sound there is silence") {
@@ -119,5 +142,5 @@ TEST_CASE("What is no sound is refused in one line: missing, another kind, empty
 TEST_CASE("A sound that was cut off is read as far as it goes") {
   const test::TemporaryFolder folder;
   const std::string whole = test::wavOf(std::vector<std::int16_t>(1000, 500), 8000);
-  CHECK(soundOf(folder, whole.substr(0, 44 + 600)).samples.size() == 300);
+  CHECK(soundOf(folder, whole.substr(0, 44 + 600)).samples.size() == 600);
 }

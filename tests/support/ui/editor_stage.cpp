@@ -120,6 +120,7 @@ void EditorStage::frame() {
   status_ = statusOf(shell);
   ImGui::NewFrame();
   play(shell, 1.0 / 60.0);
+  updateReference(shell, now_);
   updateTour(shell);
   shell.ui.time.keys.hovered = false;
   shell.viewport.box = pictureIn(shell);
@@ -151,6 +152,7 @@ void EditorStage::settle() {
   while (isWorking() && waited < most) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     update({});
+    updateReference(shell, now_);
     ++waited;
   }
   REQUIRE(waited < most);

@@ -296,6 +296,7 @@ TEST_CASE("A video is heard with the clip's sound, from where the film begins in
   const std::string path = std::getenv("PATH");
   setenv("PATH", (programs.path().string() + ":" + path).c_str(), 1);
   const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  folder.write("beat.wav", "any");
   const auto wordsOf = [&](double startFrame, double volume, const char* name) {
     const std::string recipe =
         folder
@@ -322,5 +323,23 @@ TEST_CASE("A video is heard with the clip's sound, from where the film begins in
   CHECK_THAT(later, Catch::Contains("volume=0.2500,apad -c:a libopus"));
   CHECK_THAT(wordsOf(0.0, 1.0, "a.gif"), !Catch::Contains("beat.wav"));
   CHECK_THAT(wordsOf(0.0, 0.0, "a.mp4"), !Catch::Contains("beat.wav"));
+  fs::remove(folder / "beat.wav");
+  const test::VerbAnswer gone = render({dummy, "--video", (folder / "gone.mp4").string(), "--frames", "6:8",
+                                        "--size", "32x32", "--trails", (folder / "recipe.json").string()});
   setenv("PATH", path.c_str(), 1);
+  CHECK(gone.exitCode == 0); // the last recipe has it without volume: nothing is to be heard
+}
+
+TEST_CASE("A video whose sound is not there is refused by the sound's name, and leaves nothing") {
+  const test::TemporaryFolder folder;
+  const std::string recipe =
+      folder.write("recipe.json", R"({"version": 1, "references": {"sound": {"sound_file": "gone.wav"}}})")
+          .string();
+  const test::VerbAnswer answer =
+      render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "--video", (folder / "a.mp4").string(), "--frames",
+              "0:1", "--trails", recipe});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told,
+             Catch::Contains("the sound of the reference is not there") && Catch::Contains("gone.wav"));
+  CHECK(folder.fileCount() == 1);
 }

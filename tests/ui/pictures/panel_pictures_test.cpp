@@ -39,7 +39,8 @@ void withReference(const test::Work& work) {
   work.session().edit(app::withReference(work.session().document(), reference), "Refer");
   auto sound = std::make_shared<app::Sound>();
   sound->samplesPerSecond = 25'600; // 100 peaks a second
-  sound->samples.resize(38'400);
+  sound->samples.resize(76'800);    // a second and a half, left and right
+  sound->loudest = 0.8F;
   for (int i = 0; i < 150; ++i) { // strong every half a second
     const float strength = i % 50 < 10 ? 0.8F : 0.2F;
     sound->peaks.push_back({-strength, 0.5F * strength});

@@ -114,7 +114,8 @@ void drawReferenceDialog(PanelContext& context) {
     soundRows(context, reference.sound);
   }
   const int clicked = dialogButtons(context, "reference", {{.id = "", .text = "Done"}});
-  state.open = state.open && clicked != 0 && !enterPressed();
+  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
+  state.open = state.open && clicked != 0 && !entered;
   if (!state.open) {
     ImGui::CloseCurrentPopup();
   }

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "app/reference/image_series.h"
+#include "app/reference/sound.h"
 #include "core/base/lower_case.h"
 #include "ui/panels/context/panel_support.h"
 
@@ -68,9 +70,9 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
   case FilePurpose::saveFilm:
     return {".mp4", ".webm", ".gif", ".png"};
   case FilePurpose::openReferenceImages:
-    return {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+    return app::imageEndings();
   case FilePurpose::openReferenceSound:
-    return {".wav", ".aif", ".aiff", ".flac", ".ogg", ".mp3"};
+    return app::soundEndings();
   case FilePurpose::saveFrames:
     break;
   }

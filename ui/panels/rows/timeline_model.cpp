@@ -298,8 +298,7 @@ void addSound(const ShownSound& shown, double framesPerSecond, TimelineModel& mo
     return;
   }
   // The loudest of it fills the lane: a quiet sound is read as well.
-  const app::SoundPeak loudest = app::peakBetween(*shown.sound, 0.0, shown.sound->seconds());
-  const float gain = 1.0F / std::max({loudest.high, -loudest.low, 0.01F});
+  const float gain = 1.0F / std::max(shown.sound->loudest, 0.01F);
   const double start = shown.startFrame;
   model.sound = TimelineSound{{start, start + shown.sound->seconds() * framesPerSecond},
                               shown.name,

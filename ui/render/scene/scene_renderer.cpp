@@ -33,6 +33,11 @@ JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
   return {style.stretchRatio.empty() ? stretchRatios(frame) : style.stretchRatio, style.highlight};
 }
 
+/// An image in the middle of the view, which the floor would hide.
+bool hasImageBehind(const SceneStyle& style) {
+  return style.backdrop && style.backdrop->across == 0.5 && style.backdrop->opacity > 0.0;
+}
+
 bool picksOut(const SceneStyle& style) {
   return std::ranges::any_of(style.highlight, [](float share) { return share > 0.0F; });
 }
@@ -150,7 +155,8 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
     const Vec2 centre = drawsMesh ? shadows.area.centre : Vec2(0.0);
     parts.floor.drawFloor(
         view, style.palette,
-        {style.measures.floorHeight, style.measures.characterHeight, centre, !style.backdrop}, shadows);
+        {style.measures.floorHeight, style.measures.characterHeight, centre, !hasImageBehind(style)},
+        shadows);
   }
   if (drawsMesh) {
     drawGhosts(parts, view, ghosts);

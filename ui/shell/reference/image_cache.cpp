@@ -45,6 +45,11 @@ std::shared_ptr<const Image> ImageCache::at(const std::filesystem::path& file) c
   return found == images_.end() ? nullptr : found->second;
 }
 
+bool ImageCache::isBroken(const std::filesystem::path& file) const {
+  const auto found = images_.find(file);
+  return found != images_.end() && found->second == nullptr;
+}
+
 void ImageCache::forgetOthers(const std::vector<std::filesystem::path>& wanted) {
   std::size_t bytes = 0;
   for (const auto& [file, image] : images_) {

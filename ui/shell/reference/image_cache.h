@@ -19,6 +19,8 @@ public:
 
   /// Null where it is not there yet, or cannot be read.
   [[nodiscard]] std::shared_ptr<const Image> at(const std::filesystem::path& file) const;
+  /// It was read, and cannot be.
+  [[nodiscard]] bool isBroken(const std::filesystem::path& file) const;
   [[nodiscard]] bool isReading() const { return job_ != nullptr; }
 
 private:

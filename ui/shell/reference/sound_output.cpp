@@ -1,25 +1,11 @@
 #include "ui/shell/reference/sound_output.h"
 
 #include <cstdint>
-#include <vector>
 
 #include <AL/al.h>
 #include <AL/alc.h>
 
 namespace stretch::ui {
-
-namespace {
-
-std::vector<std::int16_t> doubled(const std::vector<std::int16_t>& samples) {
-  std::vector<std::int16_t> both;
-  both.reserve(2 * samples.size());
-  for (const std::int16_t sample : samples) {
-    both.insert(both.end(), 2, sample);
-  }
-  return both;
-}
-
-} // namespace
 
 // One source with one buffer, which holds the whole sound.
 struct SoundOutput::Device {
@@ -55,18 +41,20 @@ struct SoundOutput::Device {
     return alGetError() == AL_NO_ERROR;
   }
 
-  void hold(const std::shared_ptr<const app::Sound>& sound) {
+  /// False where the system has no room for the sound.
+  [[nodiscard]] bool hold(const std::shared_ptr<const app::Sound>& sound) {
     if (held == sound) {
-      return;
+      return true;
     }
     alSourceStop(source);
     alSourcei(source, AL_BUFFER, 0);
-    // One channel alone would stand in a room, and be less loud.
-    const std::vector<std::int16_t> both = sound->channels == 2 ? sound->samples : doubled(sound->samples);
-    alBufferData(buffer, AL_FORMAT_STEREO16, both.data(),
-                 static_cast<ALsizei>(both.size() * sizeof(std::int16_t)), sound->samplesPerSecond);
+    held = nullptr;
+    alGetError();
+    alBufferData(buffer, AL_FORMAT_STEREO16, sound->samples.data(),
+                 static_cast<ALsizei>(sound->samples.size() * sizeof(std::int16_t)), sound->samplesPerSecond);
     alSourcei(source, AL_BUFFER, static_cast<ALint>(buffer));
-    held = sound;
+    held = alGetError() == AL_NO_ERROR ? sound : nullptr;
+    return held != nullptr;
   }
 };
 
@@ -85,7 +73,9 @@ Status SoundOutput::play(const std::shared_ptr<const app::Sound>& sound, double 
     }
     device_ = std::move(opened);
   }
-  device_->hold(sound);
+  if (!device_->hold(sound)) {
+    return Error{"the system has no room to play the sound", "", "give a shorter one"};
+  }
   alSourceStop(device_->source);
   alSourcef(device_->source, AL_GAIN, static_cast<float>(volume));
   alSourcef(device_->source, AL_PITCH, static_cast<float>(speed));

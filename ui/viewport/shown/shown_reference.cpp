@@ -14,7 +14,8 @@ Result<Image> readReferenceImage(const std::filesystem::path& file) {
   Result<Image> image = readImage(file);
   if (image) {
     const int side = std::max(image->width, image->height);
-    *image = reduced(*image, (side + longest - 1) / longest);
+    // Something is left of the shorter side.
+    *image = reduced(*image, std::min({(side + longest - 1) / longest, image->width, image->height}));
   }
   return image;
 }
