@@ -48,6 +48,23 @@ double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& fra
   return ankle - lowest;
 }
 
+// How high the highest of the blocks is that a foot comes down on soon after a time.
+std::optional<double> blockTopSoonUnder(const Document& document, int clip, const rig::Limb& leg,
+                                        const std::vector<Bounds>& blocks, double timeSeconds) {
+  constexpr int steps = 14;
+  constexpr double standing = 1.5; // of the height of the ankle above the sole: on its way to the ground
+  const Scene& scene = *document.scene;
+  const double sole = soleDepth(scene, leg, rig::bindPlaces(scene));
+  std::optional<double> highest;
+  for (int step = 1; step <= steps && !blocks.empty(); ++step) {
+    const Vec3 ankle = rig::endPosition(
+        leg, rig::sampledFrame(scene, clipOf(document, clip), timeSeconds + step * stepSeconds));
+    const std::optional<double> top = blockTopUnder(blocks, ankle);
+    highest = top && ankle.y - *top < standing * sole ? std::max(highest.value_or(*top), *top) : highest;
+  }
+  return highest;
+}
+
 bool isHeldIn(const Document& document, int clip, NodeIndex node) {
   return std::ranges::any_of(document.holds.props, [&](const rig::Prop& prop) {
     const NodeIndex held = rig::propNode(*document.scene, prop.node);
@@ -127,7 +144,10 @@ std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, co
     depth = std::max(depth, footDepth(*document.scene, leg, frameAt(tipSeconds + step * stepSeconds)));
   }
   const Vec3 ankle = rig::endPosition(leg, frameAt(tipSeconds));
-  const double ground = std::max(*floor, blockTopUnder(blocksOf(document, clip), ankle).value_or(*floor));
+  const std::vector<Bounds> blocks = blocksOf(document, clip);
+  const double ground =
+      std::max({*floor, blockTopUnder(blocks, ankle).value_or(*floor),
+                blockTopSoonUnder(document, clip, leg, blocks, tipSeconds).value_or(*floor)});
   return rig::StopPlane{{0.0, ground + depth, 0.0}, {0.0, -1.0, 0.0}};
 }
 

@@ -24,8 +24,8 @@ namespace stretch::app {
 [[nodiscard]] std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec3& place);
 
 /// The plane that a leg does not reach through with its tip at a frame: as far above the floor, or above the
-/// block under its foot, as the ankle is above the lowest point of the foot, which may hang down around
-/// there. Nothing where no leg stands in the clip.
+/// block under its foot or that it comes down on soon after, as the ankle is above the lowest point of the
+/// foot, which may hang down around there. Nothing where no leg stands in the clip.
 [[nodiscard]] std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip,
                                                         const rig::Limb& leg, double tipFrame);
 

@@ -43,8 +43,9 @@ std::string problemOf(const Findings& findings) {
          : findings.vertices.any() || findings.edges.any() ? "the mesh would tear"
          : findings.swings.any() || findings.jumps.any()   ? "it would be carried away where it stops"
          : findings.elbows.any()                           ? "the elbow would rise above the head"
-         : findings.ends.any() || findings.lows.any()      ? textOf(FaultKind::floor)
-                                                           : "";
+         : findings.bends.any()                            ? "a joint would bend the other way"
+         : findings.ends.any() || findings.lows.any() || findings.floors.any() ? textOf(FaultKind::floor)
+                                                                               : "";
 }
 
 // One trail by itself on the clip: solved with other settings until nothing is found.

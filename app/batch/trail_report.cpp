@@ -76,12 +76,6 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
   }
   const double before = rig::limbLength(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
   const double after = rig::limbLength(solved.limb, evaluate(document, motion, tipSeconds));
-  const double reference =
-      solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
-  const double wanted = solved.settings.scale * reference;
-  constexpr double tolerance = 1e-4;
-  const bool reached =
-      solved.tip.outcome != rig::TipOutcome::nothingToScale && std::abs(after - wanted) <= tolerance * wanted;
   Json report{{"limb", solved.limb.id},
               {"range", {solved.settings.startFrame, solved.settings.endFrame}},
               {"space", spaceName(solved.settings.space)},
@@ -91,15 +85,19 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
                                                        solved.tip.tip))},
               {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
               {"moved", solved.tip.moved},
-              {"reached", reached},
+              {"reached", hasWantedLength(document, motion, solved)},
               {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
               {"release", solved.release.seconds() * motion.framesPerSecond},
               {"limb_length_before", before},
               {"limb_length_after", after},
               {"warnings", std::move(warnings)}};
   addSeen(document, motion, solved, report);
-  if (!report["reached"].get<bool>() && isStoppedAtTip(document, motion, solved)) {
-    report["stopped"] = true;
+  const bool reached = report["reached"].get<bool>(); // as seen, where the scale counts so
+  if (const std::string kept = keptFromLength(document, motion, solved); !reached && !kept.empty()) {
+    report["kept"] = kept;
+    if (kept == stoppedOnTheWay) {
+      report["stopped"] = true;
+    }
   }
   return report;
 }
@@ -146,7 +144,7 @@ void printExaggeration(const Json& report) {
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
                trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "",
-               trail.contains("stopped") ? ", stopped on the way" : "", seenText(trail));
+               trail.contains("kept") ? ", " + trail["kept"].get<std::string>() : "", seenText(trail));
     printWarnings(trail["warnings"]);
   }
   if (report.contains("elastic")) {

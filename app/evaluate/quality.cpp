@@ -76,7 +76,7 @@ public:
       add([](rig::TrailSettings& s) { s.stopAt.reset(); },
           "set Stop at to Nowhere (a recipe without stop_at)");
     }
-    if (findings.lows.any()) {
+    if (findings.lows.any() || findings.floors.any()) {
       goNoLower();
     }
     const double early = isForwards() ? findings.firstFrame() - 1.0 : findings.lastFrame() + 1.0;
@@ -109,6 +109,10 @@ private:
     }
     if (!isStoppedAtTip(document_, motion_, trail_)) {
       stopAt(lowestPlace_);
+      if (const std::optional<rig::StopPlane> floor =
+              floorForLeg(document_, motion_.clip, trail_.limb, tipFrameOf(trail_.settings))) {
+        stopAt(floor->point.y);
+      }
     }
   }
 
@@ -204,7 +208,8 @@ std::string adviceFor(const Document& document, const rig::MotionState& motion, 
   return smaller + (smaller.empty() || other.empty() ? "" : ", or ") + other;
 }
 
-std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, const std::string& advice) {
+std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, bool knowsFloor,
+                               const std::string& advice) {
   std::vector<std::string> warnings;
   const auto warn = [&](const Finding& finding, const std::string& found) {
     if (finding.any()) {
@@ -233,6 +238,14 @@ std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, 
   warn(findings.lows, fmt::format("the limb is {:.3g} below the lowest place of the body in the clip, most "
                                   "likely through the floor,",
                                   findings.lows.worst));
+  if (!findings.ends.any() && !findings.lows.any()) {
+    warn(findings.floors, fmt::format("the limb's surface is {:.3g} below {}", findings.floors.worst,
+                                      knowsFloor ? "the floor"
+                                                 : "the lowest place of the body in the clip, most likely "
+                                                   "through the floor,"));
+  }
+  warn(findings.bends, fmt::format("a joint bends the other way than in the clip, by {:.0f} degrees",
+                                   findings.bends.worst * 180.0 / pi));
   return warnings;
 }
 
@@ -247,7 +260,8 @@ std::vector<std::string> motionWarnings(const Document& document, const rig::Mot
   const Findings findings = look.findings(aloneIn(motion, trail.trail.id));
   std::vector<std::string> warnings;
   if (findings.any()) {
-    warnings = lines(trail.limb, findings, adviceFor(document, motion, trail, look, findings));
+    warnings =
+        lines(trail.limb, findings, look.knowsFloor(), adviceFor(document, motion, trail, look, findings));
   }
   const std::vector<std::string> parts = partsLeftBehind(document, trail.limb, look.moved());
   warnings.insert(warnings.end(), parts.begin(), parts.end());

@@ -1,7 +1,13 @@
 #include "app/evaluate/stopped.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/hold_report.h"
+#include "rig/motion/evaluate.h"
 #include "rig/motion/paths.h"
 
 namespace stretch::app {
@@ -25,6 +31,36 @@ bool isStoppedAtTip(const Document& document, const rig::MotionState& motion,
             .exaggerated;
       };
   return tipIn(motion) != tipIn(unstopped);
+}
+
+bool hasWantedLength(const Document& document, const rig::MotionState& motion,
+                     const rig::SolvedTrail& solved) {
+  constexpr double tolerance = 1e-4;
+  const rig::LimbSample& tip =
+      solved.settings.pivot == rig::Pivot::start ? solved.path.samples.back() : solved.path.samples.front();
+  const double reference = solved.settings.reference == rig::Reference::pose ? glm::length(tip.end - tip.base)
+                                                                             : solved.limb.restLength;
+  const double wanted = solved.settings.scale * reference;
+  const double after = rig::limbLength(solved.limb, evaluate(document, motion, solved.tipSeconds));
+  return solved.tip.outcome != rig::TipOutcome::nothingToScale &&
+         std::abs(after - wanted) <= tolerance * wanted;
+}
+
+std::string keptFromLength(const Document& document, const rig::MotionState& motion,
+                           const rig::SolvedTrail& solved) {
+  const bool isAsked = solved.active && solved.tip.outcome != rig::TipOutcome::nothingToScale &&
+                       (solved.settings.scale != 1.0 || solved.settings.spheres.empty());
+  if (!isAsked || hasWantedLength(document, motion, solved)) {
+    return {};
+  }
+  FrameState frame =
+      rig::adjustedFrame(*document.scene, clipOf(document, motion.clip), motion, solved.tipSeconds);
+  for (const rig::HeldGoal& goal : rig::applyTrailsAndHolds(*document.scene, motion, frame)) {
+    if (motion.holds.limbs[goal.limb].limb.id == solved.limb.id) {
+      return std::string("held by a ") + holdWord(goal.kind);
+    }
+  }
+  return isStoppedAtTip(document, motion, solved) ? stoppedOnTheWay : "";
 }
 
 } // namespace stretch::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/document.h"
 #include "rig/motion/motion.h"
 
@@ -9,5 +11,16 @@ namespace stretch::app {
 /// plane that its limb never reaches. `solved`: of that motion.
 [[nodiscard]] bool isStoppedAtTip(const Document& document, const rig::MotionState& motion,
                                   const rig::SolvedTrail& solved);
+
+/// Whether the limb has the length at the tip that is asked of it, within 1e-4, with all that acts on it.
+[[nodiscard]] bool hasWantedLength(const Document& document, const rig::MotionState& motion,
+                                   const rig::SolvedTrail& solved);
+
+inline constexpr const char* stoppedOnTheWay = "stopped on the way";
+
+/// Names what keeps a limb from that length though its path reaches it: stoppedOnTheWay, or "held by a grip".
+/// Empty where nothing does.
+[[nodiscard]] std::string keptFromLength(const Document& document, const rig::MotionState& motion,
+                                         const rig::SolvedTrail& solved);
 
 } // namespace stretch::app

@@ -25,6 +25,7 @@ namespace {
 
 constexpr double room = 1.5;
 constexpr double farthestTurn = 120.0 * pi / 180.0; // beyond it an arm or a leg looks torn out and put back
+constexpr double clearBend = 15.0 * pi / 180.0;     // of a joint: less is as good as straight
 constexpr double longestEdge = 4.0;                 // times its length, on a limb that is hardly longer
 constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
 constexpr double placeMargin = 0.02;                // of the height
@@ -121,6 +122,9 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
   if (!lowestEnd_) {
     findLowestPlace();
   }
+  if (surface_.movedCount() > 0) {
+    findGround();
+  }
 }
 
 void TrailLook::findHead() {
@@ -198,6 +202,35 @@ void TrailLook::findLowestPlace() {
     lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
   }
   lowestPlace_ = std::isfinite(lowest) ? std::optional(lowest) : std::nullopt;
+}
+
+// No lower than the lowest vertex in the clip; where feet stand on no floor, nor than the lowest joint and
+// what is lowest in the bind pose.
+void TrailLook::findGround() {
+  constexpr double mostFrames = 48.0;
+  const Scene& scene = *document_.scene;
+  const Clip& clip = clipOf(document_, clip_);
+  const skinning::SurfacePart whole(scene, std::vector<bool>(scene.nodes.size(), true));
+  double lowest = std::numeric_limits<double>::infinity();
+  std::vector<glm::vec3> places;
+  const auto lookAt = [&](const FrameState& frame) {
+    whole.positions(frame, places);
+    for (const glm::vec3& place : places) {
+      lowest = std::min(lowest, static_cast<double>(place.y));
+    }
+  };
+  const double step = std::max(1.0, endInFrames(clip) / mostFrames);
+  for (double frame = 0.0; frame <= endInFrames(clip); frame += step) {
+    lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
+  }
+  const std::optional<double> floor = floorHeight(document_, clip_);
+  knowsFloor_ = floor.has_value();
+  if (!knowsFloor_) {
+    FrameState bind;
+    bind.worlds = rig::bindPoseWorlds(scene);
+    lookAt(bind);
+  }
+  ground_ = knowsFloor_ ? std::max(*floor, lowest) : std::min(lowestPlace_.value_or(lowest), lowest);
 }
 
 // One trail on its frames.
@@ -282,6 +315,34 @@ private:
     if (turn > farthestTurn) {
       findings_.turns.add(frame, turn, turn);
     }
+    lookAtBends(frame);
+  }
+
+  // Each joint seen from the bone that carries it, in whose frame it is a hinge.
+  void lookAtBends(double frame) {
+    if (!rig::hasElbowOrKnee(trail_.limb)) {
+      return;
+    }
+    const std::vector<Vec3> before = rig::limbPoints(trail_.limb, before_);
+    const std::vector<Vec3> after = rig::limbPoints(trail_.limb, after_);
+    for (std::size_t i = 1; i + 1 < before.size(); ++i) {
+      const std::size_t bone = at(trail_.limb.joints[i - 1]);
+      const auto bendIn = [&](const std::vector<Vec3>& points, const FrameState& pose) {
+        const Vec3 first = points[i] - points[i - 1];
+        const Vec3 second = points[i + 1] - points[i];
+        const Vec3 axis = glm::cross(first, second);
+        const double length = glm::length(axis);
+        return length > 0.0 ? glm::inverse(rotationOf(pose.worlds[bone])) * axis *
+                                  (angleBetween(first, second) / length)
+                            : Vec3(0.0);
+      };
+      const Vec3 was = bendIn(before, before_);
+      const Vec3 is = bendIn(after, after_);
+      const double other = std::min(glm::length(was), glm::length(is));
+      if (other > clearBend && glm::dot(was, is) < 0.0) {
+        findings_.bends.add(frame, glm::length(is), glm::length(is));
+      }
+    }
   }
 
   // How far the limb's end is carried from its place in the source.
@@ -360,6 +421,22 @@ private:
       lookAtVertices(frame);
     }
     lookAtEdges(frame);
+    lookAtGround(frame);
+  }
+
+  void lookAtGround(double frame) {
+    const auto lowestOf = [&](const std::vector<glm::vec3>& places) {
+      const auto end = places.begin() + static_cast<std::ptrdiff_t>(look_.surface_.movedCount());
+      return static_cast<double>(
+          std::min_element(places.begin(), end, [](const glm::vec3& a, const glm::vec3& b) {
+            return a.y < b.y;
+          })->y);
+    };
+    const double below = *look_.ground_ - lowestOf(to_);
+    const double margin = placeMargin * height();
+    if (below > margin && below > *look_.ground_ - lowestOf(from()) + margin) {
+      findings_.floors.add(frame, below, below);
+    }
   }
 
   // Places in the source, which most frames need not.

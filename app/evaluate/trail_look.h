@@ -37,10 +37,12 @@ struct Findings {
   Finding elbows;   ///< World units of an arm's joint above the head.
   Finding ends;     ///< World units of the limb's end below the floor.
   Finding lows;     ///< World units of the limb below all that the body has in the clip.
+  Finding floors;   ///< World units of the mesh below the floor, or below all that the body has in the clip.
+  Finding bends;    ///< Radians by which a joint bends the other way.
   double tipDisplacement = 0.0;
 
-  [[nodiscard]] std::array<const Finding*, 9> each() const {
-    return {&lengths, &turns, &vertices, &swings, &jumps, &edges, &elbows, &ends, &lows};
+  [[nodiscard]] std::array<const Finding*, 11> each() const {
+    return {&lengths, &turns, &vertices, &swings, &jumps, &edges, &elbows, &ends, &lows, &floors, &bends};
   }
 
   [[nodiscard]] bool any() const;
@@ -66,6 +68,8 @@ public:
 
   /// Lowest place of the body in the clip and in the bind pose, where no floor is known for the limb's end.
   [[nodiscard]] std::optional<double> lowestPlace() const { return lowestPlace_; }
+  /// Whether a floor is known: feet stand on it in the clip.
+  [[nodiscard]] bool knowsFloor() const { return knowsFloor_; }
 
 private:
   class Walk;
@@ -85,6 +89,7 @@ private:
   void findHead();
   void findFloor(const rig::Limb& limb);
   void findLowestPlace();
+  void findGround();
 
   const Document& document_;
   int clip_ = -1;
@@ -95,6 +100,8 @@ private:
   std::optional<Head> head_;
   std::optional<double> lowestEnd_;
   std::optional<double> lowestPlace_;
+  std::optional<double> ground_; // that no vertex may go below
+  bool knowsFloor_ = false;
 };
 
 } // namespace stretch::app

@@ -92,13 +92,37 @@ double bendSide(const Chain& chain, const Vec3& bendNormal) {
 
 // Bones turned about the bend normal, each further than the one before: 0 as they are, 1 a straight chain of
 // equal bones rolled up to a closed ring. Works for a straight chain too, which has no planes of its own.
-std::vector<Quat> curled(const Chain& chain, double amount, const Vec3& bendNormal) {
+std::vector<Quat> rolledUp(const Chain& chain, double amount, const Vec3& bendNormal) {
   std::vector<Quat> turns;
   const auto count = static_cast<double>(chain.bones.size());
   const double ring = 2.0 * pi * bendSide(chain, bendNormal);
   for (std::size_t i = 0; i < chain.bones.size(); ++i) {
     const double place = (static_cast<double>(i) + 0.5) / count - 0.5;
     turns.push_back(axisAngle(bendNormal, amount * ring * place));
+  }
+  return turns;
+}
+
+// How far the bone that is farthest aside of the chord points away from it.
+double farthestAside(const Chain& chain) {
+  double farthest = 0.0;
+  for (const Vec3& bone : chain.bones) {
+    farthest = std::max(farthest, angleBetween(bone, chain.chord));
+  }
+  return farthest;
+}
+
+// 0 as the chain is, 1 as short as it gets: each joint bends on the way it is bent, at most until a bone
+// points back along the chord; the less clear that way is, the more the chain is rolled up instead.
+std::vector<Quat> curled(const Chain& chain, double amount, const Vec3& bendNormal) {
+  constexpr double clear = 25.0 * pi / 180.0;
+  const double aside = farthestAside(chain);
+  const double own = smoothstep(aside / clear);
+  const double farther = aside > 0.0 ? std::max(pi - aside, 0.0) / aside : 0.0;
+  std::vector<Quat> turns = uncurled(chain, -own * amount * farther, bendNormal);
+  const std::vector<Quat> rolled = rolledUp(chain, (1.0 - own) * amount, bendNormal);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    turns[i] = rolled[i] * turns[i];
   }
   return turns;
 }

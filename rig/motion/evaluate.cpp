@@ -12,6 +12,7 @@
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
 #include "rig/motion/range_offset.h"
+#include "rig/motion/stop.h"
 #include "rig/reach/limb_deform.h"
 
 namespace stretch::rig {
@@ -19,17 +20,6 @@ namespace stretch::rig {
 namespace {
 
 constexpr double shortestReachOfRest = 1e-3;
-
-// The stop plane cuts the way from the original to the exaggerated point: the limb's end comes as far as the
-// plane.
-Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target) {
-  const double before = glm::dot(plane.normal, original - plane.point);
-  const double after = glm::dot(plane.normal, target - plane.point);
-  if (after <= 0.0 || before >= 0.0) {
-    return after <= 0.0 ? target : original;
-  }
-  return original + (target - original) * (before / (before - after));
-}
 
 bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
   const double rounding = keyTimeRounding(timeSeconds);
@@ -143,7 +133,8 @@ Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& 
                                                                       : carry.point(sample.end);
   target.wanted = target.original + carry.vector(0.5 * solved.settings.blend * amount.offset);
   if (solved.settings.stopAt) {
-    target.wanted = stoppedAt(*solved.settings.stopAt, target.original, target.wanted);
+    target.wanted =
+        stoppedTarget(solved, {carry.baseNow, target.original, target.wanted, sample.timeSeconds});
   }
   return target;
 }

@@ -37,6 +37,13 @@ struct PathKey {
   friend bool operator==(const PathKey&, const PathKey&) = default;
 };
 
+/// A span in which a limb's end keeps its place.
+struct Rest {
+  double startSeconds = 0.0;
+  double endSeconds = 0.0;
+  Vec3 place{0.0}; ///< World.
+};
+
 /// A trail's original path and all that follows from it alone.
 struct OriginalPath {
   PathKey pathKey;
@@ -45,6 +52,7 @@ struct OriginalPath {
   std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
   std::optional<double> nextKeySeconds; ///< secondsToNextKey.
   std::vector<double> chosenFrames;     ///< chooseControlFrames.
+  std::optional<std::vector<Rest>> rests; ///< restsIn around the range, once a trail on it has a stop.
 };
 
 /// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
@@ -66,6 +74,7 @@ struct SolvedTrail : OriginalPath {
   double windowStartSeconds = 0.0; ///< Range, release and fade: outside nothing moves.
   double windowEndSeconds = 0.0;
   std::vector<double> controlFrames; ///< Frames of the control spheres.
+  bool comesToRest = false;          ///< At its stop, on the way back: rig::comesToRest.
   bool active = false;               ///< The character follows it.
   std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
 };

@@ -16,6 +16,7 @@
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
 #include "rig/motion/solve_steps.h"
+#include "rig/motion/stop.h"
 #include "rig/motion/trail_camera.h"
 
 namespace stretch::rig {
@@ -146,6 +147,21 @@ OriginalPath originalPath(const MotionInput& input, const MotionState& motion, c
   return samplePath(input, limb, key, frames);
 }
 
+// Around the range, as far as a way back may go: where the limb's end rests.
+void setRests(const MotionInput& input, const MotionState& motion, const Limb& limb,
+              const TrailSettings& used, OriginalPath& original) {
+  constexpr double leastSeconds = 2.0;
+  if (!used.stopAt || original.rests) {
+    return;
+  }
+  const double fps = input.clip->framesPerSecond;
+  const double around = std::max(leastSeconds, 2.0 * (used.endFrame - used.startFrame) / fps);
+  FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
+                     motion.adjustedFrames.get());
+  original.rests =
+      restsIn(*input.clip, limb, {used.startFrame / fps - around, used.endFrame / fps + around}, frames);
+}
+
 // The camera that judges a trail, where it stands at the tip.
 std::optional<CameraPlace> cameraOf(const MotionInput& input, const MotionState& motion, const Sight& sight,
                                     double tipSeconds, Places& places) {
@@ -170,6 +186,7 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
   const double fps = input.clip->framesPerSecond;
   SolvedTrail solved;
   static_cast<OriginalPath&>(solved) = originalPath(input, motion, limb, pathKeyOf(limb.id, used));
+  setRests(input, motion, limb, used, solved);
   solved.trail = trail;
   solved.limb = limb;
   solved.settings = used;
@@ -266,6 +283,7 @@ void setRelease(const MotionInput& input, SolvedTrail& solved) {
   solved.wantedReleaseSeconds = length.wantedSeconds;
   solved.calmReleaseSeconds = length.calmSeconds;
   setWindow(solved, pullsPivot(solved, input.clip->framesPerSecond) ? length.seconds : 0.0);
+  solved.comesToRest = solved.settings.stopAt && comesToRest(solved);
 }
 
 } // namespace stretch::rig

@@ -1,5 +1,7 @@
 // The recipes of the thesis's three evaluations (docs/recipes) on the bundled clips.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -226,9 +228,79 @@ TEST_CASE("The leap stretches arms and legs in the air, and the landing the trun
       return most;
     };
     CHECK(longest("left-arm", 36.0, 42.0) > scale);
-    CHECK(longest("left-leg", 36.0, 42.0) > 1.15);
+    CHECK(longest("left-leg", 36.0, 46.0) > scale);
+    CHECK(longest("left-leg", 54.0, 62.0) > 1.25);
     CHECK(longest("right-arm", 54.0, 62.0) > scale);
     CHECK(longest("spine", 54.0, 62.0) > scale);
     CHECK(longest("neck", 54.0, 62.0) > scale);
   }
+}
+
+namespace {
+
+constexpr std::array feet{"LeftFoot", "RightFoot"};
+
+/// The farthest that a foot's way bends from one frame to the next.
+double roughest(const Seen& seen, const std::string& foot, double first, double last) {
+  double most = 0.0;
+  for (double frame = first + 1.0; frame < last; frame += 1.0) {
+    const auto at = [&](double other) { return placeOf(seen.scene(), seen.at(other), foot); };
+    most = std::max(most, glm::length(at(frame - 1.0) - 2.0 * at(frame) + at(frame + 1.0)));
+  }
+  return most;
+}
+
+} // namespace
+
+TEST_CASE("In the exaggerated leap the legs stay behind, no farther than where they leave the ground") {
+  constexpr double leaves = 35.0;
+  const Document source = bundled("dummy_leap.glb");
+  inBothVersions(source, "leap", [&](const Seen& before, const Seen& after) {
+    for (const char* const foot : feet) {
+      CAPTURE(foot);
+      const double back = placeOf(before.scene(), before.at(leaves), foot).z;
+      double farthest = 0.0;
+      for (double frame = leaves; frame <= 50.0; frame += 1.0) {
+        CAPTURE(frame);
+        const Vec3 place = placeOf(after.scene(), after.at(frame), foot);
+        const Vec3 moved = place - placeOf(before.scene(), before.at(frame), foot);
+        CHECK(place.z > back - 0.11);
+        CHECK(std::abs(moved.y) < 0.02 - moved.z); // Back, and at most as much down.
+        CHECK(moved.z < 0.001);
+        farthest = std::max(farthest, -moved.z);
+      }
+      CHECK(farthest > 0.25);
+    }
+  });
+}
+
+TEST_CASE("The leap is longer at twice the length than at one and a half") {
+  const Document source = bundled("dummy_leap.glb");
+  const Document twice = played(source, "simple-leap");
+  const Document less = played(source, "refined-leap");
+  for (const double frame : {42.0, 44.0, 46.0}) {
+    CAPTURE(frame);
+    CHECK(placeOf(*source.scene, Seen(twice).at(frame), "LeftFoot").z <
+          placeOf(*source.scene, Seen(less).at(frame), "LeftFoot").z - 0.05);
+  }
+}
+
+TEST_CASE("Feet touch the platform no earlier than in the clip, and come down as smoothly") {
+  constexpr double touches = 63.0;
+  const Document source = bundled("dummy_leap.glb");
+  inBothVersions(source, "leap", [&](const Seen& before, const Seen& after) {
+    for (const char* const foot : feet) {
+      CAPTURE(foot);
+      const auto heightIn = [&](const Seen& seen, double frame) {
+        return placeOf(seen.scene(), seen.at(frame), foot).y -
+               placeOf(before.scene(), before.at(touches), foot).y;
+      };
+      for (double frame = 54.0; frame < touches - 1.0; frame += 0.5) {
+        CAPTURE(frame);
+        CHECK(heightIn(after, frame) > 0.2 * heightIn(before, frame));
+        CHECK(heightIn(after, frame) > heightIn(after, frame + 0.5)); // On its way down all the time.
+      }
+      CHECK(roughest(after, foot, 51.0, 72.0) < 1.5 * roughest(before, foot, 51.0, 72.0));
+    }
+  });
 }

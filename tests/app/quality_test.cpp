@@ -294,11 +294,26 @@ TEST_CASE("a limb that reaches below all that the body does in the clip is told,
   Document document = punching(10.0, 1.0);
   document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -0.4, 0.0)}};
   CHECK(warningsOf(document).empty()); // The hand is at 1.1, the hips are at 1.
-  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -0.7, 0.0)}};
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -0.65, 0.0)}};
   const std::vector<std::string> warnings = warningsOf(document);
   REQUIRE_FALSE(warnings.empty());
-  CHECK_THAT(warnings.back(), Contains("the limb is 0.2 below the lowest place of the body in the clip") &&
+  CHECK_THAT(warnings.back(), Contains("the limb is 0.15 below the lowest place of the body in the clip") &&
                                   Contains("stop the limb's end at the floor, below y = 1"));
+}
+
+TEST_CASE("a surface below all that the body does is told, though the joints in it are not there") {
+  Document document = punching(10.0, 1.0);
+  addRigidPart(document, "Claw", findLimb(document, "left-arm")->endNode, Vec3(0.0, -0.3, 0.0));
+  const auto told = [&](double lower) {
+    document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -lower, 0.0)}};
+    const std::vector<std::string> warnings = warningsOf(document);
+    const auto found = std::ranges::find_if(
+        warnings, [](const std::string& warning) { return warning.starts_with("the limb's surface is"); });
+    return found == warnings.end() ? std::string() : *found;
+  };
+  CHECK(told(0.15).empty()); // The claw is at 1.05, the hips are at 1.
+  CHECK_THAT(told(0.4), Contains("0.2 below the lowest place of the body in the clip"));
+  CHECK_THAT(told(0.4), Contains("at frame") && Contains("10"));
 }
 
 TEST_CASE("a hand that is carried off and brought back is told as that, not as a vertex") {
@@ -311,14 +326,31 @@ TEST_CASE("a hand that is carried off and brought back is told as that, not as a
 }
 
 TEST_CASE("a limb that jumps where its stop lets it go is told, and that it may stop nowhere") {
+  Document document = punching(10.0, 1.5);
+  std::vector<Clip> clips = *document.clips;
+  clips.front().tracks.front().edit([](Track& track) { // The hand rests up to frame 6.
+    track.times = {0.0F, 6.0F / 30.0F, 10.0F / 30.0F, 20.0F / 30.0F};
+    std::copy_n(track.values.begin(), 4, track.values.begin() + 4);
+  });
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  rig::TrailSettings& settings = document.trails.front().settings;
+  settings.axes = {false, false, false};
+  settings.stopAt = rig::StopPlane{{0.0, 1.49, 0.0}, {0.0, -1.0, 0.0}}; // Just below where the hand is.
+  for (const double frame : {3.0, 6.0, 8.0, 10.0}) {
+    settings.spheres.push_back({frame, Vec3(0.5, -0.2, 0.0), {}});
+  }
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_THAT(warnings.front(), Contains("the hand jumps by 0.") && Contains("where it stops at frame") &&
+                                   Contains("set Stop at to Nowhere"));
+  settings.stopAt.reset();
+  CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("a limb that is beyond its stop leaves it without a jump") {
   Document document = punching(10.0, 1.0);
   rig::TrailSettings& settings = document.trails.front().settings;
   settings.stopAt = rig::StopPlane{{0.0, 1.52, 0.0}, {0.0, -1.0, 0.0}}; // Just above where the hand is.
   settings.spheres = {{5.0, Vec3(0.3, 0.0, 0.0)}, {6.0, Vec3(0.3, 0.05, 0.0)}, {10.0, Vec3(0.3, 0.2, 0.0)}};
-  const std::vector<std::string> warnings = warningsOf(document);
-  REQUIRE_FALSE(warnings.empty());
-  CHECK_THAT(warnings.front(), Contains("the hand jumps by 0.3") && Contains("where it stops at frame 6") &&
-                                   Contains("set Stop at to Nowhere"));
-  settings.stopAt.reset();
   CHECK(warningsOf(document).empty());
 }

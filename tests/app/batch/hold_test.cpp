@@ -139,6 +139,21 @@ TEST_CASE("the second hand keeps its relation to the first, whatever a trail mak
   }
 }
 
+TEST_CASE("what holds a hand back from the length of its own trail is told beside that length") {
+  const test::TemporaryFolder folder;
+  Json recipe = heldRecipe("grips", {{"leader", "left-arm"}, {"follower", "right-arm"}, {"range", {0, 40}}});
+  recipe["trails"] = Json::array({{{"limb", "right-arm"}, {"range", {21, 27}}, {"scale", 2}}});
+  const std::string written = folder.write("held.json", recipe.dump()).string();
+  const std::string output = (folder / "held.glb").string();
+  const std::vector<std::string> words{"exaggerate", posedCharacter, "-o", output, "--recipe", written};
+  CHECK_THAT(test::runVerb(words).output, Catch::Contains("long, held by a grip"));
+  std::vector<std::string> asJson = words;
+  asJson.emplace_back("--json");
+  const Json report = Json::parse(test::runVerb(asJson).output);
+  CHECK_FALSE(report["trails"][0]["reached"].get<bool>());
+  CHECK(report["trails"][0]["kept"] == "held by a grip");
+}
+
 TEST_CASE("an arm that a trail has stretched is no longer than it has to be where it is pinned") {
   const Document source = openedFile(posedCharacter);
   Document document = test::withNewTrail(source, {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});

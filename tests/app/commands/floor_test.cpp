@@ -46,6 +46,7 @@ TEST_CASE("A leg that comes down on a block stops at its top, one that leaves th
   CHECK(stopOf(10.0, 18.0) < platformTop);
   CHECK(stopOf(52.0, 62.0) > platformTop);
   CHECK(stopOf(52.0, 62.0) < platformTop + 0.2);
+  CHECK(stopOf(52.0, 58.0) > platformTop); // Still in front of it, on the way down.
 }
 
 TEST_CASE("A foot that hangs down stops higher, so that its toes do not reach through the floor") {

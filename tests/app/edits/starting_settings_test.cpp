@@ -88,7 +88,7 @@ TEST_CASE("A trail that the command line gives to a hoof stops at the ground") {
               .exitCode == 0);
   CHECK(openedFile(output).trails.front().settings.stopAt);
   const VerbAnswer down = runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg",
-                                   "--range", "0:6", "--scale", "3", "--json"});
+                                   "--range", "0:6", "--scale", "12", "--axes", "y", "--json"});
   CHECK_THAT(down.output, Catch::Contains(R"("stopped": true)"));
 }
 

@@ -154,6 +154,27 @@ TEST_CASE("a limb that straightens to be squashed curls until it is at the targe
   }
 }
 
+TEST_CASE("a hind leg that is squashed folds at its own joints, each on the way it is bent") {
+  LimbShapeProblem problem = bentLimb({0.4}, 0.0);
+  for (const double angle : {-1.0, 0.7, -0.2}) {
+    problem.points.push_back(problem.points.back() + 0.3 * Vec3(std::cos(angle), std::sin(angle), 0.1));
+    problem.restLength += 0.3;
+  }
+  problem.bend = Bend::straighten;
+  for (const double share : {0.95, 0.8, 0.6}) {
+    CAPTURE(share);
+    aimAt(problem, problem.points.back() - problem.points.front(), share * reachOf(problem));
+    const std::vector<Vec3> points = shapedPoints(problem, solveLimbShape(problem));
+    CHECK(glm::length(points.back() - problem.target) < 1e-6);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const auto bendOf = [&](const std::vector<Vec3>& of) {
+        return glm::cross(of[i] - of[i - 1], of[i + 1] - of[i]);
+      };
+      CHECK(glm::dot(bendOf(points), bendOf(problem.points)) > 0.0);
+    }
+  }
+}
+
 TEST_CASE(
     "a limb that is bent against its usual side is bent farther or less on the side that it is bent to") {
   const std::vector<double> bones =

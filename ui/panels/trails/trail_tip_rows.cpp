@@ -9,6 +9,7 @@
 #include "app/edits/trail/style_edits.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/seen.h"
+#include "app/evaluate/stopped.h"
 #include "app/evaluate/way_back.h"
 #include "rig/motion/solve.h"
 #include "ui/panels/context/setting_rows.h"
@@ -128,6 +129,9 @@ LookState lookNow(const app::Document& document, std::shared_ptr<const rig::Moti
   if (const auto wayBack = app::wayBackProblem(document, *motion, solved)) {
     look.warnings.push_back(wayBack->what);
     look.clipCouldLoop = wayBack->loopHelps;
+  }
+  if (const std::string kept = app::keptFromLength(document, *motion, solved); !kept.empty()) {
+    look.warnings.push_back(kept + ", it does not get as long at the tip as it is to be");
   }
   look.bodyTravels = solved.settings.space == rig::TrailSpace::root && bodyTravels(document, solved);
   look.motion = std::move(motion);
