@@ -103,24 +103,38 @@ std::vector<Quat> rolledUp(const Chain& chain, double amount, const Vec3& bendNo
   return turns;
 }
 
-// How far the bone that is farthest aside of the chord points away from it.
-double farthestAside(const Chain& chain) {
-  double farthest = 0.0;
-  for (const Vec3& bone : chain.bones) {
-    farthest = std::max(farthest, angleBetween(bone, chain.chord));
+// How many times as far aside of the chord each bone may point before a joint folds onto itself or a bone
+// points back along the chord, and how far the farthest one points aside.
+struct Folding {
+  double most = 1.0;
+  double aside = 0.0;
+};
+
+Folding foldingOf(const Chain& chain) {
+  constexpr double farthestAside = 120.0 * pi / 180.0;
+  constexpr double farthestBend = 165.0 * pi / 180.0;
+  Folding folding;
+  double bend = 0.0;
+  for (std::size_t i = 0; i < chain.bones.size(); ++i) {
+    folding.aside = std::max(folding.aside, angleBetween(chain.bones[i], chain.chord));
+    bend = i > 0 ? std::max(bend, angleBetween(chain.bones[i - 1], chain.bones[i])) : bend;
   }
-  return farthest;
+  if (folding.aside > 0.0 && bend > 0.0) {
+    folding.most = std::max(1.0, std::min(farthestAside / folding.aside, farthestBend / bend));
+  }
+  return folding;
 }
 
-// 0 as the chain is, 1 as short as it gets: each joint bends on the way it is bent, at most until a bone
-// points back along the chord; the less clear that way is, the more the chain is rolled up instead.
+// 0 as the chain is, 1 as short as it gets: first each joint bends on the way it is bent, then that goes over
+// into rolling up; the less clear that way is, the more of it is rolling up from the beginning.
 std::vector<Quat> curled(const Chain& chain, double amount, const Vec3& bendNormal) {
   constexpr double clear = 25.0 * pi / 180.0;
-  const double aside = farthestAside(chain);
-  const double own = smoothstep(aside / clear);
-  const double farther = aside > 0.0 ? std::max(pi - aside, 0.0) / aside : 0.0;
-  std::vector<Quat> turns = uncurled(chain, -own * amount * farther, bendNormal);
-  const std::vector<Quat> rolled = rolledUp(chain, (1.0 - own) * amount, bendNormal);
+  const Folding folding = foldingOf(chain);
+  const double own = smoothstep(folding.aside / clear);
+  const double fold = own * (1.0 - std::abs(2.0 * amount - 1.0)) * (folding.most - 1.0);
+  const double roll = (1.0 - own) * amount + own * std::max(0.0, 2.0 * amount - 1.0);
+  std::vector<Quat> turns = uncurled(chain, -fold, bendNormal);
+  const std::vector<Quat> rolled = rolledUp(chain, roll, bendNormal);
   for (std::size_t i = 0; i < turns.size(); ++i) {
     turns[i] = rolled[i] * turns[i];
   }

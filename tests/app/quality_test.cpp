@@ -7,6 +7,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/trail_look.h"
+#include "core/math/rotation.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/nodes.h"
@@ -314,6 +315,37 @@ TEST_CASE("a surface below all that the body does is told, though the joints in 
   CHECK(told(0.15).empty()); // The claw is at 1.05, the hips are at 1.
   CHECK_THAT(told(0.4), Contains("0.2 below the lowest place of the body in the clip"));
   CHECK_THAT(told(0.4), Contains("at frame") && Contains("10"));
+}
+
+TEST_CASE("a joint that a path folds through to its other side is told with its frames") {
+  Document document = punching(10.0, 1.0);
+  document.trails.front().settings.bend = rig::Bend::straighten;
+  rig::Limb& arm = document.body.limbs[static_cast<std::size_t>(
+      std::ranges::find(document.body.limbs, "left-arm", &rig::Limb::id) - document.body.limbs.begin())];
+  Scene scene = *document.scene;
+  const NodeIndex wrist = arm.endNode;
+  arm.endNode = test::addNode(scene, "LeftFingers", wrist, {0.3, 0.0, 0.0});
+  arm.joints.push_back(wrist);
+  arm.restLength = 0.9;
+  const auto bend = [&](NodeIndex node, double radians) {
+    scene.nodes[at(node)].rest.rotation = axisAngle(Vec3(0.0, 1.0, 0.0), radians);
+  };
+  bend(arm.joints[1], 0.35);
+  bend(arm.joints[2], -0.35);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  const auto told = [&] {
+    const std::vector<std::string> warnings = warningsOf(document);
+    const auto found = std::ranges::find_if(warnings, [](const std::string& warning) {
+      return warning.starts_with("a joint bends the other way");
+    });
+    return found == warnings.end() ? std::string() : *found;
+  };
+  const FrameState there = evaluateOriginal(document, 0, 5.0 / 30.0);
+  const Vec3 reach = rig::endPosition(arm, there) - positionOf(there.worlds[at(arm.joints.front())]);
+  document.trails.front().settings.spheres = {{5.0, -0.4 * reach, {}}};
+  CHECK(told().empty()); // It folds, as it does in the clip.
+  document.trails.front().settings.spheres = {{5.0, -0.97 * reach, {}}};
+  CHECK_THAT(told(), Contains("than in the clip, by") && Contains("at frame"));
 }
 
 TEST_CASE("a hand that is carried off and brought back is told as that, not as a vertex") {
