@@ -124,10 +124,12 @@ public:
 private:
   // A picture stands in place of the colour, as in the programs that write such files.
   Json surfaceOf(const aiMaterial& material) {
-    aiColor3D colour(0.8F, 0.8F, 0.8F);
+    aiColor3D colour;
     float opacity = 1.0F;
     float shininess = 0.0F;
-    material.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+    if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS) {
+      colour = {0.8F, 0.8F, 0.8F};
+    }
     material.Get(AI_MATKEY_OPACITY, opacity);
     material.Get(AI_MATKEY_SHININESS, shininess);
     int picture = textureOf(material, aiTextureType_DIFFUSE);

@@ -34,10 +34,6 @@ std::size_t GlbParts::add(const char* list, const Json& entry) {
   return entries.size() - 1;
 }
 
-Json& GlbParts::entry(const char* list, std::size_t index) {
-  return (*json_)[list][index];
-}
-
 std::size_t GlbParts::addBytes(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t alignment = 4;
   bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
@@ -53,8 +49,8 @@ std::size_t GlbParts::addAccessor(std::span<const std::uint8_t> bytes, Json acce
 }
 
 std::size_t GlbParts::addFloats(const std::vector<float>& values, const std::string& type, bool withBounds) {
-  const auto known = floats_.find(values);
-  if (type == "SCALAR" && known != floats_.end()) {
+  const bool areTimes = type == "SCALAR" && withBounds;
+  if (const auto known = times_.find(values); areTimes && known != times_.end()) {
     return known->second;
   }
   const std::size_t width = widthOf(type);
@@ -70,8 +66,8 @@ std::size_t GlbParts::addFloats(const std::vector<float>& values, const std::str
     accessor["max"] = greatest;
   }
   const std::size_t index = addAccessor(asBytes(values), std::move(accessor));
-  if (type == "SCALAR") {
-    floats_[values] = index;
+  if (areTimes) {
+    times_[values] = index;
   }
   return index;
 }

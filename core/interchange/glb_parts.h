@@ -19,10 +19,9 @@ public:
 
   /// Index of the entry in the list of that name ("nodes").
   std::size_t add(const char* list, const gltf::Json& entry);
-  [[nodiscard]] gltf::Json& entry(const char* list, std::size_t index);
 
   /// Index of an accessor: values of "SCALAR", "VEC3", "MAT4" and so on; with the least and greatest of each
-  /// where the specification asks for them. The same values are written once.
+  /// where the specification asks for them. The same times are written once.
   std::size_t addFloats(const std::vector<float>& values, const std::string& type, bool withBounds = false);
   /// Joints of vertices: four in a row each.
   std::size_t addJoints(const std::vector<std::uint16_t>& joints);
@@ -38,7 +37,7 @@ private:
 
   gltf::JsonDocument json_;
   Bytes bytes_;
-  std::map<std::vector<float>, std::size_t> floats_;
+  std::map<std::vector<float>, std::size_t> times_;
 };
 
 } // namespace stretch::interchange

@@ -17,6 +17,7 @@
 #include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/load/load_as_it_stands.h"
+#include "core/gltf/source/fields.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/export/frame_stream.h"
@@ -75,20 +76,22 @@ bool carriesStretch(const Node& node) {
 
 std::optional<std::vector<BaseCourse>> coursesOf(const Json& format, std::size_t nodes) {
   std::vector<BaseCourse> courses;
-  for (const Json& told : format.value("courses", Json::array())) {
+  for (std::size_t c = 0; c < gltf::sizeOf(format, "courses"); ++c) {
+    const Json& told = gltf::element(format, "courses", c);
     BaseCourse course;
-    const std::string path = told.value("path", "");
+    const std::string path = gltf::textOr(told, "path");
     constexpr int shorts = 5122;
-    course.isShort = told.value("componentType", 0) == shorts;
+    course.isShort = gltf::indexOr(told, "componentType") == shorts;
     course.channel = path == "rotation" ? Channel::rotation
                      : path == "scale"  ? Channel::scale
                                         : Channel::translation;
-    for (const Json& node : told.value("nodes", Json::array())) {
-      if (!node.is_number_unsigned() || node.get<std::size_t>() >= nodes) {
-        return std::nullopt;
-      }
-      course.nodes.push_back(node.get<std::size_t>());
+    const std::vector<int> moved = gltf::indicesOf(told, "nodes");
+    if (moved.empty() || std::ranges::any_of(moved, [&](int node) {
+          return node < 0 || std::cmp_greater_equal(node, nodes);
+        })) {
+      return std::nullopt;
     }
+    course.nodes.assign(moved.begin(), moved.end());
     courses.push_back(std::move(course));
   }
   return courses;
@@ -106,15 +109,15 @@ Result<StreamBase> readBase(const std::filesystem::path& path) {
   }
   const Json extras = loaded->source->json->value("extras", Json::object());
   const Json format = extras.is_object() ? extras.value("stretch_stream", Json::object()) : Json::object();
-  if (!format.is_object() || format.value("version", 0) != streamVersion || loaded->scene->skins.empty()) {
+  if (!format.is_object() || gltf::wholeOr(format, "version", 0) != streamVersion ||
+      loaded->scene->skins.empty()) {
     return noStream(path, "the file is not the base of a stream of this version");
   }
   auto bones = readSkeleton(path);
   if (!bones) {
     return bones.error();
   }
-  StreamBase base{
-      *loaded->scene, std::move(bones).value(), {}, {}, format.value("frameBytes", std::size_t{0})};
+  StreamBase base{*loaded->scene, std::move(bones).value(), {}, {}, gltf::wholeOr(format, "frameBytes", 0)};
   auto courses = coursesOf(format, base.scene.nodes.size());
   std::size_t bytes = streamHeaderBytes;
   for (const BaseCourse& course : courses.value_or(std::vector<BaseCourse>{})) {

@@ -42,7 +42,7 @@ LIBRARIES = [
     ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|viewport|shell)/|tests/(support/)?ui(_driver)?/|tests/bench/"),
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
     ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
-    ("assimp", r"assimp/", r"core/interchange/"),
+    ("assimp", r"assimp/", r"(tests/)?core/interchange/|tests/support/core/foreign_scene\.h"),
     ("tinygltf", r"tiny_gltf", r"(core/gltf/write/new_file\.cpp|tests/.*\.cpp)$"),
     ("stb", r"(stb_|stb/)", r"(core/(gltf|interchange)/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
     ("CLI11", r"CLI/", r"app/batch/|tests/(app|bench)/"),

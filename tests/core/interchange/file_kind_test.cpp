@@ -11,17 +11,17 @@ using namespace std::string_literals;
 
 namespace {
 
-std::vector<std::uint8_t> bytesOf(const std::string& text) {
+std::vector<std::uint8_t> textBytes(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
 std::string toldOf(const std::string& text) {
-  const std::optional<Error> error = otherKind(bytesOf(text));
+  const std::optional<Error> error = otherKind(textBytes(text));
   return error ? error->what : "";
 }
 
 std::string remedyFor(const std::string& text) {
-  const std::optional<Error> error = otherKind(bytesOf(text));
+  const std::optional<Error> error = otherKind(textBytes(text));
   return error ? error->remedy : "";
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("What is taken for a character is told by its first bytes") {
     CAPTURE(name);
     CHECK(toldOf(text) == "is " + name + ", no character");
     CHECK_FALSE(remedyFor(text).empty());
-    CHECK_FALSE(formatOf(bytesOf(text)));
+    CHECK_FALSE(formatOf(textBytes(text)));
   }
   CHECK(remedyFor("Rar!\x1A") == "unpack it, and give the character in it");
   CHECK(remedyFor("solid cube").find("'bind' gives it a skeleton") != std::string::npos);
@@ -98,19 +98,19 @@ TEST_CASE("A text is a mesh where it has vertices with faces or normals, or is t
   CHECK(toldOf("\xEF\xBB\xBF#usda 1.0") == "is a scene in USD, no character"); // behind a byte order mark
   for (const char* const mayBe : {"", "  \n\t", "{\"asset\":", "  {", "[1]"}) {
     CAPTURE(mayBe);
-    CHECK_FALSE(otherKind(bytesOf(mayBe)));
+    CHECK_FALSE(otherKind(textBytes(mayBe)));
   }
 }
 
 TEST_CASE("Files of other programs are told by what they begin with, names by their ends") {
-  CHECK(formatOf(bytesOf("Kaydara FBX Binary  \x1A")) == Format::fbx);
-  CHECK(formatOf(bytesOf("; FBX 7.4.0\nFBXHeaderExtension: {")) == Format::fbx);
-  CHECK_FALSE(formatOf(bytesOf("{\"note\": \"FBXHeaderExtension\"}")));
-  CHECK(formatOf(bytesOf("\n HIERARCHY\nROOT Hips")) == Format::bvh);
-  CHECK_FALSE(formatOf(bytesOf("a HIERARCHY")));
-  CHECK(formatOf(bytesOf("<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">")) == Format::collada);
-  CHECK_FALSE(formatOf(bytesOf("<?xml version=\"1.0\"?><scene>")));
-  CHECK_FALSE(formatOf(bytesOf("text of <COLLADA")));
+  CHECK(formatOf(textBytes("Kaydara FBX Binary  \x1A")) == Format::fbx);
+  CHECK(formatOf(textBytes("; FBX 7.4.0\nFBXHeaderExtension: {")) == Format::fbx);
+  CHECK_FALSE(formatOf(textBytes("{\"note\": \"FBXHeaderExtension\"}")));
+  CHECK(formatOf(textBytes("\n HIERARCHY\nROOT Hips")) == Format::bvh);
+  CHECK_FALSE(formatOf(textBytes("a HIERARCHY")));
+  CHECK(formatOf(textBytes("<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">")) == Format::collada);
+  CHECK_FALSE(formatOf(textBytes("<?xml version=\"1.0\"?><scene>")));
+  CHECK_FALSE(formatOf(textBytes("text of <COLLADA")));
   CHECK_FALSE(formatOf({}));
   CHECK(nameOf(Format::fbx) == "FBX");
   CHECK(nameOf(Format::bvh) == "BVH");

@@ -170,6 +170,12 @@ Shape cubes(const glm::ivec3& low, const glm::ivec3& high, double size,
   return shape;
 }
 
+Shape box(const glm::ivec3& counts, double size) {
+  return cubes(glm::ivec3(0), counts, size, [&](int x, int y, int z) {
+    return x >= 0 && x < counts.x && y >= 0 && y < counts.y && z >= 0 && z < counts.z;
+  });
+}
+
 MeshSequence still(const Shape& shape) {
   MeshSequence sequence;
   sequence.name = "still";

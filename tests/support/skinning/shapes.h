@@ -34,6 +34,9 @@ struct Shape {
 [[nodiscard]] Shape cubes(const glm::ivec3& low, const glm::ivec3& high, double size,
                           const std::function<bool(int, int, int)>& filled);
 
+/// The surface of a box of so many cubes, of one size, from the origin on.
+[[nodiscard]] Shape box(const glm::ivec3& counts, double size);
+
 /// A sequence of one frame.
 [[nodiscard]] MeshSequence still(const Shape& shape);
 
