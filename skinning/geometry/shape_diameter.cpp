@@ -28,6 +28,9 @@ public:
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size()));
+    // The library takes the smallest numbers for 0 while it builds, and the first parallel work of a thread
+    // sets what all later work there takes them for.
+    tbb::parallel_for(0, 1, [](int) {});
     if (vertices != nullptr && indices != nullptr) {
       for (std::size_t v = 0; v < positions.size(); ++v) {
         vertices[3 * v] = positions[v].x;

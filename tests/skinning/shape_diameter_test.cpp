@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include "skinning/geometry/shape_diameter.h"
 #include "tests/support/skinning/shapes.h"
@@ -102,4 +104,19 @@ TEST_CASE("a flat sheet has no shape diameter and says so") {
   const auto diameters = shapeDiameters(shape.positions, shape.triangles);
   REQUIRE_FALSE(diameters);
   CHECK(diameters.error().line().find("shape diameter") != std::string::npos);
+}
+
+TEST_CASE(
+    "work in parallel keeps its smallest numbers, whether or not a shape diameter was measured before it") {
+  std::vector<float> halves(10000, 0.0F);
+  bool isMeasured = false;
+  std::thread fresh([&] {
+    const test::Shape shape = test::sphere(2);
+    isMeasured = shapeDiameters(shape.positions, shape.triangles).ok();
+    const volatile float smallest = 1e-39F;
+    tbb::parallel_for(std::size_t{0}, halves.size(), [&](std::size_t i) { halves[i] = smallest * 0.5F; });
+  });
+  fresh.join();
+  CHECK(isMeasured);
+  CHECK(std::ranges::all_of(halves, [](float half) { return half > 0.0F; }));
 }
