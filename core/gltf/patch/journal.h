@@ -22,7 +22,7 @@ public:
 
   /// Sets a property or an element; the parent has to be there.
   void set(const Pointer& pointer, Json value);
-  /// Removes a property of an object.
+  /// Removes a property of an object below the root.
   void erase(const Pointer& pointer);
   /// Adds to the end of an array, which is made where it is missing; answers the index.
   std::size_t append(const Pointer& array, Json value);
