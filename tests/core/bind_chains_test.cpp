@@ -50,7 +50,7 @@ namespace {
 
 // A joint with four corners behind it in the skin; the vertex hangs on the joint and two of them. `stray`:
 // what another program did to the last corner.
-Scene withCorners(const Vec3& stray = Vec3(0.0)) {
+Scene withCorners(const Vec3& stray = Vec3(0.0), bool isShownTwice = false) {
   Scene scene;
   scene.nodes.resize(7);
   scene.roots = {NodeIndex(0), NodeIndex(6)};
@@ -80,6 +80,11 @@ Scene withCorners(const Vec3& stray = Vec3(0.0)) {
   scene.meshes.push_back({"mesh", {primitive}, {}});
   scene.nodes[6].mesh = 0;
   scene.nodes[6].skin = 0;
+  if (isShownTwice) {
+    scene.skins.push_back(scene.skins[0]);
+    scene.nodes[0].mesh = 0;
+    scene.nodes[0].skin = 1;
+  }
   foldBindLeaves(scene);
   return scene;
 }
@@ -114,6 +119,15 @@ TEST_CASE("Corners that another program moved are ordinary joints") {
   const Scene scene = withCorners(Vec3(0.2, 0.0, 0.0));
   CHECK(scene.bindChains.empty());
   CHECK(scene.skins[0].joints.size() == 5);
+  CHECK(scene.meshes[0].primitives[0].influences[0].joints[0] == 1);
+}
+
+TEST_CASE(
+    "Corners of a mesh that two skins move are ordinary joints, the first mesh of a file as any other") {
+  const Scene scene = withCorners(Vec3(0.0), true);
+  CHECK(scene.bindChains.empty());
+  CHECK(scene.skins[0].joints.size() == 5);
+  CHECK(scene.skins[1].joints.size() == 5);
   CHECK(scene.meshes[0].primitives[0].influences[0].joints[0] == 1);
 }
 

@@ -28,6 +28,7 @@ Track keyedAt(const std::vector<float>& times) {
 /// `count` keys from frame `first` on, `step` frames apart, at a rate.
 std::vector<float> onFrames(double rate, int count, double step = 1.0, double first = 0.0) {
   std::vector<float> times;
+  times.reserve(static_cast<std::size_t>(count));
   for (int key = 0; key < count; ++key) {
     times.push_back(static_cast<float>((first + step * key) / rate));
   }
@@ -36,6 +37,7 @@ std::vector<float> onFrames(double rate, int count, double step = 1.0, double fi
 
 double guessed(const std::vector<std::vector<float>>& tracks) {
   std::vector<CopyOnWrite<Track>> made;
+  made.reserve(tracks.size());
   for (const std::vector<float>& times : tracks) {
     made.emplace_back(keyedAt(times));
   }
@@ -117,10 +119,10 @@ TEST_CASE("The rate of a clip is the first usual one on whose frames its keys li
 }
 
 TEST_CASE("One key in ten may lie off the frames, by more than 2 hundredths of one") {
-  const auto withOdd = [](int odd, double off) {
+  const auto withOdd = [](std::size_t odd, double off) {
     std::vector<float> times = onFrames(24.0, 20);
-    for (int key = 0; key < odd; ++key) {
-      const auto at = static_cast<std::size_t>(3 + 4 * key);
+    for (std::size_t key = 0; key < odd; ++key) {
+      const std::size_t at = 3 + 4 * key;
       times[at] = static_cast<float>((static_cast<double>(at) + off) / 24.0);
     }
     return guessed({times});

@@ -15,6 +15,7 @@ const Vec3 up(0.0, 1.0, 0.0);
 /// Ends at these heights, still beside that.
 std::vector<Vec3> atHeights(const std::vector<double>& heights) {
   std::vector<Vec3> ends;
+  ends.reserve(heights.size());
   for (const double height : heights) {
     ends.emplace_back(7.0, height, -2.0);
   }
@@ -61,6 +62,7 @@ TEST_CASE("A foot stands where it is low and slow, by how far it gets from frame
   // At a rate of 10 and limbs of 1, slow is at most 0.35 in a second.
   const auto standing = [](const std::vector<double>& xs, double seconds = 0.0) {
     std::vector<Vec3> ends;
+    ends.reserve(xs.size());
     for (const double x : xs) {
       ends.emplace_back(x, 0.0, 0.0);
     }

@@ -62,7 +62,7 @@ TEST_CASE("Bytes of a buffer come from its URI, the file that it names or the ch
 TEST_CASE("A buffer that is not there is told, and has no bytes") {
   using gltf::Severity;
   const auto read = [](const char* json) {
-    const ReadBuffers one = buffersOf(Json::array({Json::parse(json)}));
+    ReadBuffers one = buffersOf(Json::array({Json::parse(json)}));
     CHECK(one.bytes == std::vector<Bytes>{{}});
     return one;
   };

@@ -104,7 +104,7 @@ TEST_CASE("A file that was packed opens as the plain one, and takes fewer bytes"
     std::vector<std::vector<std::uint32_t>> triangles;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
       std::vector<std::uint32_t> corners{indices[i], indices[i + 1], indices[i + 2]};
-      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
       triangles.push_back(corners);
     }
     return triangles;
