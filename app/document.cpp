@@ -22,6 +22,10 @@ bool sameClips(const Document& a, const Document& b) {
 } // namespace
 
 bool sameDocument(const Document& a, const Document& b) {
+  return sameInFile(a, b) && a.references == b.references;
+}
+
+bool sameInFile(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.addedFiles == b.addedFiles && sameClips(a, b) &&
          a.body.limbs == b.body.limbs && a.body.plan == b.body.plan && a.body.hips == b.body.hips &&
          a.limbsCorrected == b.limbsCorrected && a.locators == b.locators && a.chains == b.chains &&

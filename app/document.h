@@ -82,6 +82,8 @@ struct Document {
 
 /// Equal by value (shared parts by identity first).
 [[nodiscard]] bool sameDocument(const Document& a, const Document& b);
+/// Equal in all that a saved file holds: whatever they refer to.
+[[nodiscard]] bool sameInFile(const Document& a, const Document& b);
 
 /// Bytes that a document takes and does not share with another one, about.
 [[nodiscard]] std::size_t bytesBeyond(const Document& document, const Document& other);

@@ -79,7 +79,11 @@ void showWhereWorkWas(Session& session, const std::optional<WorkPlace>& where) {
 
 bool hasUnsavedWork(const OpenDocument& open) {
   const Session* const session = open.character();
-  return session != nullptr && !session->history().isSaved();
+  if (session == nullptr || session->history().isSaved()) {
+    return false;
+  }
+  const Document* const saved = session->history().saved(); // What it refers to is kept beside the file.
+  return saved == nullptr || !sameInFile(*saved, session->history().current());
 }
 
 std::string shownName(const fs::path& path) {

@@ -85,6 +85,10 @@ public:
   /// Remembers the current state as the saved one.
   void markSaved() { savedIndex_ = index_; }
   [[nodiscard]] bool isSaved() const { return index_ == savedIndex_; }
+  /// The state that was saved last; null where it is not there any more.
+  [[nodiscard]] const Document* saved() const {
+    return savedIndex_ < entries_.size() ? &entries_[savedIndex_].document : nullptr;
+  }
 
   /// Bytes that the steps take, about.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }

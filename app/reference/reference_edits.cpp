@@ -121,7 +121,7 @@ Json referencesToJson(const Document& document) {
     const double ownFrames = ownRate(document, reference.clip) / clip.framesPerSecond;
     json.push_back({{"clip", reference.clip},
                     {"name", clip.name},
-                    {"reference", referenceToJson(startingLater(reference, ownFrames))}});
+                    {"refers_to", referenceToJson(startingLater(reference, ownFrames))}});
   }
   return json;
 }
@@ -130,8 +130,8 @@ std::vector<Reference> referencesFromJson(const Json& json, const Document& docu
   std::vector<Reference> references;
   for (const Json& entry : json.is_array() ? json : Json::array()) {
     const std::optional<int> clip = clipOfEntry(entry, document);
-    const Result<Reference> read = clip && entry.contains("reference")
-                                       ? referenceFromJson(entry["reference"], *clip, {})
+    const Result<Reference> read = clip && entry.contains("refers_to")
+                                       ? referenceFromJson(entry["refers_to"], *clip, {})
                                        : Result<Reference>(Error{});
     const bool isKnown = clip && std::ranges::find(references, *clip, &Reference::clip) != references.end();
     if (read && !isKnown && *read != Reference{.clip = *clip}) {

@@ -21,7 +21,7 @@ Setting<Settings> startSetting(const char* help) {
                             .unit = "frames",
                             .help = help,
                             .row = {.section = "reference",
-                                    .label = "Starts at",
+                                    .label = "Start",
                                     .minimum = -200.0,
                                     .maximum = 200.0,
                                     .step = 1.0,

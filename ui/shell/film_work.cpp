@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/evaluate/evaluate.h"
@@ -98,11 +100,15 @@ void startFilm(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::warning, "A picture is still being drawn: try again in a moment");
     return;
   }
+  const FilmRequest request = requestOf(shell);
   shell.beside.film.path = path;
+  shell.beside.film.drawn =
+      request.frames.empty()
+          ? std::string()
+          : fmt::format("frames {:g} to {:g}{}", request.frames.front(), request.frames.back(),
+                        request.besideOriginal ? ", beside the original" : "");
   shell.beside.film.job = std::make_unique<app::Job<std::filesystem::path>>(
-      [path, request = requestOf(shell)](const skinning::Proceed& proceed) {
-        return drawTo(path, request, proceed);
-      });
+      [path, request](const skinning::Proceed& proceed) { return drawTo(path, request, proceed); });
 }
 
 void updateFilm(Shell& shell) {
@@ -120,7 +126,7 @@ void updateFilm(Shell& shell) {
     tellProblem(shell, made.error());
     return;
   }
-  tell(shell, ToastKind::success, "Drawn: " + made->string());
+  tell(shell, ToastKind::success, "Drawn: " + made->string() + ", " + work.drawn);
 }
 
 } // namespace stretch::ui

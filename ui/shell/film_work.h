@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "app/sequence/job.h"
 
@@ -13,6 +14,7 @@ struct Shell;
 struct FilmWork {
   std::unique_ptr<app::Job<std::filesystem::path>> job; ///< Null: none is being made.
   std::filesystem::path path;
+  std::string drawn; ///< "frames 21 to 27, beside the original".
 };
 
 /// Draws the working range, or the clip where none is set, as the view shows it now: its camera, skeleton,

@@ -56,7 +56,8 @@ EditorStatus statusOf(const Shell& shell) {
     status.busyText = "Fitting locators";
     status.busyFraction = static_cast<float>(shell.beside.fitting.job->share());
   } else if (shell.beside.film.job != nullptr) {
-    status.busyText = "Drawing " + shell.beside.film.path.filename().string();
+    status.busyText =
+        "Drawing " + shell.beside.film.path.filename().string() + ", " + shell.beside.film.drawn;
     status.busyFraction = static_cast<float>(shell.beside.film.job->share());
   } else if (shell.beside.reference.reading != nullptr) {
     status.busyText =

@@ -57,6 +57,12 @@ bool button(const WidgetContext& context, const ButtonSpec& spec) {
   if (control.visible) {
     const Face face = faceOf(theme.colours, spec, control);
     drawFace(theme, control.box, face.fill, spec.enabled);
+    if (spec.focused) {
+      const float away = theme.px(2.0F);
+      ImGui::GetWindowDrawList()->AddRect({control.box.min.x - away, control.box.min.y - away},
+                                          {control.box.max.x + away, control.box.max.y + away},
+                                          theme.colours.text, theme.corner() + away, 0, theme.px(1.5F));
+    }
     const float inset = theme.px(4.0F);
     const Rect inner{{control.box.min.x + inset, control.box.min.y},
                      {control.box.max.x - inset, control.box.max.y}};

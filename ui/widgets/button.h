@@ -23,6 +23,7 @@ struct ButtonSpec {
   Emphasis emphasis = Emphasis::normal;
   bool on = false; ///< A switch that is on.
   bool enabled = true;
+  bool focused = false;      ///< Enter stands for it: it has an edge around it.
   float width = 0.0F;        ///< Screen pixels; 0: as wide as its content.
   const char* fallback = ""; ///< Stands for an icon without text where the icon font is missing.
 };

@@ -263,7 +263,7 @@ Status toggleWholeClip(Session& session) {
   }
   if (!whole && !range.rangeFrames) {
     view.wholeClip = wasWhole;
-    return Error{"no range is set", "", "set one with [ and ], or drag its ends in the timeline"};
+    return Error{"no range holds the playhead", "", "set one with [ and ], or drag its ends in the timeline"};
   }
   Status done = finish(session, setOffsetRange(session.document(), view.clip, view.frame, ids, range),
                        "Change the range");

@@ -77,7 +77,8 @@ const rig::Adjustment* rangeToEnd(const Document& document, const ViewState& vie
 
 KeyRange keyRange(const Session& session) {
   const ViewState& view = session.view();
-  if (view.wholeClip || !isRangeSet(view) || view.rangeEnd <= view.rangeStart) {
+  const bool holdsPlayhead = view.frame >= view.rangeStart && view.frame <= view.rangeEnd;
+  if (view.wholeClip || !isRangeSet(view) || view.rangeEnd <= view.rangeStart || !holdsPlayhead) {
     return {};
   }
   const double last = lastFrame(session.document(), view.clip);

@@ -156,7 +156,7 @@ TEST_CASE("The file knows nothing of a reference, the user's settings keep it by
   CHECK(referencesFromJson({}, document).empty());
   CHECK(referencesFromJson(Json::array(), document).empty());
   const auto kept = [&](const Json& clip, const Json& name, const Json& reference) {
-    const Json entry{{"clip", clip}, {"name", name}, {"reference", reference}};
+    const Json entry{{"clip", clip}, {"name", name}, {"refers_to", reference}};
     return referencesFromJson(Json::array({entry}), document);
   };
   const std::string clip = clipOf(document, 0).name;

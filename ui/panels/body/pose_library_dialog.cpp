@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -94,15 +95,38 @@ void poseGrid(PanelContext& context) {
   ImGui::EndChild();
 }
 
+/// Page up and down for the amount, Space for the other side.
+void takeAmountKeys(PoseLibraryState& state) {
+  constexpr double step = 0.1;
+  if (ImGui::GetIO().WantTextInput) {
+    return;
+  }
+  const double change = keyPressed(ImGuiKey_PageUp, true)     ? step
+                        : keyPressed(ImGuiKey_PageDown, true) ? -step
+                                                              : 0.0;
+  const double amount = std::clamp(std::round((state.amount + change) / step) * step, 0.0, 1.0);
+  if (change != 0.0 && amount != state.amount) {
+    state.amount = amount;
+    state.changed = true;
+  }
+  if (keyPressed(ImGuiKey_Space)) {
+    state.mirrored = !state.mirrored;
+    state.changed = true;
+  }
+}
+
 void chosenRows(PanelContext& context) {
   PoseLibraryState& state = context.ui.body.library;
+  takeAmountKeys(state);
   const WidgetContext widgets = widgetsOf(context);
   labelledRow(widgets, "Name", {"Name", "Of the pose in the library.", {}});
   state.renamed =
       editText(widgets, "pose-library/name", "A name of its own", state.typedName, 0.0F, false, true).ended ||
       state.renamed;
   const Help amountHelp{
-      "Amount", "How far the character is brought into the pose. Drag, or click and type.", {}};
+      "Amount",
+      "How far the character is brought into the pose. Drag, click and type, or press Page up and down.",
+      {}};
   labelledRow(widgets, "Amount", amountHelp);
   const SliderSpec amount{.id = "pose-library/amount",
                           .minimum = 0.0,
@@ -116,7 +140,7 @@ void chosenRows(PanelContext& context) {
                           .hardMaximum = 1.0,
                           .help = amountHelp};
   state.changed = slider(widgets, amount, state.amount).changed || state.changed;
-  const Help mirroredHelp{"Mirrored", "Exchanges left and right.", {}};
+  const Help mirroredHelp{"Mirrored", "Exchanges left and right, as Space does.", {}};
   labelledRow(widgets, "Mirrored", mirroredHelp);
   if (toggle(widgets, "pose-library/mirrored", state.mirrored ? "On" : "Off", state.mirrored, mirroredHelp)) {
     state.mirrored = !state.mirrored;

@@ -1,3 +1,6 @@
+#include <utility>
+#include <vector>
+
 #include "app/commands/pose/hold.h"
 #include "app/commands/table/selection.h"
 #include "ui/panels/context/dialog_frame.h"
@@ -13,12 +16,6 @@ void paragraph(const std::string& text) {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
-}
-
-/// The button that was clicked, or the one that Enter stands for.
-int orEnter(int clicked, int entered) {
-  const bool pressed = enterPressed();
-  return clicked < 0 && pressed ? entered : clicked;
 }
 
 /// A question about files: what is said, and what each button answers.
@@ -67,15 +64,35 @@ AskedDialog restoreDialog(const std::filesystem::path& file) {
           1};
 }
 
+/// Goes from button to button by Tab and the arrows, round and round.
+void moveFocus(QuestionFocus& focus, int count) {
+  const int step = keyPressed(ImGuiKey_RightArrow) || keyPressed(ImGuiKey_Tab) ? 1
+                   : keyPressed(ImGuiKey_LeftArrow)                            ? -1
+                                                                               : 0;
+  if (step != 0) {
+    focus.button = focus.button < 0 ? (step > 0 ? 0 : count - 1) : (focus.button + step + count) % count;
+  }
+}
+
 void drawAsked(PanelContext& context, const AskedDialog& asked) {
   bool open = context.status.question.kind == asked.kind;
   if (!beginDialog(context, asked.dialog, open)) {
     return;
   }
+  QuestionFocus& focus = context.ui.dialogs.question;
+  if (std::exchange(focus.kind, static_cast<int>(asked.kind)) != static_cast<int>(asked.kind)) {
+    focus.button = asked.entered;
+  }
+  moveFocus(focus, static_cast<int>(asked.buttons.size()));
+  std::vector<ButtonSpec> buttons = asked.buttons;
+  if (focus.button >= 0) {
+    buttons[static_cast<std::size_t>(focus.button)].focused = true;
+  }
   paragraph(asked.text);
-  const int clicked = orEnter(dialogButtons(context, asked.dialog.id, asked.buttons), asked.entered);
-  if (clicked >= 0) {
-    context.ui.answers.question = asked.answers[static_cast<std::size_t>(clicked)];
+  const int clicked = dialogButtons(context, asked.dialog.id, buttons);
+  const int answer = clicked < 0 && enterPressed() ? focus.button : clicked;
+  if (answer >= 0) {
+    context.ui.answers.question = asked.answers[static_cast<std::size_t>(answer)];
     ImGui::CloseCurrentPopup();
   } else if (!open) {
     context.ui.answers.question = app::FileAnswer::cancel; // closed by Esc or the cross
@@ -265,6 +282,9 @@ void drawAbout(PanelContext& context) {
 } // namespace
 
 void drawQuestions(PanelContext& context) {
+  if (context.status.question.kind == app::FileQuestion::Kind::none) {
+    context.ui.dialogs.question = {};
+  }
   const std::filesystem::path& file = context.status.question.about;
   drawAsked(context, unsavedDialog());
   drawAsked(context, overwriteDialog(file));

@@ -73,13 +73,15 @@ void openFileName(PanelContext& context) {
     return;
   }
   const WidgetContext widgets = widgetsOf(context);
-  const float saveWidth = theme.px(72.0F);
+  // In a narrow window the button's picture says enough, and the name has the room.
+  const bool isNarrow = ImGui::GetContentRegionAvail().x < theme.px(170.0F);
+  const float saveWidth = isNarrow ? theme.rowHeight() : theme.px(72.0F);
   const float gap = theme.unit();
   const float markWidth = status.unsaved ? theme.px(14.0F) : 0.0F;
   const float free = ImGui::GetContentRegionAvail().x - saveWidth - 2.0F * gap; // One at the window's edge.
   const float width =
       std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
-  if (width < theme.px(40.0F)) {
+  if (free < 0.0F) {
     return;
   }
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
@@ -96,7 +98,7 @@ void openFileName(PanelContext& context) {
   ImGui::SameLine(0.0F, gap);
   commandButton(context, {.command = command::fileSave,
                           .icon = icon::save,
-                          .text = "Save",
+                          .text = isNarrow ? " " : "Save",
                           .emphasis = status.unsaved ? Emphasis::primary : Emphasis::normal,
                           .width = saveWidth});
 }
@@ -239,7 +241,9 @@ void viewMenu(PanelContext& context) {
 void drawMenuBar(PanelContext& context) {
   using namespace command;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  constexpr float wideWindow = 720.0F; // Design pixels: the menus, the file's name and Save have room.
+  const float gap = ImGui::GetIO().DisplaySize.x < context.theme.px(wideWindow) ? 7.0F : 16.0F;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(gap), context.theme.px(8.0F)));
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,

@@ -54,6 +54,12 @@ struct ReferenceDialogState {
   std::size_t imageCount = 0; ///< In the series that was found.
 };
 
+/// Button of a question that Enter stands for, moved by Tab and the arrows.
+struct QuestionFocus {
+  int kind = -1;   ///< Kind of question that was seen in the frame before; -1: none.
+  int button = -1; ///< Index; -1: Enter stands for none.
+};
+
 /// Dialogs that can lie over the window, and what each is about.
 struct DialogStates {
   FileDialogState file;
@@ -64,6 +70,7 @@ struct DialogStates {
   DroppedFile dropped;
   ClipPick clipPick;
   ReferenceDialogState reference;
+  QuestionFocus question;
   bool settingsOpen = false;
   bool aboutOpen = false;
   bool navigationChoiceOpen = false; ///< The first start.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -16,9 +17,35 @@ namespace {
 
 constexpr float remarkIndent = 3.0F; // units: below the text of the moment's toggle
 
+/// The list of styles has the keys.
+bool isListOpen() {
+  return ImGui::IsPopupOpen("clip-style/style/list");
+}
+
+/// Left and right go to the style before and after, page up and down change the strength.
+void takeStyleKeys(const PanelContext& context, ClipStyleState& state) {
+  constexpr double step = 0.1;
+  constexpr double most = 2.0;
+  if (ImGui::GetIO().WantTextInput || isListOpen()) {
+    return;
+  }
+  const int move = keyPressed(ImGuiKey_RightArrow, true) ? 1 : keyPressed(ImGuiKey_LeftArrow, true) ? -1 : 0;
+  const int style = std::clamp(state.style + move, 0, static_cast<int>(context.ui.trails.styles.size()) - 1);
+  const double change = keyPressed(ImGuiKey_PageUp, true)     ? step
+                        : keyPressed(ImGuiKey_PageDown, true) ? -step
+                                                              : 0.0;
+  const double strength = std::clamp(std::round((state.strength + change) / step) * step, 0.0, most);
+  state.changed = state.changed || style != state.style || (change != 0.0 && strength != state.strength);
+  state.style = style;
+  state.strength = change != 0.0 ? strength : state.strength;
+}
+
 void styleRows(PanelContext& context, ClipStyleState& state) {
   const WidgetContext widgets = widgetsOf(context);
-  const Help help{"Style", "How far arms, legs and body are stretched, and how they come back.", {}};
+  const Help help{
+      "Style",
+      "How far arms, legs and body are stretched, and how they come back. Left and right go through them.",
+      {}};
   labelledRow(widgets, "Style", help);
   if (const int chosen =
           dropdown(widgets, "clip-style/style", styleChoices(context.ui.trails.styles), state.style, help);
@@ -26,6 +53,7 @@ void styleRows(PanelContext& context, ClipStyleState& state) {
     state.style = chosen;
     state.changed = true;
   }
+  takeStyleKeys(context, state);
   labelledRow(widgets, "Strength", {"Strength", "How much of the style's exaggeration.", {}});
   SliderSpec spec{.id = "clip-style/strength",
                   .minimum = 0.0,
@@ -35,7 +63,9 @@ void styleRows(PanelContext& context, ClipStyleState& state) {
                   .suffix = " %",
                   .displayFactor = 100.0,
                   .defaultValue = 1.0};
-  spec.help = {"Strength", "How much of the style's exaggeration. Drag, or click and type.", {}};
+  spec.help = {"Strength",
+               "How much of the style's exaggeration. Drag, click and type, or press Page up and down.",
+               {}};
   state.changed = slider(widgets, spec, state.strength).changed || state.changed;
 }
 
@@ -163,7 +193,7 @@ void drawClipStyleDialog(PanelContext& context) {
   momentRows(context, state);
   const std::string nothing = whyNothing(state);
   note(widgetsOf(context), progressText(state));
-  const bool entered = nothing.empty() && enterPressed() && !ImGui::GetIO().WantTextInput;
+  const bool entered = nothing.empty() && enterPressed() && !ImGui::GetIO().WantTextInput && !isListOpen();
   if (keyPressed(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput) {
     request(context, command::timePlay);
   }
