@@ -31,7 +31,7 @@ bool sameInFile(const Document& a, const Document& b) {
          a.limbsCorrected == b.limbsCorrected && a.locators == b.locators && a.chains == b.chains &&
          a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
          a.weights == b.weights && a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips &&
-         a.rates == b.rates && a.selectionSets == b.selectionSets && a.references == b.references;
+         a.rates == b.rates && a.selectionSets == b.selectionSets;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {

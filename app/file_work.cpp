@@ -82,8 +82,10 @@ bool hasUnsavedWork(const OpenDocument& open) {
   if (session == nullptr || session->history().isSaved()) {
     return false;
   }
-  const Document* const saved = session->history().saved(); // What it refers to is kept beside the file.
-  return saved == nullptr || !sameInFile(*saved, session->history().current());
+  // What it refers to is kept beside the file: another reference alone is no work.
+  const Document* const saved = session->history().saved();
+  const Document& current = session->history().current();
+  return saved == nullptr || saved->references == current.references || !sameInFile(*saved, current);
 }
 
 std::string shownName(const fs::path& path) {

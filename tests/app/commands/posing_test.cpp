@@ -169,6 +169,19 @@ TEST_CASE("What is posed is keyed in the working range, else on the whole clip")
     CHECK(run(session, command::poseWholeClip).empty());
     CHECK(session.document().adjustments.front().rangeFrames == Vec2(4.0, 12.0));
   }
+  SECTION("beside the range, at either side") {
+    session.view().rangeStart = GENERATE(9.0, 2.0);
+    session.view().rangeEnd = session.view().rangeStart + 5.0;
+    REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+    CHECK_FALSE(session.document().adjustments.front().rangeFrames);
+  }
+  SECTION("at an end of the range") {
+    session.view().rangeStart = GENERATE(8.0, 3.0);
+    session.view().rangeEnd = session.view().rangeStart + 5.0;
+    REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+    CHECK(session.document().adjustments.front().rangeFrames ==
+          Vec2(session.view().rangeStart, session.view().rangeEnd));
+  }
   SECTION("without a range") {
     REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
     CHECK_FALSE(session.document().adjustments.front().rangeFrames);

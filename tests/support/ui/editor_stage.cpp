@@ -93,8 +93,9 @@ EditorStage::EditorStage() : gui_(ImGui::CreateContext(&PanelDriver::fonts())) {
   io.DisplaySize = {windowWidth, windowHeight};
   io.DeltaTime = 1.0F / 60.0F;
   io.MousePos = {700.0F, 5.0F};
-  for (const int key : {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow,
-                        ImGuiKey_LeftArrow, ImGuiKey_RightArrow}) {
+  for (const int key :
+       {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow, ImGuiKey_LeftArrow,
+        ImGuiKey_RightArrow, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Space, ImGuiKey_Tab}) {
     io.KeyMap[key] = key + 1;
   }
   shell.theme = PanelDriver::sharedTheme();

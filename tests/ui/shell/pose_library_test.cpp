@@ -234,3 +234,22 @@ TEST_CASE("Where another file is opened the library is closed with what it tried
   CHECK_FALSE(stage.shell.beside.library.begun);
   CHECK(stage.session().document().adjustments.empty());
 }
+
+TEST_CASE("Page up and down change how far a pose is taken, and Space mirrors it") {
+  Library stage;
+  stage.tryFirst();
+  CHECK(stage.library().amount == 1.0);
+  const Vec3 whole = stage.hand();
+  stage.pressWidgetKey(ImGuiKey_PageUp); // There is no more than all of it.
+  CHECK(stage.library().amount == 1.0);
+  for (int i = 0; i < 5; ++i) {
+    stage.pressWidgetKey(ImGuiKey_PageDown);
+  }
+  stage.frames(2);
+  CHECK(stage.library().amount == Approx(0.5));
+  CHECK(glm::length(stage.hand() - whole) > 0.05);
+  stage.pressWidgetKey(ImGuiKey_Space);
+  CHECK(stage.library().mirrored);
+  stage.pressWidgetKey(ImGuiKey_Space);
+  CHECK_FALSE(stage.library().mirrored);
+}

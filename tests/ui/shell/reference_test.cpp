@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/commands/table/command_ids.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/reference/reference_edits.h"
 #include "tests/support/app/sound_bytes.h"
 #include "tests/support/ui/editor_stage.h"
@@ -247,4 +248,14 @@ TEST_CASE("Another file without a reference shows and plays nothing of the one b
   CHECK(stage.shell.ui.time.sound.sound == nullptr);
   CHECK_FALSE(stage.shell.ui.dialogs.reference.open);
   CHECK_FALSE(isReadingReference(stage.shell.beside.reference));
+}
+
+TEST_CASE("A reference is no work that a file could lose: nothing is asked at its end") {
+  Referring stage;
+  stage.dropAndSettle(stage.imageFile(1));
+  CHECK_FALSE(app::hasUnsavedWork(stage.shell.open));
+  stage.session().edit(app::setLooping(stage.session().document(), 0, true), "Loop");
+  CHECK(app::hasUnsavedWork(stage.shell.open));
+  stage.session().undo();
+  CHECK_FALSE(app::hasUnsavedWork(stage.shell.open));
 }

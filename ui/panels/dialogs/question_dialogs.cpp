@@ -18,6 +18,12 @@ void paragraph(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+/// The button that was clicked, or the one that Enter stands for.
+int orEnter(int clicked, int entered) {
+  const bool pressed = enterPressed();
+  return clicked < 0 && pressed ? entered : clicked;
+}
+
 /// A question about files: what is said, and what each button answers.
 struct AskedDialog {
   app::FileQuestion::Kind kind;
@@ -90,7 +96,7 @@ void drawAsked(PanelContext& context, const AskedDialog& asked) {
   }
   paragraph(asked.text);
   const int clicked = dialogButtons(context, asked.dialog.id, buttons);
-  const int answer = clicked < 0 && enterPressed() ? focus.button : clicked;
+  const int answer = orEnter(clicked, focus.button);
   if (answer >= 0) {
     context.ui.answers.question = asked.answers[static_cast<std::size_t>(answer)];
     ImGui::CloseCurrentPopup();
