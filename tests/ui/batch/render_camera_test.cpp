@@ -335,9 +335,9 @@ TEST_CASE("A video whose sound is not there is refused by the sound's name, and 
   const std::string recipe =
       folder.write("recipe.json", R"({"version": 1, "references": {"sound": {"sound_file": "gone.wav"}}})")
           .string();
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
   const test::VerbAnswer answer =
-      render({STRETCH_SOURCE_DIR "/assets/dummy.glb", "--video", (folder / "a.mp4").string(), "--frames",
-              "0:1", "--trails", recipe});
+      render({dummy, "--video", (folder / "a.mp4").string(), "--frames", "0:1", "--trails", recipe});
   CHECK(answer.exitCode == 1);
   CHECK_THAT(answer.told,
              Catch::Contains("the sound of the reference is not there") && Catch::Contains("gone.wav"));
