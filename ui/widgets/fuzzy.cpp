@@ -26,7 +26,76 @@ bool partsWords(char c) {
   return c == ' ' || c == '_' || c == '-' || c == '.';
 }
 
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) > 127U) {
+      words.back() += lower(c);
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) {
+    words.pop_back();
+  }
+  return words;
+}
+
+/// How well a typed word is in the words of a text; 0: not at all.
+int scoreOfWord(const std::string& typed, const std::vector<std::string>& words) {
+  constexpr std::size_t leastInside = 3;
+  int best = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t at = words[i].find(typed);
+    const int score = words[i] == typed                                        ? 30
+                      : at == 0                                                ? 20
+                      : at != std::string::npos && typed.size() >= leastInside ? 8
+                                                                               : 0;
+    best = std::max(best, score + (score > 0 && i == 0 ? 10 : 0));
+  }
+  return best;
+}
+
+/// Whether the letters are beginnings of words from the `word`-th on, each of them used once and in order.
+bool beginsWords(std::string_view letters, const std::vector<std::string>& words, std::size_t word) {
+  if (letters.empty()) {
+    return true;
+  }
+  for (; word < words.size(); ++word) {
+    std::size_t common = 0;
+    while (common < std::min(letters.size(), words[word].size()) && letters[common] == words[word][common]) {
+      ++common;
+      if (beginsWords(letters.substr(common), words, word + 1)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 } // namespace
+
+std::optional<int> wordScore(std::string_view typed, std::string_view text, bool takesBeginnings) {
+  constexpr int asBeginnings = 10;
+  constexpr std::size_t mostLetters = 12; // longer ones are words, not beginnings of some
+  const std::vector<std::string> asked = wordsOf(typed);
+  const std::vector<std::string> words = wordsOf(text);
+  const int length = static_cast<int>(text.size() / 4);
+  int sum = 0;
+  bool all = true;
+  std::string letters;
+  for (const std::string& word : asked) {
+    const int score = scoreOfWord(word, words);
+    sum += score;
+    all = all && score > 0;
+    letters += word;
+  }
+  if (all) {
+    return sum - length;
+  }
+  const bool begins = takesBeginnings && letters.size() <= mostLetters && beginsWords(letters, words, 0);
+  return begins ? std::optional(asBeginnings - length) : std::nullopt;
+}
 
 bool holdsWords(std::string_view typed, std::string_view text) {
   std::string letters;

@@ -110,6 +110,29 @@ TEST_CASE("Commands are found by a few of their letters, the best match first") 
   CHECK(fuzzyScore(std::string(200, 'a'), std::string(2000, 'a')));
 }
 
+TEST_CASE("Words are found as words, as beginnings and inside, and scattered letters are not") {
+  CHECK(wordScore("", "anything"));
+  CHECK(wordScore("  ", "anything"));
+  CHECK(wordScore("SELECTION", "Frame the selection"));
+  CHECK(wordScore("sel fra", "Frame the selection"));
+  CHECK(wordScore("lection", "Frame the selection"));
+  CHECK(wordScore("frsel", "Frame the selection"));
+  CHECK(wordScore("fts", "Frame the selection"));
+  CHECK_FALSE(wordScore("film", "Find the limbs again"));
+  CHECK_FALSE(wordScore("light", "Select right arm"));
+  CHECK_FALSE(wordScore("frame view", "Frame the selection"));
+  CHECK_FALSE(wordScore("le", "Frame the selection")); // two letters inside of a word
+  CHECK_FALSE(wordScore("stf", "Frame the selection"));
+  CHECK_FALSE(wordScore("fts", "Frame the selection", false));
+  CHECK(wordScore("sel fra", "Frame the selection", false));
+  CHECK(*wordScore("save", "Save") > *wordScore("save", "Save incremental"));
+  CHECK(*wordScore("save", "Save as") > *wordScore("save", "Export and save"));
+  CHECK(*wordScore("sav", "Save") < *wordScore("save", "Save"));
+  CHECK(*wordScore("range", "Forget the range") > *wordScore("range", "Arrangement"));
+  CHECK(*wordScore("sel", "Frame the selection") > *wordScore("fts", "Frame the selection"));
+  CHECK_FALSE(wordScore(std::string(40, 'a'), "a a a a a a a a a a a a a a a a a a a a a a a a a b"));
+}
+
 TEST_CASE("A name is found by its words in any order, however they are parted and written") {
   CHECK(holdsWords("melee attack", "1H_Melee_Attack_Chop"));
   CHECK(holdsWords("CHOP 1h", "1H_Melee_Attack_Chop"));

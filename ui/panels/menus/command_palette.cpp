@@ -25,11 +25,13 @@ std::vector<Match> matchesOf(const PanelContext& context) {
       matches.push_back({&command, 0}); // In the order of the menus.
       continue;
     }
-    const std::optional<int> label = fuzzyScore(typed, command.label);
-    const std::optional<int> help = typed.size() < 3 ? std::nullopt : fuzzyScore(typed, command.help);
+    const std::optional<int> label = wordScore(typed, command.label);
+    const bool both = !label && typed.size() >= 3; // words of the label and words of the help
+    const std::optional<int> help =
+        both ? wordScore(typed, command.label + " " + command.help, false) : std::nullopt;
     if (label || help) {
-      const int score = std::max(label.value_or(-1000), help.value_or(-1000) / 2 - 20);
-      matches.push_back({&command, score});
+      constexpr int farBehind = 200;
+      matches.push_back({&command, label ? *label : *help - farBehind});
     }
   }
   std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
