@@ -133,6 +133,9 @@ EditPhase fieldMenu(const WidgetContext& context, const SliderSpec& spec, const 
   if (!ImGui::BeginPopup(name.c_str())) {
     return phase;
   }
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    ImGui::CloseCurrentPopup();
+  }
   if (menuEntry(context, spec, "Reset", spec.defaultValue.has_value())) {
     phase.changed = value != *spec.defaultValue;
     value = *spec.defaultValue;

@@ -63,3 +63,17 @@ TEST_CASE("At Cancel Enter goes on working, and the next question begins at Save
   stage.askToClose();
   CHECK(stage.shell.ui.dialogs.question.button == 2);
 }
+
+TEST_CASE("Escape closes what a click has opened beside the dialogs: the colours of a trail") {
+  test::EditorStage stage;
+  test::withTrail(stage.work());
+  stage.frames(2);
+  const auto isOpen = [] {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  };
+  REQUIRE_FALSE(isOpen());
+  stage.click("trails/1/colour");
+  CHECK(isOpen());
+  stage.pressWidgetKey(ImGuiKey_Escape);
+  CHECK_FALSE(isOpen());
+}

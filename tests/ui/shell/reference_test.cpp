@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/commands/table/command_ids.h"
@@ -258,4 +259,21 @@ TEST_CASE("A reference is no work that a file could lose: nothing is asked at it
   CHECK(app::hasUnsavedWork(stage.shell.open));
   stage.session().undo();
   CHECK_FALSE(app::hasUnsavedWork(stage.shell.open));
+}
+
+TEST_CASE("On twos the sound runs by the clock, not by the frame that is held on the screen") {
+  Referring stage;
+  stage.session().view().frame = 0.0;
+  stage.dropAndSettle(stage.sound);
+  TimelineState& time = stage.shell.ui.time.timeline;
+  time.onTwos = true;
+  time.playing = true;
+  bool parted = false;
+  for (int i = 0; i < 12; ++i) {
+    stage.frame();
+    REQUIRE(stage.shell.beside.reference.heardFrame);
+    CHECK(*stage.shell.beside.reference.heardFrame == time.clock);
+    parted = parted || std::abs(time.clock - stage.session().view().frame) > 0.5;
+  }
+  CHECK(parted);
 }

@@ -2,6 +2,7 @@
 
 #include "app/commands/table/command_ids.h"
 #include "core/gltf/json/json.h"
+#include "ui/panels/context/dialog_frame.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
 #include "ui/panels/context/row_parts.h"
@@ -18,6 +19,9 @@ void displayPopup(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.px(12.0F), context.theme.px(12.0F)));
   ImGui::SetNextWindowSize({context.theme.px(320.0F), 0.0F});
   if (ImGui::BeginPopup("overlay/popup")) {
+    if (keyPressed(ImGuiKey_Escape)) {
+      ImGui::CloseCurrentPopup();
+    }
     panelTitle(widgetsOf(context), icon::sliders, "Trails and ghosts");
     for (const app::Setting<ViewportOverlays>& setting : overlaySchema()) {
       if (setting.row.section == "trails") {

@@ -4,6 +4,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/group_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "ui/panels/context/dialog_frame.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
 #include "ui/panels/context/trail_colours.h"
@@ -89,7 +90,7 @@ void colourPopup(PanelContext& context, const rig::Trail& trail, const std::stri
   if (!ImGui::BeginPopup(popup.c_str())) {
     return;
   }
-  if (trailColours(context, trail, "trails/colour-")) {
+  if (trailColours(context, trail, "trails/colour-") || keyPressed(ImGuiKey_Escape)) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
