@@ -281,9 +281,7 @@ Status readReference(const Json& json, const std::filesystem::path& folder, doub
     const Error& error = read.error();
     return Error{error.what, error.where.empty() ? "references" : "references." + error.where, error.remedy};
   }
-  recipe.reference = *read;
-  recipe.reference.images.startFrame *= framesOfFrame;
-  recipe.reference.sound.startFrame *= framesOfFrame;
+  recipe.reference = mapped(*read, TimeMap{.factor = framesOfFrame});
   return Success{};
 }
 

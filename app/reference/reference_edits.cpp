@@ -8,6 +8,7 @@
 #include "app/edits/keys/rate_edits.h"
 #include "app/schema/reference_schema.h"
 #include "app/schema/schema_json.h"
+#include "app/things/time_map.h"
 
 namespace stretch::app {
 
@@ -45,13 +46,6 @@ void writePart(const Settings& part, const char* key, const Schema<Settings>& sc
     json[key] = Json::object();
     writeSettings(schema, part, json[key]);
   }
-}
-
-/// With frames that are counted in another rate.
-Reference startingLater(Reference reference, double times) {
-  reference.images.startFrame *= times;
-  reference.sound.startFrame *= times;
-  return reference;
 }
 
 /// The clip of its number where that has the name, else the only one of that name.
@@ -121,7 +115,7 @@ Json referencesToJson(const Document& document) {
     const double ownFrames = ownRate(document, reference.clip) / clip.framesPerSecond;
     json.push_back({{"clip", reference.clip},
                     {"name", clip.name},
-                    {"refers_to", referenceToJson(startingLater(reference, ownFrames))}});
+                    {"refers_to", referenceToJson(mapped(reference, TimeMap{.factor = ownFrames}))}});
   }
   return json;
 }
@@ -135,8 +129,8 @@ std::vector<Reference> referencesFromJson(const Json& json, const Document& docu
                                        : Result<Reference>(Error{});
     const bool isKnown = clip && std::ranges::find(references, *clip, &Reference::clip) != references.end();
     if (read && !isKnown && *read != Reference{.clip = *clip}) {
-      references.push_back(
-          startingLater(*read, clipOf(document, *clip).framesPerSecond / ownRate(document, *clip)));
+      const double frames = clipOf(document, *clip).framesPerSecond / ownRate(document, *clip);
+      references.push_back(mapped(*read, TimeMap{.factor = frames}));
     }
   }
   std::ranges::sort(references, {}, &Reference::clip);

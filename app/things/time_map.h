@@ -39,6 +39,13 @@ struct TimeMap {
 template <typename T>
 [[nodiscard]] T mapped(T thing, const TimeMap& map);
 
+/// A reference whose images and sound begin where the map puts their starts.
+[[nodiscard]] inline Reference mapped(Reference reference, const TimeMap& map) {
+  reference.images.startFrame = map(reference.images.startFrame);
+  reference.sound.startFrame = map(reference.sound.startFrame);
+  return reference;
+}
+
 /// The rest of a thing from a frame on; nothing where it ends by then, or has no key there.
 template <typename T>
 [[nodiscard]] std::optional<T> cutBefore(T thing, double frame);

@@ -43,9 +43,7 @@ Document workAtRate(const Document& document, int clip, double framesPerSecond) 
     }
   });
   for (Reference& reference : changed.references) {
-    const double times = reference.clip == clip ? factor : 1.0;
-    reference.images.startFrame *= times;
-    reference.sound.startFrame *= times;
+    reference = reference.clip == clip ? mapped(reference, TimeMap{.factor = factor}) : reference;
   }
   return changed;
 }
