@@ -32,7 +32,7 @@ const Schema<SavedForm>& formSchema() {
                        {"whole", "On whole frames alone; how far the motion is off between them is told."},
                        {"every", "On every frame, and between them where the motion needs it."}},
            .help = "Where the changed motion gets keys.",
-           .row = {.section = "file", .label = "Keys"}},
+           .row = {.section = "file", .label = "Keys stand"}},
           &SavedForm::keys)};
   return schema;
 }

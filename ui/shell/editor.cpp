@@ -8,6 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/commands/table/command_ids.h"
 #include "ui/panels/context/panels.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/key_pane.h"
@@ -130,6 +131,13 @@ bool widgetsTakeKeys(const Shell& shell) {
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
+/// Undo and redo under the dialog of the reference, which changes the open clip at once.
+bool reachesBehindDialog(const Shell& shell, const app::Chord& chord) {
+  const std::string id = shell.keymap.commandOf(chord);
+  return shell.ui.dialogs.reference.open && !ImGui::GetIO().WantTextInput &&
+         (id == app::command::undo || id == app::command::redo);
+}
+
 /// Follows the operating system's layout, which may change at any time. Answers whether it did.
 bool updateKeyboard(Shell& shell) {
   app::KeyboardLayout now = currentKeyboard();
@@ -148,7 +156,7 @@ void takeKeys(Editor& editor) {
     if (!owned && input.down && (pressWelcomeKey(shell, input.press) || pressTourKey(shell, input.press))) {
       continue;
     }
-    if (!owned || !input.down) {
+    if (!owned || !input.down || reachesBehindDialog(shell, input.press.chord)) {
       dispatchKey(shell, input);
     } else if (input.down) {
       shell.pressedKey = app::chordText(input.press.chord);

@@ -81,6 +81,7 @@ public:
   [[nodiscard]] app::SavedForm form() const override { return shell_.ui.savedForm; }
   void tell(app::Tone tone, const std::string& text) override { ui::tell(shell_, tone, text); }
   void closing() override {
+    shell_.ui.toasts.clear(); // They were about this file.
     if (shell_.open.character() != nullptr) {
       leaveCharacter(shell_);
     }
@@ -315,6 +316,10 @@ void saveIncremental(Shell& shell) {
 }
 
 void askToQuit(Shell& shell) {
+  if (shell.beside.film.job != nullptr) {
+    shell.ui.dialogs.lostFilm = shell.beside.film.path.filename().string();
+    return;
+  }
   WindowUser user(shell);
   shell.files.quit(user);
 }
@@ -331,6 +336,10 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);
+  }
+  if (std::exchange(shell.ui.answers.quitWithoutFilm, false)) {
+    shell.beside.film = {};
+    askToQuit(shell);
   }
   if (input.closeAsked) {
     askToQuit(shell);

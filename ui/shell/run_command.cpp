@@ -13,6 +13,7 @@
 #include "app/commands/table/past_end.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/applied.h"
+#include "core/anim/frames.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
@@ -120,6 +121,23 @@ std::string heldText(const Shell& shell, std::string_view commandId) {
              : std::string();
 }
 
+/// How far a pose reaches that was pasted at a first key without a range; empty for other commands.
+std::string pastedText(const Shell& shell, std::string_view commandId) {
+  const bool pastes = commandId == command::posePaste || commandId == command::posePasteMirrored;
+  const app::Session* const session = shell.open.character();
+  if (session == nullptr || !pastes || !session->view().autoKey) {
+    return {};
+  }
+  const app::ViewState& view = session->view();
+  const auto isHeld = [&](const rig::Adjustment& adjustment) {
+    return adjustment.clip == view.clip && !adjustment.rangeFrames && adjustment.keys.size() == 1 &&
+           sameFrame(adjustment.keys.front().frame, view.frame);
+  };
+  return std::ranges::any_of(session->document().adjustments, isHeld)
+             ? "The pose is held over the whole clip: a second key, or a range set before, ends it"
+             : std::string();
+}
+
 /// Where the viewed clip ends, seconds; 0 without one.
 double endOfClip(const Shell& shell) {
   const app::Session* const session = shell.open.character();
@@ -198,6 +216,9 @@ void runCommand(Shell& shell, std::string_view commandId) {
   if (const std::string held = heldText(shell, commandId); done && !held.empty()) {
     tell(shell, ToastKind::info, held);
   }
+  if (const std::string pasted = pastedText(shell, commandId); done && !pasted.empty()) {
+    tell(shell, ToastKind::info, pasted);
+  }
   if (done && !applied.empty()) {
     tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));
   }
@@ -233,8 +254,8 @@ bool widgetsOwnKeys(const Shell& shell) {
   return ui.dialogs.file.open || ui.dialogs.palette.open || ui.dialogs.keys.open || ui.dialogs.settingsOpen ||
          ui.dialogs.aboutOpen || ui.trails.rename.open || ui.time.retime.open || ui.dialogs.history.open ||
          ui.body.jointPick.open || ui.dialogs.navigationChoiceOpen || ui.dialogs.rangeClash.has_value() ||
-         !ui.dialogs.dropped.path.empty() || !ui.dialogs.clipPick.file.empty() ||
-         shell.files.question().kind != app::FileQuestion::Kind::none;
+         !ui.dialogs.dropped.path.empty() || !ui.dialogs.lostFilm.empty() ||
+         !ui.dialogs.clipPick.file.empty() || shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 namespace {

@@ -15,6 +15,7 @@
 #include "ui/panels/context/panels.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
+#include "ui/viewport/viewport_messages.h"
 #include "ui/viewport/viewport_mouse.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/viewport/welcome.h"
@@ -206,42 +207,6 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
       moment ? app::pathOfMoment(*context.open.character(), *moment) : std::vector<Vec3>{};
   tellTipOutOfView(context);
   drawScene(context, gpu, picture);
-}
-
-/// Where the character stands in the picture, window units: its limbs with some flesh around them.
-std::optional<Rect> figureIn(const ViewportContext& context) {
-  constexpr float fleshShare = 0.06F; // of the figure's height
-  app::Session* const session = context.open.character();
-  std::optional<Rect> figure;
-  const auto add = [&](const Vec3& world) {
-    if (const auto place = placeOf(context.viewport, world)) {
-      const Rect before = figure.value_or(Rect{*place, *place});
-      figure = Rect{{std::min(before.min.x, place->x), std::min(before.min.y, place->y)},
-                    {std::max(before.max.x, place->x), std::max(before.max.y, place->y)}};
-    }
-  };
-  if (session != nullptr) {
-    for (const BoneSegment& bone :
-         limbBones(session->document(), session->shownAt(session->view().frame)).bones) {
-      add(bone.fromWorld);
-      add(bone.toWorld);
-    }
-  }
-  if (figure) {
-    const float flesh = fleshShare * figure->height();
-    figure = Rect{{figure->min.x - flesh, figure->min.y - 2.0F * flesh},
-                  {figure->max.x + flesh, figure->max.y + flesh}};
-  }
-  return figure;
-}
-
-/// Messages stay beside the character as it stood when the first of them came: they do not hop while it
-/// plays.
-void showMessages(ViewportContext& context) {
-  if (context.ui.toasts.empty()) {
-    context.viewport.figure = figureIn(context);
-  }
-  drawToasts(context, context.viewport.box, context.viewport.figure, *ImGui::GetWindowDrawList());
 }
 
 } // namespace

@@ -29,6 +29,12 @@ enum class ViewportGesture {
   boxSelect
 };
 
+/// Place of the messages on show.
+struct MessageView {
+  std::optional<Rect> figure; ///< The character's place when the first of them came.
+  std::size_t place = 0;      ///< Index among those that there are (drawMessages).
+};
+
 /// Memory of the viewport between frames.
 struct ViewportState {
   Camera camera;
@@ -62,7 +68,7 @@ struct ViewportState {
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
   NodeIndex hoveredJoint;  ///< That most of the place under the mouse follows.
   LimbHover limbs;
-  std::optional<Rect> figure; ///< Place where the character stood when the messages on show began to come.
+  MessageView messages;
   std::optional<double> tipFrame; ///< Frame whose pose stands as a ghost (tipGhostFrame).
   TipWatch tipWatch;
 };

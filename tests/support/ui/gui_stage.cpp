@@ -135,7 +135,9 @@ float GuiStage::clickInPanel(const std::string& item, void (*panel)(ui::PanelCon
 void GuiStage::showDialogs() {
   show([&](ui::PanelContext& context) {
     ui::drawDialogs(context);
-    ui::drawToasts(context, {{0.0F, 0.0F}, {width_, height_}}, {}, *ImGui::GetForegroundDrawList());
+    std::size_t place = 0;
+    ui::drawMessages(context, {{{0.0F, 0.0F}, {width_, height_}}, {}, {}}, place,
+                     *ImGui::GetForegroundDrawList());
   });
 }
 

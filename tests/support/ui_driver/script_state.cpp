@@ -432,7 +432,7 @@ std::string shareOfPicture(const Shell& shell, const char* id) {
 
 /// Whether a message covers the character, as it stood when the messages began to come.
 bool toastsCoverFigure(const Shell& shell) {
-  const std::optional<Rect>& figure = shell.viewport.figure;
+  const std::optional<Rect>& figure = shell.viewport.messages.figure;
   return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
            return item.id.starts_with("toast/") && item.min.x < figure->max.x && figure->min.x < item.max.x &&
                   item.min.y < figure->max.y && figure->min.y < item.max.y;

@@ -24,15 +24,15 @@ std::shared_ptr<const Image> flag() {
   return std::make_shared<const Image>(Image{1, 2, {255, 0, 0, 255, 0, 0, 255, 255}});
 }
 
-/// An empty scene of 100 by 100 pixels before the backdrop.
-Image drawn(ViewportRenderer& renderer, const std::optional<Backdrop>& backdrop) {
+/// An empty scene of 100 by 100 pixels before the backdrop; with a floor it is seen from above.
+Image drawn(ViewportRenderer& renderer, const std::optional<Backdrop>& backdrop, bool floor = false) {
   static const Scene scene;
   SceneStyle style;
-  style.floor = false;
+  style.floor = floor;
   style.backdrop = backdrop;
   renderer.setScene(scene);
   RenderTarget target;
-  const View view = makeView({}, {100.0, 100.0, 1.0});
+  const View view = makeView(Camera{.pitchRadians = floor ? 0.8 : 0.0}, {100.0, 100.0, 1.0});
   REQUIRE(renderer.draw(target, view, {{}, {}, Overlay{}, style}).ok());
   return target.readPixels();
 }
@@ -114,4 +114,24 @@ TEST_CASE("An image is mixed with the background as far as it is opaque, and ano
   CHECK(colourAt(drawn(*renderer, Backdrop{.image = given(nullptr)}), 50, 10) == plain);
   const BackdropImage broken = [] { return Result<std::shared_ptr<const Image>>(Error{"broken", "", ""}); };
   CHECK(colourAt(drawn(*renderer, Backdrop{.image = broken}), 50, 10) == plain);
+}
+
+TEST_CASE("The floor hides an image beside the character no more than one behind it: its lines lie over it") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = ViewportRenderer::create();
+  REQUIRE(renderer);
+  const auto green = std::make_shared<const Image>(Image{1, 1, {0, 255, 0, 255}});
+  const auto clearPixels = [&](double across) {
+    const Image image =
+        drawn(*renderer, Backdrop{.image = given(green), .across = across, .height = 0.9}, true);
+    int clear = 0;
+    for (int y = 10; y < 90; ++y) {
+      clear += colourAt(image, 50, y).g > 180 ? 1 : 0;
+    }
+    return clear;
+  };
+  CHECK(clearPixels(0.5) > 30);
+  CHECK(clearPixels(0.0) == clearPixels(0.5));
+  CHECK(clearPixels(1.0) == clearPixels(0.5));
 }

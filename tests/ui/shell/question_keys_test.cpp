@@ -1,9 +1,15 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <memory>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/editor_stage.h"
 #include "ui/shell/file_work.h"
@@ -76,4 +82,136 @@ TEST_CASE("Escape closes what a click has opened beside the dialogs: the colours
   CHECK(isOpen());
   stage.pressWidgetKey(ImGuiKey_Escape);
   CHECK_FALSE(isOpen());
+}
+
+TEST_CASE("Which trail is meant is answered by keys alone: Enter edits, one step on it is left") {
+  test::EditorStage stage;
+  test::withTrail(stage.work());
+  app::Session& session = stage.session();
+  const rig::Trail trail = *app::selectedTrail(session);
+  stage.shell.ui.dialogs.rangeClash =
+      app::RangeClash{trail.limb, {trail.settings.startFrame, trail.settings.endFrame}, {1.0, 4.0}, {}};
+  stage.frames(3);
+  CHECK(stage.shell.ui.dialogs.question.button == 1);
+  stage.pressWidgetKey(ImGuiKey_Tab);
+  CHECK(stage.shell.ui.dialogs.question.button == 0);
+  stage.pressWidgetKey(ImGuiKey_Enter);
+  CHECK_FALSE(stage.shell.ui.dialogs.rangeClash);
+  CHECK_FALSE(stage.shell.ui.answers.overlap);
+}
+
+TEST_CASE("What becomes of a dropped file is answered by keys alone") {
+  Asked stage;
+  stage.pressAll({ImGuiKey_LeftArrow, ImGuiKey_Enter});
+  stage.frames(3);
+  const std::filesystem::path other = stage.folder / "other.glb";
+  stage.shell.ui.dialogs.dropped = {.path = other, .canBeHeld = false, .hasClips = true};
+  stage.frames(3);
+  CHECK(stage.shell.ui.dialogs.question.button == 2); // Import
+  stage.pressAll({ImGuiKey_RightArrow, ImGuiKey_RightArrow, ImGuiKey_Enter});
+  CHECK(stage.shell.ui.dialogs.dropped.path.empty()); // Cancel
+  CHECK_FALSE(stage.shell.ui.answers.drop);
+  CHECK(app::hasUnsavedWork(stage.shell.open));
+}
+
+TEST_CASE("The navigation is chosen by keys alone, Maya's by Enter or Escape and Blender's one step on") {
+  for (const auto& [keys, expected] :
+       {std::pair(std::vector<int>{ImGuiKey_Enter}, NavigationStyle::maya),
+        std::pair(std::vector<int>{ImGuiKey_Tab, ImGuiKey_Enter}, NavigationStyle::blender),
+        std::pair(std::vector<int>{ImGuiKey_Tab, ImGuiKey_Escape}, NavigationStyle::maya)}) {
+    test::EditorStage stage;
+    stage.shell.ui.navigation =
+        expected == NavigationStyle::maya ? NavigationStyle::blender : NavigationStyle::maya;
+    stage.shell.ui.dialogs.navigationChoiceOpen = true;
+    stage.frames(3);
+    for (const int key : keys) {
+      stage.pressWidgetKey(key);
+    }
+    CHECK(stage.shell.ui.navigation == expected);
+    CHECK_FALSE(stage.shell.ui.dialogs.navigationChoiceOpen);
+  }
+}
+
+namespace {
+
+/// The bundled character while a video is drawn, which ends only when it is given up.
+struct Drawing : Asked {
+  Drawing() {
+    pressAll({ImGuiKey_LeftArrow, ImGuiKey_Enter});
+    frames(3);
+    shell.beside.film.path = folder / "shot.mp4";
+    shell.beside.film.job =
+        std::make_unique<app::Job<std::filesystem::path>>([](const skinning::Proceed& proceed) {
+          while (proceed(0.5)) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          }
+          return Result<std::filesystem::path>(Error{"stopped", "", ""});
+        });
+    askToClose();
+    frames(3);
+  }
+};
+
+} // namespace
+
+TEST_CASE("Quitting while a video is drawn asks first, and Enter goes on drawing") {
+  Drawing stage;
+  CHECK_FALSE(stage.shell.quit);
+  CHECK(stage.shell.ui.dialogs.lostFilm == "shot.mp4");
+  stage.pressAll({ImGuiKey_Enter});
+  stage.frames(3);
+  CHECK_FALSE(stage.shell.quit);
+  CHECK(stage.shell.ui.dialogs.lostFilm.empty());
+  CHECK(stage.shell.beside.film.job != nullptr);
+}
+
+TEST_CASE("A video that is given up leaves the program to the question about unsaved work") {
+  Drawing stage;
+  stage.pressAll({ImGuiKey_Tab, ImGuiKey_Enter});
+  stage.frames(3);
+  CHECK(stage.shell.beside.film.job == nullptr);
+  CHECK(stage.isAsking());
+  stage.pressAll({ImGuiKey_Tab, ImGuiKey_Enter}); // Don't save
+  CHECK(stage.shell.quit);
+}
+
+TEST_CASE("What was told of a file goes with it") {
+  Asked stage;
+  stage.pressAll({ImGuiKey_Tab, ImGuiKey_Enter});
+  stage.shell.quit = false;
+  tell(stage.shell, ToastKind::warning, "The left hand goes through the floor");
+  openFile(stage.shell, {stage.folder / "dummy.glb"});
+  stage.frames(2);
+  stage.pressAll({ImGuiKey_Tab, ImGuiKey_Enter}); // Don't save
+  stage.settle();
+  stage.frames(2);
+  for (const Toast& toast : stage.shell.ui.toasts) {
+    CHECK(toast.text != "The left hand goes through the floor");
+  }
+}
+
+TEST_CASE("A pose that is pasted at a first key without a range says that the whole clip holds it") {
+  Asked stage;
+  stage.pressAll({ImGuiKey_LeftArrow, ImGuiKey_Enter});
+  stage.frames(2);
+  const auto isTold = [&] {
+    return std::ranges::any_of(stage.shell.ui.toasts, [](const Toast& toast) {
+      return toast.text.starts_with("The pose is held over the whole clip");
+    });
+  };
+  app::Session& session = stage.session();
+  const double end = session.view().clip >= 0 ? 20.0 : 0.0;
+  session.view().frame = 0.0;
+  stage.run(command::poseCopy);
+  session.view().frame = end;
+  stage.run(command::posePaste);
+  CHECK(isTold());
+  CHECK(session.history().undoLabel().starts_with("Paste the pose"));
+  stage.shell.ui.toasts.clear();
+  stage.run(command::undo);
+  stage.shell.ui.toasts.clear();
+  session.view().rangeStart = 15.0;
+  session.view().rangeEnd = 25.0;
+  stage.run(command::posePaste);
+  CHECK_FALSE(isTold());
 }

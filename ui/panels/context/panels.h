@@ -52,11 +52,18 @@ void drawDialogs(PanelContext& context);
 /// The card of the tour's step, while it runs, in the lower left of the picture: once a frame.
 void drawTour(PanelContext& context, const Rect& picture);
 
+/// Room for messages.
+struct MessageRoom {
+  Rect picture;
+  std::optional<Rect> figure; ///< The character: messages keep beside it where there is room.
+  std::vector<Rect> kept;     ///< Covered by no message while there is another place.
+};
+
 /// Draws what was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no
 /// bar, ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
-/// takes news away; while a dialog is open only what went wrong is shown, over everything. `figure`: where
-/// the character stands; they keep beside it where there is room.
-void drawToasts(PanelContext& context, const Rect& picture, const std::optional<Rect>& figure,
-                ImDrawList& under);
+/// takes news away; while a dialog is open only what went wrong is shown, over everything, beside the dialog
+/// where there is room. `place` is the one that was found in the frame before, which messages leave only for
+/// what is kept.
+void drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under);
 
 } // namespace stretch::ui

@@ -168,7 +168,7 @@ app::Schema<UiState> windowWays() {
       setting<UiState>(
           {.name = "snap",
            .help = "Playhead and ranges stop at whole frames.",
-           .row = {.section = "settings", .label = "Whole frames"}},
+           .row = {.section = "settings", .label = "Snap to frames"}},
           [](auto& ui) -> auto& { return ui.time.timeline.snapToFrames; }),
   };
 }

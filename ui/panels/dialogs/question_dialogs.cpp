@@ -18,10 +18,32 @@ void paragraph(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
-/// The button that was clicked, or the one that Enter stands for.
-int orEnter(int clicked, int entered) {
-  const bool pressed = enterPressed();
-  return clicked < 0 && pressed ? entered : clicked;
+/// Goes from answer to answer by Tab and the arrows, round and round; from `entered` where the question is
+/// new.
+int focusOf(QuestionFocus& focus, const std::string& question, int count, int entered) {
+  if (std::exchange(focus.question, question) != question) {
+    focus.button = entered;
+  }
+  const int step = keyPressed(ImGuiKey_RightArrow) || keyPressed(ImGuiKey_Tab) ? 1
+                   : keyPressed(ImGuiKey_LeftArrow)                            ? -1
+                                                                               : 0;
+  if (step != 0) {
+    focus.button = focus.button < 0 ? (step > 0 ? 0 : count - 1) : (focus.button + step + count) % count;
+  }
+  return focus.button;
+}
+
+/// Ends a question's content with its answers. The one that was clicked, or that Enter stands for, which has
+/// an edge; -1: none. `entered`: the one that Enter stands for at first.
+int answerOf(PanelContext& context, const std::string& question, std::vector<ButtonSpec> buttons,
+             int entered) {
+  const int focused =
+      focusOf(context.ui.dialogs.question, question, static_cast<int>(buttons.size()), entered);
+  if (focused >= 0) {
+    buttons[static_cast<std::size_t>(focused)].focused = true;
+  }
+  const int clicked = dialogButtons(context, question, buttons);
+  return clicked < 0 && enterPressed() ? focused : clicked;
 }
 
 /// A question about files: what is said, and what each button answers.
@@ -70,33 +92,13 @@ AskedDialog restoreDialog(const std::filesystem::path& file) {
           1};
 }
 
-/// Goes from button to button by Tab and the arrows, round and round.
-void moveFocus(QuestionFocus& focus, int count) {
-  const int step = keyPressed(ImGuiKey_RightArrow) || keyPressed(ImGuiKey_Tab) ? 1
-                   : keyPressed(ImGuiKey_LeftArrow)                            ? -1
-                                                                               : 0;
-  if (step != 0) {
-    focus.button = focus.button < 0 ? (step > 0 ? 0 : count - 1) : (focus.button + step + count) % count;
-  }
-}
-
 void drawAsked(PanelContext& context, const AskedDialog& asked) {
   bool open = context.status.question.kind == asked.kind;
   if (!beginDialog(context, asked.dialog, open)) {
     return;
   }
-  QuestionFocus& focus = context.ui.dialogs.question;
-  if (std::exchange(focus.kind, static_cast<int>(asked.kind)) != static_cast<int>(asked.kind)) {
-    focus.button = asked.entered;
-  }
-  moveFocus(focus, static_cast<int>(asked.buttons.size()));
-  std::vector<ButtonSpec> buttons = asked.buttons;
-  if (focus.button >= 0) {
-    buttons[static_cast<std::size_t>(focus.button)].focused = true;
-  }
   paragraph(asked.text);
-  const int clicked = dialogButtons(context, asked.dialog.id, buttons);
-  const int answer = orEnter(clicked, focus.button);
+  const int answer = answerOf(context, asked.dialog.id, asked.buttons, asked.entered);
   if (answer >= 0) {
     context.ui.answers.question = asked.answers[static_cast<std::size_t>(answer)];
     ImGui::CloseCurrentPopup();
@@ -130,7 +132,7 @@ void drawClash(PanelContext& context) {
     }
     buttons.push_back({.id = "", .text = "Edit"});
     const int last = static_cast<int>(buttons.size()) - 1;
-    const int clicked = orEnter(dialogButtons(context, "clash", buttons), last);
+    const int clicked = answerOf(context, "clash", buttons, last);
     if (clicked > 0) {
       ui.answers.overlap = clicked == last ? app::OverlapChoice::edit : app::OverlapChoice::beside;
     }
@@ -197,7 +199,7 @@ void drawDropQuestion(PanelContext& context) {
   for (const DropChoice& choice : choices) {
     buttons.push_back({.id = "", .text = choice.text});
   }
-  const int clicked = orEnter(dialogButtons(context, "drop", buttons), static_cast<int>(choices.size()) - 1);
+  const int clicked = answerOf(context, "drop", buttons, static_cast<int>(choices.size()) - 1);
   if (clicked >= 0 && choices[static_cast<std::size_t>(clicked)].purpose) {
     ui.answers.drop =
         DropAnswer{ui.dialogs.dropped.path, *choices[static_cast<std::size_t>(clicked)].purpose};
@@ -211,7 +213,7 @@ void drawDropQuestion(PanelContext& context) {
 
 /// A large button with a title and what it means; true when it was clicked.
 bool card(PanelContext& context, const std::string& id, const std::string& title,
-          const std::vector<std::string>& lines, float width) {
+          const std::vector<std::string>& lines, float width, bool focused) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const float line = theme.px(20.0F);
@@ -220,8 +222,9 @@ bool card(PanelContext& context, const std::string& id, const std::string& title
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max,
                       place.hovered ? theme.colours.hovered : theme.colours.raised, theme.px(6.0F));
-  list->AddRect(place.box.min, place.box.max, place.hovered ? theme.colours.accent : theme.colours.border,
-                theme.px(6.0F));
+  list->AddRect(place.box.min, place.box.max,
+                place.hovered || focused ? theme.colours.accent : theme.colours.border, theme.px(6.0F), 0,
+                theme.px(focused ? 2.0F : 1.0F));
   float y = place.box.min.y + theme.px(12.0F);
   const float left = place.box.min.x + theme.px(14.0F);
   drawText(widgets, theme.fonts.strong, {{left, y}, {place.box.max.x, y + theme.px(22.0F)}},
@@ -250,18 +253,42 @@ void drawNavigationQuestion(PanelContext& context) {
   paragraph("How does your hand turn the view?");
   verticalSpace(widgetsOf(context), 8.0F);
   const float width = columnWidth(2);
-  const bool maya = card(context, "navigation/maya", "As in Maya",
-                         {"Alt + left: orbit", "Alt + middle: pan", "Alt + right, wheel: zoom"}, width);
+  const int focused = focusOf(ui.dialogs.question, "navigation", 2, 0);
+  const bool maya =
+      card(context, "navigation/maya", "As in Maya",
+           {"Alt + left: orbit", "Alt + middle: pan", "Alt + right, wheel: zoom"}, width, focused == 0);
   ImGui::SameLine();
   const bool blender = card(context, "navigation/blender", "As in Blender",
-                            {"Middle: orbit", "Shift + middle: pan", "Wheel: zoom"}, width);
+                            {"Middle: orbit", "Shift + middle: pan", "Wheel: zoom"}, width, focused == 1);
   verticalSpace(widgetsOf(context), 8.0F);
-  note(widgetsOf(context), "Enter or Escape: as in Maya. Settings change it at any time.");
-  const bool answered = enterPressed() || keyPressed(ImGuiKey_Escape);
-  if (maya || blender || answered) {
-    ui.navigation = blender ? NavigationStyle::blender : NavigationStyle::maya;
+  note(widgetsOf(context), "Tab goes to the other, Enter takes it. Settings change it at any time.");
+  const bool entered = enterPressed();
+  if (maya || blender || entered || keyPressed(ImGuiKey_Escape)) {
+    const bool asBlender = blender || (entered && focused == 1);
+    ui.navigation = asBlender ? NavigationStyle::blender : NavigationStyle::maya;
     ui.answers.navigation = ui.navigation;
     ui.dialogs.navigationChoiceOpen = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+/// A video is still being drawn: is it given up?
+void drawFilmQuestion(PanelContext& context) {
+  UiState& ui = context.ui;
+  bool open = !ui.dialogs.lostFilm.empty();
+  if (!beginDialog(context,
+                   {.id = "film", .icon = icon::film, .title = "Quit while drawing?", .width = 440.0F},
+                   open)) {
+    return;
+  }
+  paragraph(ui.dialogs.lostFilm + " is still being drawn. Nothing of it is kept if you quit now.");
+  const int answer =
+      answerOf(context, "film",
+               {{.id = "", .text = "Quit", .emphasis = Emphasis::danger}, {.id = "", .text = "Go on"}}, 1);
+  ui.answers.quitWithoutFilm = answer == 0;
+  if (!open || answer >= 0) {
+    ui.dialogs.lostFilm.clear();
     ImGui::CloseCurrentPopup();
   }
   endDialog();
@@ -288,7 +315,7 @@ void drawAbout(PanelContext& context) {
 } // namespace
 
 void drawQuestions(PanelContext& context) {
-  if (context.status.question.kind == app::FileQuestion::Kind::none) {
+  if (ImGui::GetTopMostPopupModal() == nullptr) {
     context.ui.dialogs.question = {};
   }
   const std::filesystem::path& file = context.status.question.about;
@@ -298,6 +325,7 @@ void drawQuestions(PanelContext& context) {
   drawClash(context);
   drawDropQuestion(context);
   drawNavigationQuestion(context);
+  drawFilmQuestion(context);
   drawAbout(context);
 }
 

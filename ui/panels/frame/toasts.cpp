@@ -67,16 +67,47 @@ struct ToastPlace {
   bool isCut = false; ///< The last line holds more than is drawn of it.
 };
 
-/// Beside the character, on the wider side, where a message has room there; else all of the picture.
-Rect roomFor(const Theme& theme, const Rect& picture, const std::optional<Rect>& figure) {
+/// A place for all messages: a part of the window, and at which of its edges they stand.
+struct StackPlace {
+  Rect room;
+  bool isLow = false;
+};
+
+void addBoth(std::vector<StackPlace>& places, const Rect& room) {
+  places.push_back({room, false});
+  places.push_back({room, true});
+}
+
+/// Beside the character, the wider side first, where a message has room there; else all of the picture.
+std::vector<StackPlace> placesInPicture(const Theme& theme, const MessageRoom& room) {
   constexpr float upperShare = 0.25F; // of the picture, where messages stand
-  if (!figure || figure->min.y > picture.min.y + upperShare * picture.height()) {
-    return picture;
+  const Rect& picture = room.picture;
+  std::vector<StackPlace> places;
+  if (room.figure && room.figure->min.y <= picture.min.y + upperShare * picture.height()) {
+    const Rect left{picture.min, {std::min(room.figure->min.x, picture.max.x), picture.max.y}};
+    const Rect right{{std::max(room.figure->max.x, picture.min.x), picture.min.y}, picture.max};
+    const bool isLeftWider = left.width() > right.width();
+    for (const Rect& side : {isLeftWider ? left : right, isLeftWider ? right : left}) {
+      if (side.width() >= theme.px(220.0F)) {
+        addBoth(places, side);
+      }
+    }
   }
-  const Rect left{picture.min, {std::min(figure->min.x, picture.max.x), picture.max.y}};
-  const Rect right{{std::max(figure->max.x, picture.min.x), picture.min.y}, picture.max};
-  const Rect& wider = left.width() > right.width() ? left : right;
-  return wider.width() < theme.px(220.0F) ? picture : wider;
+  addBoth(places, picture);
+  return places;
+}
+
+/// Over the picture, else beside a dialog that takes the window's middle.
+std::vector<StackPlace> placesByDialog(const Rect& picture, const Rect& dialog) {
+  const ImGuiViewport& window = *ImGui::GetMainViewport();
+  const Rect all{window.Pos, {window.Pos.x + window.Size.x, window.Pos.y + window.Size.y}};
+  std::vector<StackPlace> places;
+  addBoth(places, picture);
+  places.push_back({{all.min, {all.max.x, dialog.min.y}}, false});
+  places.push_back({{{all.min.x, dialog.max.y}, all.max}, true});
+  places.push_back({{all.min, {dialog.min.x, all.max.y}}, false});
+  places.push_back({{{dialog.max.x, all.min.y}, all.max}, false});
+  return places;
 }
 
 /// In the middle of the room's width, with its upper edge at `top`.
@@ -143,38 +174,94 @@ bool readsWhole(PanelContext& context, const Toast& message, const ToastPlace& p
   return reads;
 }
 
-} // namespace
+/// A message with its place.
+struct PlacedToast {
+  Toast* message = nullptr;
+  ToastPlace place;
+};
 
-void drawToasts(PanelContext& context, const Rect& picture, const std::optional<Rect>& figure,
-                ImDrawList& under) {
-  const Theme& theme = context.theme;
-  const bool isDialogOpen = ImGui::GetTopMostPopupModal() != nullptr;
-  const bool isAnyOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (isAnyOpen && !isDialogOpen) {
-    hideNews(context.ui);
-  }
-  const Rect room = roomFor(theme, picture, figure);
-  ToastStyle style = toastStyle(theme, picture);
-  style.widest =
-      std::min(style.widest, room.width() - style.iconColumn - 2.0F * (style.padding.x + theme.unit()));
-  ImDrawList& list = isDialogOpen ? *ImGui::GetForegroundDrawList() : under;
-  float top = picture.min.y + theme.unit();
-  int count = 0;
-  for (Toast& message : context.ui.toasts) {
-    const bool isNews = message.kind == ToastKind::info || message.kind == ToastKind::success;
-    if (isDialogOpen && isNews) {
-      continue; // Told when the dialog is closed.
-    }
-    const ToastPlace place = placeToast(style, room, message, top);
-    if (count > 0 && place.box.max.y > picture.centre().y) {
+/// Those that have room in the upper or the lower half of the place, one under the other.
+std::vector<PlacedToast> placeToasts(const Theme& theme, ToastStyle style, const std::vector<Toast*>& shown,
+                                     const StackPlace& at) {
+  const float edges = style.iconColumn + 2.0F * (style.padding.x + theme.unit());
+  style.widest = std::min(style.widest, std::max(at.room.width() - edges, theme.px(80.0F)));
+  std::vector<PlacedToast> placed;
+  float top = at.room.min.y + theme.unit();
+  for (Toast* const message : shown) {
+    ToastPlace place = placeToast(style, at.room, *message, top);
+    if (!placed.empty() && place.box.max.y > at.room.centre().y) {
       break; // Told when there is room.
     }
-    drawToast(theme, style, message, place, list);
-    context.items.add("toast/" + std::to_string(count++), place.box.min, place.box.max);
-    context.items.items.back().explained = true; // By itself.
-    const bool stays = !isDialogOpen && readsWhole(context, message, place);
-    message.secondsLeft -= stays ? 0.0F : ImGui::GetIO().DeltaTime;
     top = place.box.max.y + theme.unit();
+    placed.push_back({message, std::move(place)});
+  }
+  const float down = at.isLow ? std::floor(at.room.max.y - top) : 0.0F;
+  for (PlacedToast& toast : placed) {
+    toast.place.box.min.y += down;
+    toast.place.box.max.y += down;
+  }
+  return placed;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+/// Whether all of it lies in its place, on nothing that is kept.
+bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std::vector<Rect>& kept) {
+  return std::ranges::all_of(placed, [&](const PlacedToast& toast) {
+    const Rect& box = toast.place.box;
+    const bool isInside = room.contains(box.min) && box.max.x <= room.max.x && box.max.y <= room.max.y;
+    return isInside && std::ranges::none_of(kept, [&](const Rect& rect) { return overlap(rect, box); });
+  });
+}
+
+/// In the place of the frame before, else in the first one that is free, else in the first.
+std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style,
+                                     const std::vector<Toast*>& shown, const std::vector<StackPlace>& places,
+                                     const std::vector<Rect>& kept, std::size_t& at) {
+  for (std::size_t tried = 0; tried <= places.size(); ++tried) {
+    const std::size_t index = tried == 0 ? std::min(at, places.size() - 1) : tried - 1;
+    std::vector<PlacedToast> placed = placeToasts(theme, style, shown, places[index]);
+    if (isFree(placed, places[index].room, kept)) {
+      at = index;
+      return placed;
+    }
+  }
+  at = 0;
+  return placeToasts(theme, style, shown, places.front());
+}
+
+} // namespace
+
+void drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under) {
+  const Theme& theme = context.theme;
+  const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
+  const bool isAnyOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (isAnyOpen && dialog == nullptr) {
+    hideNews(context.ui);
+  }
+  std::vector<Toast*> shown;
+  for (Toast& message : context.ui.toasts) {
+    const bool isNews = message.kind == ToastKind::info || message.kind == ToastKind::success;
+    if (dialog == nullptr || !isNews) { // News are told when the dialog is closed.
+      shown.push_back(&message);
+    }
+  }
+  const Rect dialogBox = dialog != nullptr ? Rect{dialog->Rect().Min, dialog->Rect().Max} : Rect{};
+  const std::vector<StackPlace> places =
+      dialog != nullptr ? placesByDialog(room.picture, dialogBox) : placesInPicture(theme, room);
+  const std::vector<Rect> kept = dialog != nullptr ? std::vector<Rect>{dialogBox} : room.kept;
+  const ToastStyle style = toastStyle(theme, room.picture);
+  ImDrawList& list = dialog != nullptr ? *ImGui::GetForegroundDrawList() : under;
+  int count = 0;
+  for (const PlacedToast& toast : placeFreely(theme, style, shown, places, kept, place)) {
+    const Rect& box = toast.place.box;
+    drawToast(theme, style, *toast.message, toast.place, list);
+    context.items.add("toast/" + std::to_string(count++), box.min, box.max);
+    context.items.items.back().explained = true; // By itself.
+    const bool stays = dialog == nullptr && readsWhole(context, *toast.message, toast.place);
+    toast.message->secondsLeft -= stays ? 0.0F : ImGui::GetIO().DeltaTime;
   }
   std::erase_if(context.ui.toasts, [](const Toast& toast) { return toast.secondsLeft <= 0.0F; });
 }

@@ -36,6 +36,25 @@ void recentFiles(PanelContext& context) {
   ImGui::EndMenu();
 }
 
+/// A triangle at the edge beyond which an open menu that scrolls goes on.
+void markMore(const Theme& theme, bool below) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const float strip = theme.px(18.0F);
+  const float top = below ? corner.y + size.y - strip : corner.y;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y});
+  const float edge = theme.px(1.0F);
+  list.AddRectFilled({corner.x + edge, top + (below ? 0.0F : edge)},
+                     {corner.x + size.x - edge, top + strip - (below ? edge : 0.0F)}, theme.colours.raised);
+  const ImVec2 middle(corner.x + 0.5F * size.x, top + 0.5F * strip);
+  const float half = theme.px(5.0F);
+  const float point = below ? 0.6F * half : -0.6F * half;
+  list.AddTriangleFilled({middle.x - half, middle.y - point}, {middle.x + half, middle.y - point},
+                         {middle.x, middle.y + point}, theme.colours.text);
+  list.PopClipRect();
+}
+
 void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
   // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
   // instead.
@@ -57,6 +76,12 @@ void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
       recentFiles(context);
     }
     first = false;
+  }
+  if (ImGui::GetScrollY() < ImGui::GetScrollMaxY()) {
+    markMore(context.theme, true);
+  }
+  if (ImGui::GetScrollY() > 0.0F) {
+    markMore(context.theme, false);
   }
   if (keyPressed(ImGuiKey_Escape)) {
     ImGui::CloseCurrentPopup();

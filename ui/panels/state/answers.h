@@ -45,8 +45,9 @@ struct UiAnswers {
   std::optional<DropAnswer> drop;            ///< To DialogStates::dropped.
   std::optional<ClipAnswer> clip;            ///< To DialogStates::clipPick.
   bool resetKeys = false;
-  bool themeChanged = false; ///< `theme` or `scale` below was changed.
-  bool keepSettings = false; ///< The user's settings are to be written at once.
+  bool themeChanged = false;    ///< `theme` or `scale` below was changed.
+  bool quitWithoutFilm = false; ///< To DialogStates::lostFilm.
+  bool keepSettings = false;    ///< The user's settings are to be written at once.
 };
 
 } // namespace stretch::ui

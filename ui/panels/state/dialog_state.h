@@ -56,8 +56,8 @@ struct ReferenceDialogState {
 
 /// Button of a question that Enter stands for, moved by Tab and the arrows.
 struct QuestionFocus {
-  int kind = -1;   ///< Kind of question that was seen in the frame before; -1: none.
-  int button = -1; ///< Index; -1: Enter stands for none.
+  std::string question; ///< Id of its dialog; empty: none is asked.
+  int button = -1;      ///< Index; -1: Enter stands for none.
 };
 
 /// Dialogs that can lie over the window, and what each is about.
@@ -71,6 +71,7 @@ struct DialogStates {
   ClipPick clipPick;
   ReferenceDialogState reference;
   QuestionFocus question;
+  std::string lostFilm; ///< Name of the video that quitting would give up; empty: nothing is asked.
   bool settingsOpen = false;
   bool aboutOpen = false;
   bool navigationChoiceOpen = false; ///< The first start.

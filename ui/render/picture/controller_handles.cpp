@@ -119,6 +119,10 @@ Polyline lineOf(const View& view, const ControllerHandles& handles, const Handle
 
 } // namespace
 
+double handleReachPixels(const View& view) {
+  return shareOfSize(view) * arrowPoints * view.viewport.pixelsPerPoint;
+}
+
 std::vector<HandlePart> partsOf(const ControllerHandles& handles) {
   std::vector<HandlePart> parts;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -28,6 +28,9 @@ struct HandlePart {
   friend bool operator==(const HandlePart&, const HandlePart&) = default;
 };
 
+/// How far the handles reach from their middle, pixels.
+[[nodiscard]] double handleReachPixels(const View& view);
+
 /// Every handle that is there.
 [[nodiscard]] std::vector<HandlePart> partsOf(const ControllerHandles& handles);
 

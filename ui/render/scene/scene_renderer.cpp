@@ -33,9 +33,9 @@ JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
   return {style.stretchRatio.empty() ? stretchRatios(frame) : style.stretchRatio, style.highlight};
 }
 
-/// An image in the middle of the view, which the floor would hide.
+/// An image, which the floor would hide.
 bool hasImageBehind(const SceneStyle& style) {
-  return style.backdrop && style.backdrop->across == 0.5 && style.backdrop->opacity > 0.0;
+  return style.backdrop && style.backdrop->opacity > 0.0;
 }
 
 bool picksOut(const SceneStyle& style) {

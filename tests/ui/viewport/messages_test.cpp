@@ -1,0 +1,138 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <optional>
+
+#include <imgui_internal.h>
+
+#include "app/commands/table/selection.h"
+#include "rig/trail/trail.h"
+#include "tests/support/ui/gui_stage.h"
+#include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/work.h"
+#include "ui/render/picking/picking.h"
+#include "ui/viewport/shown/shown_controllers.h"
+#include "ui/viewport/viewport_labels.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+constexpr float width = 460.0F;
+constexpr float height = 340.0F;
+
+bool overlap(const Item& item, const Rect& box) {
+  return item.min.x < box.max.x && box.min.x < item.max.x && item.min.y < box.max.y && box.min.y < item.max.y;
+}
+
+/// How many messages there are, and how many of them lie over a place.
+struct Told {
+  int count = 0;
+  int over = 0;
+};
+
+Told messagesOver(const ItemRegistry& items, const Rect& box) {
+  Told told;
+  for (const Item& item : items.items) {
+    if (item.id.starts_with("toast/")) {
+      ++told.count;
+      told.over += overlap(item, box) ? 1 : 0;
+    }
+  }
+  return told;
+}
+
+Rect around(const ImVec2& place, float radius) {
+  return {{place.x - radius, place.y - radius}, {place.x + radius, place.y + radius}};
+}
+
+void tellTwo(UiState& ui) {
+  ui.toasts = {
+      {ToastKind::success, "Applied: left arm, frames 21 to 29: 16 keys, 7 of them between frames", 60.0F},
+      {ToastKind::warning, "The left arm gets no longer than 1.4 times at frame 25", 60.0F}};
+}
+
+/// The bundled character with a trail, in a view whose middle is a place of the world.
+struct Seen : test::GuiStage {
+  explicit Seen(test::GuiPainter& painter) : GuiStage(painter, ThemeKind::dark, width, height) {
+    test::withTrail({open, ui, status, {}});
+    viewport.framePending = true;
+    showViewport();
+  }
+
+  /// Sees it from close, with a place of the world at a part of the picture's width and height.
+  void lookAt(const Vec3& world, double across, double down) {
+    viewport.camera.distance *= 0.9;
+    showViewport();
+    const double unit = unitsPerPixel(viewport.view, world);
+    viewport.camera.target = world - viewRight(viewport.view) * unit * (across - 0.5) * double(width) +
+                             viewUp(viewport.view) * unit * (down - 0.5) * double(height);
+    ui.toasts.clear();
+    showViewport();
+    tellTwo(ui);
+    showViewport();
+  }
+};
+
+} // namespace
+
+TEST_CASE("No message covers the selected trail's tip, wherever it stands in the picture") {
+  test::GuiPainter painter;
+  Seen stage(painter);
+  const rig::Trail trail = *app::selectedTrail(*stage.open.character());
+  const ShownTrail* const shown = findShown(stage.viewport.shown, trail.id);
+  REQUIRE(shown != nullptr);
+  const Vec3 tip = pointOnTrail(*shown, rig::tipFrameOf(trail.settings), shown->exaggerated);
+  int coveredWithoutIt = 0;
+  for (const double across : {0.2, 0.5, 0.8}) {
+    for (const double down : {0.06, 0.15, 0.3, 0.5, 0.9}) {
+      CAPTURE(across, down);
+      stage.lookAt(tip, across, down);
+      const std::optional<ImVec2> place = placeOf(stage.viewport, tip);
+      REQUIRE(place);
+      CHECK(place->x == Approx(across * double(width)).margin(20.0));
+      const Told told = messagesOver(stage.items, around(*place, 8.0F));
+      CHECK(told.count >= 1);
+      CHECK(told.over == 0);
+      stage.open.character()->view().selection.dropTrail();
+      stage.lookAt(tip, across, down);
+      coveredWithoutIt += messagesOver(stage.items, around(*place, 8.0F)).over > 0 ? 1 : 0;
+      app::selectTrail(*stage.open.character(), trail.id);
+    }
+  }
+  CHECK(coveredWithoutIt > 2); // They would lie there.
+}
+
+TEST_CASE("No message covers the handles of a selected controller") {
+  test::GuiPainter painter;
+  Seen stage(painter);
+  app::Session& session = *stage.open.character();
+  app::selectControllers(session, {"left-hand"});
+  stage.showViewport();
+  const auto handles = controllerHandles(session, stage.viewport.controllers);
+  REQUIRE(handles);
+  for (const double down : {0.1, 0.5, 0.9}) {
+    CAPTURE(down);
+    stage.lookAt(handles->origin, 0.5, down);
+    const std::optional<ImVec2> place = placeOf(stage.viewport, handles->origin);
+    REQUIRE(place);
+    const Told told = messagesOver(stage.items, around(*place, 60.0F));
+    CHECK(told.count >= 1);
+    CHECK(told.over == 0);
+  }
+}
+
+TEST_CASE("What went wrong is told beside an open dialog where the window has room, news wait for its end") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 1280.0F, 720.0F);
+  stage.open.open(test::PanelDriver::bundledCharacter());
+  stage.ui.dialogs.settingsOpen = true;
+  tellTwo(stage.ui);
+  stage.showDialogs();
+  const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
+  REQUIRE(dialog != nullptr);
+  const Told told = messagesOver(stage.items, {dialog->Rect().Min, dialog->Rect().Max});
+  CHECK(told.count == 1);
+  CHECK(told.over == 0);
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/viewport/viewport_context.h"
+
+namespace stretch::ui {
+
+/// Draws what was told over the picture: beside the character as it stood when the first of the messages
+/// came, so that they do not hop while it plays, and off the selected trail's tip, the handles of a
+/// controller, the tour and the entries of the start page.
+void showMessages(ViewportContext& context);
+
+} // namespace stretch::ui
