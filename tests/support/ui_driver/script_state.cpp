@@ -164,13 +164,16 @@ std::string heavyStiffness(const app::Session& session) {
 }
 
 /// Whether a program that knows nothing of the work plays the saved file as it is drawn here: every vertex at
-/// every frame, within a thousandth of the character's height.
+/// every frame, within a thousandth of the character's height. "yes" where there is no clip to play.
 std::string playsAsDrawn(app::Session& session) {
   const Result<gltf::Loaded> saved = gltf::loadAsItStands(session.savePath());
   if (!saved) {
     return saved.error().line();
   }
   const int clip = session.view().clip;
+  if (!app::hasClip(session.document(), clip)) {
+    return "yes";
+  }
   const Clip& played = saved->clips[static_cast<std::size_t>(clip)];
   const double rate = app::clipOf(session.document(), clip).framesPerSecond;
   for (double frame = 0.0; frame <= app::lastFrame(session.document(), clip); frame += 1.0) {
