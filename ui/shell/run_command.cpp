@@ -100,14 +100,10 @@ std::string undoneText(const Shell& shell, std::string_view commandId) {
   return sequence == nullptr ? std::string() : textOf(*sequence);
 }
 
-/// What undo or redo did; the last one takes the place of those before.
+/// What undo or redo did. News of before are about what has gone.
 void tellUndone(Shell& shell, std::string_view commandId, const std::string& label) {
-  constexpr std::string_view undone = "Undone: ";
-  constexpr std::string_view redone = "Redone: ";
-  std::erase_if(shell.ui.toasts, [&](const Toast& toast) {
-    return toast.text.starts_with(undone) || toast.text.starts_with(redone);
-  });
-  tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
+  hideNews(shell.ui);
+  tell(shell, ToastKind::info, (commandId == command::undo ? "Undone: " : "Redone: ") + label);
 }
 
 /// What a command that holds something did, and over which frames; empty for other commands.

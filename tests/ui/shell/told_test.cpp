@@ -1,0 +1,75 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "app/commands/table/command_ids.h"
+#include "app/edits/trail/trail_edits.h"
+#include "tests/support/ui/editor_stage.h"
+#include "ui/shell/file_work.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+namespace command = stretch::app::command;
+
+namespace {
+
+/// The bundled character, opened as a file.
+struct Told : test::EditorStage {
+  Told() {
+    std::filesystem::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", folder / "dummy.glb");
+    openAgain();
+  }
+  void openAgain() {
+    openFile(shell, {folder / "dummy.glb"});
+    frames(2);
+    settle();
+    frames(2);
+  }
+  [[nodiscard]] bool isTold(std::string_view beginning) const {
+    return std::ranges::any_of(shell.ui.toasts,
+                               [&](const Toast& toast) { return toast.text.starts_with(beginning); });
+  }
+};
+
+} // namespace
+
+TEST_CASE("What was told of a file goes with it") {
+  Told stage;
+  tell(stage.shell, ToastKind::warning, "The left hand goes through the floor");
+  stage.openAgain();
+  CHECK_FALSE(stage.isTold("The left hand goes through the floor"));
+}
+
+TEST_CASE("What undo tells takes the place of news about what has gone, and warnings stay") {
+  Told stage;
+  stage.session().edit(app::setLooping(stage.session().document(), 0, true), "Loop");
+  tell(stage.shell, ToastKind::info, "The clip goes round now");
+  tell(stage.shell, ToastKind::warning, "The left hand goes through the floor");
+  stage.run(command::undo);
+  CHECK(stage.isTold("Undone: Loop"));
+  CHECK_FALSE(stage.isTold("The clip goes round now"));
+  CHECK(stage.isTold("The left hand goes through the floor"));
+  stage.run(command::redo);
+  CHECK(stage.isTold("Redone: Loop"));
+  CHECK_FALSE(stage.isTold("Undone: Loop"));
+}
+
+TEST_CASE("A pose that is pasted at a first key without a range says that the whole clip holds it") {
+  Told stage;
+  constexpr std::string_view held = "The pose is held over the whole clip";
+  app::Session& session = stage.session();
+  session.view().frame = 0.0;
+  stage.run(command::poseCopy);
+  session.view().frame = 20.0;
+  stage.run(command::posePaste);
+  CHECK(stage.isTold(held));
+  CHECK(session.history().undoLabel().starts_with("Paste the pose"));
+  stage.run(command::undo);
+  CHECK_FALSE(stage.isTold(held));
+  session.view().rangeStart = 15.0;
+  session.view().rangeEnd = 25.0;
+  stage.run(command::posePaste);
+  CHECK_FALSE(stage.isTold(held));
+}
