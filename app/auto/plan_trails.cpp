@@ -34,6 +34,8 @@ constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
 constexpr double sharedWay = 0.5;         // of the next range: until then it has hardly begun
+constexpr double carriedBack = 0.5; // of what a scale adds: where the limb itself goes so far, it is no jump
+constexpr double fullOvershoot = 1.0 / 3.0; // seconds of a way back: in less it would be a jerk the other way
 
 bool overlap(const rig::Moment& a, const rig::Moment& b) {
   return std::max(a.startFrame, b.startFrame) < std::min(a.endFrame, b.endFrame);
@@ -87,7 +89,11 @@ private:
       plan_.partners.push_back(place);
     }
     const rig::Limb& limb = *findLimb(ground_.document, moment.limb);
-    addTrail(place, limb, *rangeOf(moment, limb));
+    PlannedTrail planned = trailOf(place, limb, *rangeOf(moment, limb));
+    if (!leavesWaysBack(planned)) {
+      return "there is no room for the way back";
+    }
+    plan_.trails.push_back(std::move(planned));
     return {};
   }
 
@@ -172,7 +178,47 @@ private:
                                                      : 1.0;
   }
 
-  void addTrail(std::size_t place, const rig::Limb& limb, const Vec2& range) {
+  // Whether this trail and the stronger ones of its limb come back from each other without a jump.
+  [[nodiscard]] bool leavesWaysBack(const PlannedTrail& planned) const {
+    const rig::Trail& trail = planned.trail;
+    return std::ranges::all_of(plan_.trails, [&](const PlannedTrail& other) {
+      return other.trail.limb != trail.limb ||
+             (comesBackBefore(planned, other.trail.settings) && comesBackBefore(other, trail.settings));
+    });
+  }
+
+  // There is time for it, or the limb itself goes on as far by then, as from a wind-up into its strike; the
+  // ground shows it of a step.
+  [[nodiscard]] bool comesBackBefore(const PlannedTrail& planned, const rig::TrailSettings& next) const {
+    const rig::Trail& trail = planned.trail;
+    const rig::TrailSettings& settings = trail.settings;
+    double room = next.startFrame + sharedWay * (next.endFrame - next.startFrame) - settings.endFrame;
+    room += room < 0.0 && ground_.wraps ? ground_.lastFrame : 0.0;
+    if (room < 0.0 || room >= seenFrames()) {
+      return true;
+    }
+    const auto way = [&](double from, double to) {
+      const double past = to - ground_.lastFrame;
+      return glm::distance(ground_.reachOf(trail.limb, past <= 0.0     ? to
+                                                       : ground_.wraps ? past
+                                                                       : ground_.lastFrame),
+                           ground_.reachOf(trail.limb, from));
+    };
+    const double added = (settings.scale - 1.0) * way(settings.startFrame, settings.endFrame);
+    return !isStep(planned) &&
+           way(settings.endFrame, settings.endFrame + std::round(room)) >= carriedBack * added;
+  }
+
+  [[nodiscard]] bool isStep(const PlannedTrail& planned) const {
+    return moments_[planned.moment].kind == rig::MomentKind::cycle &&
+           isLeg(*findLimb(ground_.document, planned.trail.limb));
+  }
+
+  [[nodiscard]] double seenFrames() const {
+    return std::max(shortestRelease, std::round(seenRelease * ground_.framesPerSecond));
+  }
+
+  [[nodiscard]] PlannedTrail trailOf(std::size_t place, const rig::Limb& limb, const Vec2& range) const {
     const rig::Moment& moment = moments_[place];
     PlannedTrail planned;
     planned.moment = place;
@@ -189,7 +235,7 @@ private:
           std::min(settings.scale, std::max(1.0, longestLimb * ground_.document.body.size / limb.restLength));
     }
     stopAtGround(limb, settings);
-    plan_.trails.push_back(std::move(planned));
+    return planned;
   }
 
   // The spine goes along with each strike of a limb that hangs on it, where it does nothing of its own.
@@ -299,19 +345,25 @@ private:
   }
 
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
-  // where the clip is no loop, before its end.
+  // where the clip is no loop, before its end. A step of a cycle is taken back for as long as the ground
+  // carries the foot: in less the foot would skate.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
       rig::TrailSettings& settings = planned.trail.settings;
       const double wanted = settings.releaseFrames.value_or(0.5 * (settings.endFrame - settings.startFrame));
-      const double seen = std::max(shortestRelease, std::round(seenRelease * ground_.framesPerSecond));
-      settings.releaseFrames = std::clamp(roomAfter(planned.trail), 0.0, std::max(wanted, seen));
+      const double carried = isStep(planned) ? roomAfter(planned.trail, 0.0) : 0.0;
+      const double release =
+          std::clamp(roomAfter(planned.trail, sharedWay), 0.0, std::max({wanted, seenFrames(), carried}));
+      settings.releaseFrames = release;
+      const double time = release / ground_.framesPerSecond;
+      settings.overshoot *=
+          isStep(planned) ? 0.0 : std::clamp((time - seenRelease) / (fullOvershoot - seenRelease), 0.0, 1.0);
     }
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }
 
-  // Frames after the tip.
-  [[nodiscard]] double roomAfter(const rig::Trail& trail) const {
+  // Frames after the tip, up to this share of the next range of the limb.
+  [[nodiscard]] double roomAfter(const rig::Trail& trail, double share) const {
     const double tip = trail.settings.endFrame;
     const double turn = ground_.wraps ? ground_.lastFrame : 0.0;
     double room = turn > 0.0 ? 2.0 * ground_.lastFrame : ground_.lastFrame - tip;
@@ -322,7 +374,7 @@ private:
     for (const PlannedTrail& other : plan_.trails) {
       const rig::TrailSettings& next = other.trail.settings;
       if (other.trail.limb == trail.limb && (other.trail.settings != trail.settings || turn > 0.0)) {
-        endBefore(next.startFrame + sharedWay * (next.endFrame - next.startFrame));
+        endBefore(next.startFrame + share * (next.endFrame - next.startFrame));
       }
     }
     for (const Vec2& stand : ground_.standsOf(trail.limb)) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double legLength = 0.9;
 
 // A biped that stands for two seconds on straight legs.
-Document standing() {
+Document standingBiped() {
   test::SyntheticBiped body = test::makeNamedBody("Mixamo");
   for (const std::string side : {".l", ".r"}) {
     const Vec3 hip = test::jointOf(body, "thigh" + side).position;
@@ -55,7 +55,7 @@ rig::Adjustment softened(const std::string& attribute, double value) {
 }
 
 Document posedBy(const std::vector<rig::Adjustment>& adjustments) {
-  const Result<Document> posed = placeAdjustments(standing(), adjustments);
+  const Result<Document> posed = placeAdjustments(standingBiped(), adjustments);
   REQUIRE(posed);
   return *posed;
 }
@@ -106,7 +106,7 @@ TEST_CASE("Only the frames asked for are looked at, and a pop is told by its fra
 }
 
 TEST_CASE("A session tells the pops around the playhead, and during a drag those from before it") {
-  Session session(standing());
+  Session session(standingBiped());
   CHECK(session.pops().empty());
   session.edit(posedBy({risingHips(0.12)}), "Lower");
   CHECK(session.pops().size() == 2);
@@ -115,7 +115,7 @@ TEST_CASE("A session tells the pops around the playhead, and during a drag those
   session.view().frame = 0.0;
   REQUIRE(session.pops().size() == 2);
   session.begin("Raise");
-  session.preview(standing());
+  session.preview(standingBiped());
   CHECK(session.pops().size() == 2);
   session.cancel();
   CHECK(session.pops().size() == 2);

@@ -411,6 +411,28 @@ TEST_CASE("Extras that are there already survive the work") {
   checkRestored(reopened(folder, changed), file, edits.work);
 }
 
+TEST_CASE("Work finds a place in the asset's extras where the root's are no object, and is refused where "
+          "neither is") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["extras"] = "a text";
+  glb.json["asset"]["extras"] = Json({{"mine", 1}});
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = Json{{"scale", 2}};
+  const gltf::Source changed = patchedOrFail(*file.source, edits);
+  CHECK((*changed.json)["asset"]["extras"].contains("stretch_engine"));
+  CHECK((*changed.json)["asset"]["extras"]["mine"] == 1);
+  checkRestored(reopened(folder, changed), file, edits.work);
+
+  glb.json["asset"]["extras"] = 7;
+  const gltf::Loaded closed = arm(folder, glb);
+  CHECK(test::refusal(gltf::patched(*closed.source, edits)) ==
+        "extras: its extras are no objects, so the work finds no place in it; save without the work (clean)");
+  edits.work = {};
+  CHECK(gltf::patched(*closed.source, edits));
+}
+
 TEST_CASE("A file that another program changed opens as an ordinary one, with a warning") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);

@@ -263,6 +263,52 @@ TEST_CASE("A way back takes a sixth of a second or more where there is room for 
         Approx(std::max(0.4 * (settings.endFrame - settings.startFrame), 30.0 / 6.0)));
 }
 
+namespace {
+
+/// The boxer whose left arm is raised to the side from frame 10 to 14 and is down again so many frames later.
+Document raiser(double framesDown) {
+  const Document boxer = test::boxer();
+  Track arm = turnsOf(boxer, "left-arm");
+  const Quat rest = boxer.scene->nodes[static_cast<std::size_t>(arm.node.value)].rest.rotation;
+  const Quat raised = glm::angleAxis(1.2, Vec3(0.0, 0.0, 1.0)) * rest;
+  for (double frame = 0.0; frame <= 60.0; frame += 1.0) {
+    const double part = frame <= 14.0
+                            ? rig::smoothstep(std::clamp((frame - 10.0) / 4.0, 0.0, 1.0))
+                            : 1.0 - rig::smoothstep(std::clamp((frame - 14.0) / framesDown, 0.0, 1.0));
+    addKey(arm, frame, glm::slerp(rest, raised, part));
+  }
+  return withTracks(boxer, {arm});
+}
+
+} // namespace
+
+TEST_CASE("A stroke that would leave a stronger one no time to come back is left out, unless the limb goes "
+          "as far itself") {
+  const AutoClip far = exaggerated(raiser(4.0), in("Duck Amuck", 1.5));
+  CHECK(momentAt(far, "left-arm", 14.0).scale > 2.0);
+  CHECK(momentAt(far, "left-arm", 18.0).why == "there is no room for the way back");
+  REQUIRE(far.document.trails.size() == 1);
+  CHECK(far.document.trails.front().settings.releaseFrames >= 5.0);
+  const AutoClip near = exaggerated(raiser(4.0), in("Subtle"));
+  CHECK(momentAt(near, "left-arm", 18.0).trailId > 0);
+  CHECK(near.document.trails.size() == 2);
+}
+
+TEST_CASE("A style's overshoot needs time: there is none in a sixth of a second, and all of it in a third") {
+  const rig::Style style = in("Rubber hose").style;
+  REQUIRE(style.overshoot > 0.0);
+  for (const double framesDown : {4.0, 30.0}) {
+    CAPTURE(framesDown);
+    const AutoClip made = exaggerated(raiser(framesDown), AutoSettings{style, 1.0});
+    REQUIRE_FALSE(made.document.trails.empty());
+    const rig::TrailSettings& settings = made.document.trails.front().settings;
+    REQUIRE(settings.releaseFrames);
+    const double share = std::clamp((*settings.releaseFrames - 5.0) / 5.0, 0.0, 1.0);
+    CHECK(settings.overshoot == Approx(share * style.overshoot));
+    CHECK(settings.overshoot < style.overshoot);
+  }
+}
+
 TEST_CASE("Arms that close in front of the chest get longer only so far that they do not pass each other") {
   const Document before = closer();
   for (const char* const style : {"Subtle", "Rubber hose"}) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -73,7 +75,74 @@ Document slider() {
   return withTracks(document, {step, slide});
 }
 
+// Two legs that step on the spot in a loop of 24 frames, the right one first: forwards until frame 7, and
+// back along the ground.
+Document treadmill() {
+  Document document = slider();
+  std::vector<Track> tracks;
+  for (const auto& [leg, ahead] : {std::pair("right-leg", 0.0), {"left-leg", 12.0}}) {
+    Track steps = turnsOf(document, leg);
+    for (int frame = 0; frame <= 24; ++frame) {
+      const double phase = std::fmod(frame + ahead, 24.0);
+      const double part =
+          phase < 7.0 ? rig::smoothstep(phase / 7.0) : 1.0 - rig::smoothstep((phase - 7.0) / 17.0);
+      addKey(steps, frame, glm::angleAxis(0.8 * (part - 0.5), Vec3(-1.0, 0.0, 0.0)));
+    }
+    tracks.push_back(steps);
+  }
+  return withTracks(document, tracks);
+}
+
+rig::Moment stepOf(const char* leg, rig::MomentKind kind, double start, double tip) {
+  rig::Moment moment;
+  moment.limb = leg;
+  moment.kind = kind;
+  moment.startFrame = start;
+  moment.tipFrame = moment.endFrame = tip;
+  moment.strength = 20.0;
+  return moment;
+}
+
 } // namespace
+
+TEST_CASE("A step of a cycle is taken back while the ground carries the foot, without an overshoot") {
+  const AutoSettings style = in("Rubber hose");
+  REQUIRE(style.style.overshoot > 0.0);
+  const auto settingsOf = [&](rig::MomentKind kind) {
+    const AutoClip made = exaggerateClip(treadmill(), 0, {stepOf("right-leg", kind, 0.0, 7.0)}, style);
+    REQUIRE(made.document.trails.size() == 1);
+    return made.document.trails.front().settings;
+  };
+  const rig::TrailSettings step = settingsOf(rig::MomentKind::cycle);
+  CHECK(*step.releaseFrames >= 15.0); // of 17 to the next step
+  CHECK(step.overshoot == 0.0);
+  CHECK(*settingsOf(rig::MomentKind::stroke).releaseFrames < 10.0);
+}
+
+TEST_CASE("The way back of a step is not exaggerated too, and that of an arm is") {
+  for (const auto& [limb, both] : {std::pair("right-leg", false), {"left-arm", true}}) {
+    CAPTURE(limb);
+    Document document = treadmill();
+    std::vector<Track> tracks;
+    for (const CopyOnWrite<Track>& track : document.clips->front().tracks) {
+      tracks.push_back(*track);
+    }
+    Track arm = turnsOf(document, "left-arm");
+    for (int frame = 0; frame <= 24; ++frame) {
+      const double part = 0.5 - 0.5 * std::cos(frame * 3.14159265 / 4.0);
+      addKey(arm, frame, glm::angleAxis(0.8 * part, Vec3(0.0, 0.0, 1.0)));
+    }
+    tracks.push_back(arm);
+    document = withTracks(document, tracks);
+    const AutoClip made = exaggerateClip(
+        document, 0,
+        {stepOf(limb, rig::MomentKind::cycle, 0.0, 4.0), stepOf(limb, rig::MomentKind::cycle, 4.0, 8.0)},
+        in("Subtle"));
+    REQUIRE(made.moments.size() == 2);
+    CHECK(made.moments.front().trailId > 0);
+    CHECK((made.moments.back().why != "there is no room for the way back") == both);
+  }
+}
 
 TEST_CASE(
     "One arm that waves while the other rests needs no partner, and one whose partner is left out does") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/commands/pose/hold.h"
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
@@ -14,6 +15,7 @@
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/nodes.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -233,4 +235,19 @@ TEST_CASE("Of what is selected hands and feet are pinned, and what has neither i
   CHECK(runHold(controllers, command::holdPin) == "select an arm or a leg, a hand or a foot");
   selectControllers(controllers, {"hips", "left-hand"});
   CHECK(pinned(controllers) == std::vector<std::string>{"left-arm"});
+}
+
+TEST_CASE(
+    "A limb is taken in the hand where it is known and there is a clip, and is refused by its name else") {
+  const Document document = test::openedFile(test::posedCharacter);
+  Session session(document);
+  session.view().clip = 0;
+  const Result<HeldLimb> held = holdLimb(session, "left-arm");
+  REQUIRE(held);
+  CHECK(findTrail(held->document, held->trailId)->limb == "left-arm");
+  CHECK(test::refusal(holdLimb(session, "left-wing")) ==
+        "left-wing: there is nothing to pull here; open a file with a clip");
+  session.view().clip = 99;
+  CHECK(test::refusal(holdLimb(session, "left-arm")) ==
+        "left arm: there is nothing to pull here; open a file with a clip");
 }

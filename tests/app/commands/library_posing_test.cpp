@@ -19,7 +19,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double punchFrame = 27.0;
+constexpr double frameOfPunch = 27.0;
 
 SeenPose seenAt(Session& session, double frame) {
   session.view().frame = frame;
@@ -78,7 +78,7 @@ TEST_CASE("A pose in standard form stands at the origin, faces +Z and counts in 
 TEST_CASE(
     "A pose of the library is taken by halves: offsets half as far, and wholly every controller is there") {
   Session session(test::openedFile(test::posedCharacter));
-  const SeenPose punch = seenAt(session, punchFrame);
+  const SeenPose punch = seenAt(session, frameOfPunch);
   session.view().frame = 5.0;
   const rig::PlacedController before = placedNow(session, "left-hand");
   const Result<PoseBlend> blend = blendInto(session, punch);
@@ -117,7 +117,7 @@ TEST_CASE(
 
 TEST_CASE("Hips and feet are as far from where they rest, whatever the proportions of who was seen") {
   Session session(test::openedFile(test::posedCharacter));
-  SeenPose punch = seenAt(session, punchFrame);
+  SeenPose punch = seenAt(session, frameOfPunch);
   session.view().frame = 5.0;
   const auto goalHeights = [&](const SeenPose& pose) {
     std::vector<double> heights;
@@ -152,7 +152,7 @@ TEST_CASE("Hips and feet are as far from where they rest, whatever the proportio
 
 TEST_CASE("Selected controllers alone take the pose, with the attributes that go with them") {
   Session session(test::openedFile(test::posedCharacter));
-  const SeenPose punch = seenAt(session, punchFrame);
+  const SeenPose punch = seenAt(session, frameOfPunch);
   session.view().frame = 5.0;
   selectControllers(session, {"left-hand", "head"});
   const Result<PoseBlend> blend = blendInto(session, punch);
@@ -166,7 +166,7 @@ TEST_CASE("Selected controllers alone take the pose, with the attributes that go
 
 TEST_CASE("A pose that cannot be taken says why") {
   Session session(test::openedFile(test::posedCharacter));
-  const SeenPose punch = seenAt(session, punchFrame);
+  const SeenPose punch = seenAt(session, frameOfPunch);
   SECTION("the character stands so") {
     CHECK_THAT(test::refusal(blendInto(session, punch)),
                Catch::StartsWith("the character stands so already"));

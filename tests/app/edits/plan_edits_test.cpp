@@ -86,6 +86,49 @@ TEST_CASE("Another body plan replaces the limbs, and takes along what was set up
              Catch::StartsWith("plan: there is no body plan 'centaur'"));
 }
 
+TEST_CASE("What holds a limb that another body plan lacks goes with it, as leader and as follower, and what "
+          "holds the "
+          "others stays") {
+  Document document = horse();
+  const Result<Document> bare = changePlan(document, "spider");
+  REQUIRE(bare);
+  std::vector<std::string> kept;
+  std::vector<std::string> gone;
+  for (const rig::Limb& limb : document.body.limbs) {
+    (findLimb(*bare, limb.id) != nullptr ? kept : gone).push_back(limb.id);
+  }
+  REQUIRE(kept.size() >= 2);
+  REQUIRE(gone.size() >= 2);
+  const auto pinOf = [](const std::string& limb) {
+    rig::Pin pin;
+    pin.limb = limb;
+    return pin;
+  };
+  const auto gripOf = [](const std::string& follower, const std::string& leader) {
+    rig::Grip grip;
+    grip.follower = follower;
+    grip.leader = leader;
+    return grip;
+  };
+  const auto propOf = [](const std::vector<std::string>& hands) {
+    rig::Prop prop;
+    for (const std::string& hand : hands) {
+      prop.hands.push_back({.limb = hand, .keys = {{.frame = 0.0, .value = 1.0}}});
+    }
+    return prop;
+  };
+  document.holds.pins = {pinOf(gone[0]), pinOf(kept[0])};
+  document.holds.grips = {gripOf(kept[0], gone[0]), gripOf(gone[0], kept[0]), gripOf(gone[0], gone[1]),
+                          gripOf(kept[0], kept[1])};
+  document.holds.props = {propOf({gone[0]}), propOf({kept[0], gone[0]}), propOf({kept[0], kept[1]})};
+  const Result<Document> changed = changePlan(document, "spider");
+  REQUIRE(changed);
+  CHECK(changed->holds.pins == std::vector{pinOf(kept[0])});
+  CHECK(changed->holds.grips == std::vector{gripOf(kept[0], kept[1])});
+  REQUIRE(changed->holds.props.size() == 1);
+  CHECK(changed->holds.props.front().hands == propOf({kept[0], kept[1]}).hands);
+}
+
 TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand") {
   const Document document = horse();
   const Document chosen = *changePlan(document, "other");

@@ -3,6 +3,8 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,6 +15,7 @@
 #include <sys/resource.h>
 
 #include "core/base/descriptor.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -67,6 +70,19 @@ TEST_CASE("A file that cannot be read is told by its name") {
   const TemporaryFolder folder;
   CHECK(readText(folder / "none").error().line().find("none: there is no such file") != std::string::npos);
   CHECK(readFile(folder.path()).error().what == "is a folder");
+}
+
+TEST_CASE(
+    "A file of 4 GiB and more is refused without being read, a folder and what is not there are named so") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "huge.glb") << "glTF";
+  fs::resize_file(folder / "huge.glb", std::uintmax_t(5) << 30); // Sparse: it takes no room.
+  CHECK(test::refusal(readFile(folder / "huge.glb")) ==
+        (folder / "huge.glb").string() + ": is larger than 4 GiB; check the file");
+  CHECK(test::refusal(readText(folder / "huge.glb")).find("is larger than 4 GiB") != std::string::npos);
+  CHECK(test::refusal(readFile(folder.path())) == folder.path().string() + ": is a folder; give a file");
+  CHECK(test::refusal(readFile(folder / "none.glb")) ==
+        (folder / "none.glb").string() + ": there is no such file; check the path");
 }
 
 TEST_CASE("A pair of which one cannot be replaced is left as it was") {
