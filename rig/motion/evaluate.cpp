@@ -65,17 +65,20 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
   const double timeSeconds = wrapped(motion, solved, sample.timeSeconds);
   const Outside outside = outsideOf(solved, timeSeconds);
   const double rounding = keyTimeRounding(timeSeconds);
-  if (outside.pastPivot > rounding) {
-    const double fade =
-        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
-    return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
-  }
-  // Where a loop starts again the tip's frame counts as the first of the release.
-  if (outside.pastTip > rounding || timeSeconds != sample.timeSeconds) {
+  // Where a loop starts again a range that ends there counts with what lies beyond it: the tip's frame as the
+  // first of the release, the pivot's as the last of the fade.
+  const bool isOtherEnd = timeSeconds != sample.timeSeconds;
+  const bool isAtTip = std::abs(timeSeconds - solved.tipSeconds) <= rounding;
+  if (outside.pastTip > rounding || (isOtherEnd && isAtTip)) {
     // The tip's own offset, which decays: the limb goes on with the clip below it.
     const double decay = solved.release.at(outside.pastTip);
     return {1.0, decay,
             decay * rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0)};
+  }
+  if (outside.pastPivot > rounding || isOtherEnd) {
+    const double fade =
+        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
+    return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
   }
   const double weight = solved.remap.at(solved.path.ratioAt(timeSeconds));
   return {weight, 1.0, rangeOffset(solved, sample, timeSeconds * framesPerSecond, weight)};

@@ -68,6 +68,30 @@ TEST_CASE(
   CHECK(motion.trails.front().release.seconds() > 0.0);
 }
 
+TEST_CASE(
+    "On a loop nothing jumps at the seam, whichever end of the range is the pivot and whichever lies there") {
+  constexpr double seconds = 20.0 / 30.0;
+  constexpr double moment = 1e-4;
+  for (const rig::Pivot pivot : {rig::Pivot::start, rig::Pivot::end}) {
+    for (const Vec2& range : {Vec2(0.0, 8.0), Vec2(12.0, 20.0), Vec2(2.0, 8.0), Vec2(12.0, 18.0)}) {
+      CAPTURE(static_cast<int>(pivot), range.x, range.y);
+      Document document = setLooping(withTrailTo(shadowBoxer(), range.x, range.y), 0, true);
+      document.trails.front().settings.pivot = pivot;
+      document.trails.front().settings.releaseFrames = 4.0;
+      const rig::MotionState motion = prepareMotion(document, 0);
+      const rig::Limb& arm = *findLimb(document, "left-arm");
+      const auto handAt = [&](double time) {
+        return rig::endPosition(arm, evaluate(document, motion, time));
+      };
+      CHECK(glm::distance(handAt(0.0), handAt(moment)) < 0.01);
+      CHECK(glm::distance(handAt(seconds), handAt(seconds - moment)) < 0.01);
+      CHECK(glm::distance(handAt(0.0), handAt(seconds)) < 1e-3);
+      const double tip = (pivot == rig::Pivot::start ? range.y : range.x) / 30.0;
+      CHECK(glm::distance(handAt(tip), rig::endPosition(arm, evaluateOriginal(document, 0, tip))) > 0.1);
+    }
+  }
+}
+
 TEST_CASE("A way back that is cut because its range begins again on a loop is told") {
   const Document looped = setLooping(withTrailTo(shadowBoxer(), 1.0, 20.0), 0, true);
   const auto problem = problemOf(looped);
