@@ -355,9 +355,8 @@ private:
       const double release =
           std::clamp(roomAfter(planned.trail, sharedWay), 0.0, std::max({wanted, seenFrames(), carried}));
       settings.releaseFrames = release;
-      const double time = release / ground_.framesPerSecond;
-      settings.overshoot *=
-          isStep(planned) ? 0.0 : std::clamp((time - seenRelease) / (fullOvershoot - seenRelease), 0.0, 1.0);
+      const double time = std::min(1.0, release / ground_.framesPerSecond / fullOvershoot);
+      settings.overshoot *= isStep(planned) ? 0.0 : time * time;
     }
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }

@@ -103,4 +103,9 @@ ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved)
   return length;
 }
 
+bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
+  const double pivotSeconds = isForwards(solved) ? solved.startSeconds : solved.endSeconds;
+  return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;
+}
+
 } // namespace stretch::rig

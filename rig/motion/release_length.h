@@ -18,6 +18,9 @@ struct ReleaseLength {
 /// `solved` with its path, tip, remap and spheres; `nodes`: the limb's joints and its end.
 [[nodiscard]] ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved);
 
+/// Whether a sphere at the pivot, where nothing is scaled, moves the limb: that fades beyond the range.
+[[nodiscard]] bool pullsPivot(const SolvedTrail& solved, double framesPerSecond);
+
 /// From the tip to the next key of the nodes on the release's way; nothing on a densely keyed clip, or where
 /// no key follows.
 [[nodiscard]] std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,

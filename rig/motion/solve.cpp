@@ -236,12 +236,6 @@ void setWindow(SolvedTrail& solved, double fadeSeconds) {
   solved.windowEndSeconds = solved.endSeconds + (forwards ? release : fadeSeconds);
 }
 
-bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
-  const bool forwards = solved.settings.pivot == Pivot::start;
-  const double pivotSeconds = forwards ? solved.startSeconds : solved.endSeconds;
-  return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;
-}
-
 } // namespace
 
 const Limb* limbOf(const MotionInput& input, const std::string& id) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rig/limb.h"
+#include "rig/motion/release_length.h"
 
 namespace stretch::rig {
 
@@ -34,8 +35,7 @@ void mergeOverlaps(std::vector<Window>& windows) {
   std::vector<Window> merged;
   for (const Window& window : windows) {
     if (!merged.empty() && window.startSeconds <= merged.back().endSeconds) {
-      merged.back().endSeconds = std::max(merged.back().endSeconds, window.endSeconds);
-      merged.back().jumpsAfter = window.jumpsAfter;
+      extend(merged.back(), window);
     } else {
       merged.push_back(window);
     }
@@ -58,8 +58,9 @@ std::vector<Window> windowsOf(const MotionState& motion, std::size_t place) {
   Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
   const bool noRelease = !(trail.release.seconds() > 0.0);
   const bool forwards = trail.settings.pivot == Pivot::start;
-  own.jumpsAfter = noRelease && forwards && own.endSeconds < motion.endSeconds - sameKey;
-  own.jumpsBefore = noRelease && !forwards && own.startSeconds > sameKey;
+  const bool jumpsAtPivot = noRelease && pullsPivot(trail, motion.framesPerSecond);
+  own.jumpsAfter = (forwards ? noRelease : jumpsAtPivot) && own.endSeconds < motion.endSeconds - sameKey;
+  own.jumpsBefore = (forwards ? jumpsAtPivot : noRelease) && own.startSeconds > sameKey;
   keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
   std::vector<Window> windows{own};
   addWrapped(motion, trail, windows);
@@ -118,12 +119,7 @@ void addWindow(const Window& window, std::vector<Window>& windows) {
     windows.push_back(window);
     return;
   }
-  Window& last = windows.back();
-  last.jumpsBefore = last.jumpsBefore || (window.startSeconds == last.startSeconds && window.jumpsBefore);
-  if (window.endSeconds >= last.endSeconds) {
-    last.jumpsAfter = window.jumpsAfter || (window.endSeconds == last.endSeconds && last.jumpsAfter);
-    last.endSeconds = window.endSeconds;
-  }
+  extend(windows.back(), window);
 }
 
 void joinWindows(std::vector<Window>& windows) {
@@ -253,6 +249,14 @@ void addHoldParts(const MotionState& motion, std::vector<KeyedPart>& parts) {
 }
 
 } // namespace
+
+void extend(Window& window, const Window& by) {
+  window.jumpsBefore = window.jumpsBefore || (by.startSeconds == window.startSeconds && by.jumpsBefore);
+  if (by.endSeconds >= window.endSeconds) {
+    window.jumpsAfter = by.jumpsAfter || (by.endSeconds == window.endSeconds && window.jumpsAfter);
+    window.endSeconds = by.endSeconds;
+  }
+}
 
 double besideJump(double borderSeconds, double direction) {
   constexpr double aside = 4e-7;

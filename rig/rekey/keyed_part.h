@@ -21,6 +21,10 @@ struct Window {
   bool jumpsAfter = false;  ///< Whether it jumps after the end.
 };
 
+/// Lets a window reach to the end of one that begins no earlier and inside it. Where both begin or end at one
+/// time it jumps there if one of them does.
+void extend(Window& window, const Window& by);
+
 /// Right beside a border where the motion jumps, but far enough to be on the other side of it: before it for
 /// a direction of -1, after it for 1.
 [[nodiscard]] double besideJump(double borderSeconds, double direction);

@@ -24,10 +24,7 @@ void keepInnerJumps(const Window& part, const Window& whole, std::vector<double>
 
 void addInto(KeyWindow& into, const KeyWindow& piece) {
   const Window before = into.window;
-  if (piece.window.endSeconds >= into.window.endSeconds) {
-    into.window.endSeconds = piece.window.endSeconds;
-    into.window.jumpsAfter = piece.window.jumpsAfter;
-  }
+  extend(into.window, piece.window);
   into.times.insert(into.times.end(), piece.times.begin(), piece.times.end());
   keepInnerJumps(before, into.window, into.times);
   keepInnerJumps(piece.window, into.window, into.times);

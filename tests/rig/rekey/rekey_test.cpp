@@ -132,6 +132,31 @@ TEST_CASE("a release of no length jumps back between two neighbouring keys") {
   }
 }
 
+TEST_CASE(
+    "a limb that is pulled where nothing is scaled, without a release, is the source's beyond the range, its "
+    "stretch too") {
+  for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+    const MovingBiped moving = punchingBiped();
+    std::vector<Trail> trails = armTrail(6, 15, 2.0);
+    TrailSettings& settings = trails[0].settings;
+    settings.releaseFrames = 0.0;
+    settings.pivot = pivot;
+    const double pulled = pivot == Pivot::start ? 6.0 : 15.0;
+    const double outside = pivot == Pivot::start ? 6.0 - 1e-3 : 15.0 + 1e-3;
+    settings.spheres = {{pulled, Vec3(0.0, 0.3, 0.2), {}}};
+    const Rekeyed rekeyed = rekeyedOf(moving, trails);
+    CAPTURE(pivot == Pivot::start);
+    CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, pulled), sourceAtFrame(moving, pulled)) > 0.1);
+    CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, outside), sourceAtFrame(moving, outside)) < 1e-6);
+    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+    REQUIRE_FALSE(rekeyed.keys.stretches.empty());
+    for (const StretchKeys& keys : rekeyed.keys.stretches) {
+      const bool startsThere = pivot == Pivot::start;
+      CHECK(glm::length((startsThere ? keys.scales.front() : keys.scales.back()) - Vec3(1.0)) < 1e-9);
+    }
+  }
+}
+
 TEST_CASE("a key on every frame is there when it is asked for") {
   const MovingBiped moving = punchingBiped();
   const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 12, 2.0), {1e-4, KeyPlaces::everyFrame});
