@@ -88,6 +88,12 @@ void addSiblings(std::vector<Pair>& pairs, const BodyView& view, const std::vect
   }
 }
 
+// Joints that names put on the same side mirror none of each other.
+bool mayMirror(const BodyView& view, int a, int b) {
+  const Side ofA = view.name(a).side;
+  return ofA == Side::none || ofA != view.name(b).side;
+}
+
 void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees,
                      std::vector<int> siblings) {
   constexpr std::size_t mostSiblings = 48;
@@ -99,7 +105,7 @@ void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::
       const Subtree& a = trees[static_cast<std::size_t>(siblings[i])];
       const Subtree& b = trees[static_cast<std::size_t>(siblings[j])];
       if (likeness(a.joints, b.joints) >= 0.7 && likeness(a.length, b.length) >= 0.75 &&
-          equallyFar(view, siblings[i], siblings[j])) {
+          equallyFar(view, siblings[i], siblings[j]) && mayMirror(view, siblings[i], siblings[j])) {
         addSiblings(pairs, view, trees, siblings[i], siblings[j]);
       }
     }
@@ -160,7 +166,71 @@ double support(const std::vector<Pair>& pairs, const Vec3& axis) {
   return sum;
 }
 
-Vec3 bestAxis(const std::vector<Pair>& pairs) {
+double weightedMedian(std::vector<std::pair<double, double>> values) {
+  std::ranges::sort(values);
+  double total = 0.0;
+  for (const auto& value : values) {
+    total += value.second;
+  }
+  double sum = 0.0;
+  for (const auto& value : values) {
+    sum += value.second;
+    if (sum >= total / 2.0) {
+      return value.first;
+    }
+  }
+  return 0.0;
+}
+
+double offsetAlong(const std::vector<Pair>& pairs, const BodyView& view, const Vec3& normal) {
+  std::vector<std::pair<double, double>> offsets;
+  // A raised arm with its fingers moves the middle of its pairs aside: they count where there are no others.
+  for (const bool posed : {false, true}) {
+    for (const Pair& pair : pairs) {
+      const bool isAcross = std::abs(glm::dot(pair.direction, normal)) > 0.9;
+      if (isAcross && pair.isPosed == posed) {
+        offsets.emplace_back(glm::dot(pair.middle, normal), pair.weight);
+      }
+    }
+    if (!offsets.empty()) {
+      break;
+    }
+  }
+  if (offsets.empty()) {
+    for (int i = 0; i < view.count(); ++i) {
+      offsets.emplace_back(glm::dot(view.at(i), normal), 1.0);
+    }
+  }
+  return weightedMedian(std::move(offsets));
+}
+
+// How much of what lies off a plane, by the length of bones, has a counterpart beyond it: the fore half of a
+// body is no image of the hind one, however alike their legs are.
+double imageShare(const BodyView& view, const MirrorPlane& plane) {
+  constexpr double off = 0.02;  // of the body
+  constexpr double near = 0.03; // of the body
+  constexpr int most = 400;     // joints that are looked at
+  const int step = 1 + view.count() / most;
+  double outside = 0.0;
+  double met = 0.0;
+  for (int joint = 0; joint < view.count(); joint += step) {
+    const int parent = view.parentOf(joint);
+    if (parent < 0 || std::abs(plane.lateral(view.at(joint))) < off * view.size) {
+      continue;
+    }
+    const double bone = glm::distance(view.at(joint), view.at(parent));
+    const Vec3 image = plane.mirrored(view.at(joint));
+    const bool isMet = std::ranges::any_of(
+        view.position, [&](const Vec3& other) { return glm::distance(other, image) < near * view.size; });
+    outside += bone;
+    met += isMet ? bone : 0.0;
+  }
+  return outside > 0.0 ? met / outside : 0.0;
+}
+
+Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
+  constexpr double clearly = 0.25; // a larger share of images
+  constexpr double least = 0.2;    // of the best support
   double total = 0.0;
   for (const Pair& pair : pairs) {
     total += pair.weight;
@@ -168,12 +238,25 @@ Vec3 bestAxis(const std::vector<Pair>& pairs) {
   Vec3 best(1, 0, 0);
   double bestSupport = support(pairs, best) + 0.1 * total; // glTF characters face along Z
   const std::size_t hypotheses = std::min<std::size_t>(pairs.size(), 60);
+  std::vector<std::pair<double, Vec3>> others{{bestSupport, best}};
   for (std::size_t i = 0; i < hypotheses; ++i) {
     // Hardly a character lies on its side.
     const double here = support(pairs, pairs[i].direction) * (1.0 - 0.4 * std::abs(pairs[i].direction.y));
+    others.emplace_back(here, pairs[i].direction);
     if (here > bestSupport * (1.0 + 1e-9)) {
       bestSupport = here;
       best = pairs[i].direction;
+    }
+  }
+  double bestShare = imageShare(view, {best, offsetAlong(pairs, view, best)}) + clearly;
+  for (const auto& [here, direction] : std::vector(others)) {
+    const bool isOther = std::abs(glm::dot(direction, best)) < 0.9;
+    const double share = isOther && here > least * bestSupport
+                             ? imageShare(view, {direction, offsetAlong(pairs, view, direction)})
+                             : 0.0;
+    if (share > bestShare) {
+      bestShare = share;
+      best = direction;
     }
   }
   Vec3 mean(0.0);
@@ -194,22 +277,6 @@ Vec3 bestAxis(const std::vector<Pair>& pairs) {
   return axis;
 }
 
-double weightedMedian(std::vector<std::pair<double, double>> values) {
-  std::ranges::sort(values);
-  double total = 0.0;
-  for (const auto& value : values) {
-    total += value.second;
-  }
-  double sum = 0.0;
-  for (const auto& value : values) {
-    sum += value.second;
-    if (sum >= total / 2.0) {
-      return value.first;
-    }
-  }
-  return 0.0;
-}
-
 } // namespace
 
 double MirrorPlane::lateral(const Vec3& point) const {
@@ -222,28 +289,8 @@ Vec3 MirrorPlane::mirrored(const Vec3& point) const {
 
 MirrorPlane findMirrorPlane(const BodyView& view) {
   const std::vector<Pair> pairs = mirrorPairs(view);
-  MirrorPlane plane;
-  plane.normal = bestAxis(pairs);
-  std::vector<std::pair<double, double>> offsets;
-  // A raised arm with its fingers moves the middle of its pairs aside: they count where there are no others.
-  for (const bool posed : {false, true}) {
-    for (const Pair& pair : pairs) {
-      const bool isAcross = std::abs(glm::dot(pair.direction, plane.normal)) > 0.9;
-      if (isAcross && pair.isPosed == posed) {
-        offsets.emplace_back(glm::dot(pair.middle, plane.normal), pair.weight);
-      }
-    }
-    if (!offsets.empty()) {
-      break;
-    }
-  }
-  if (offsets.empty()) {
-    for (int i = 0; i < view.count(); ++i) {
-      offsets.emplace_back(glm::dot(view.at(i), plane.normal), 1.0);
-    }
-  }
-  plane.offset = weightedMedian(std::move(offsets));
-  return plane;
+  const Vec3 normal = bestAxis(pairs, view);
+  return {normal, offsetAlong(pairs, view, normal)};
 }
 
 } // namespace stretch::rig::body

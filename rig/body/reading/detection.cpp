@@ -1,6 +1,7 @@
 #include "rig/body/reading/detection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -269,6 +270,20 @@ void doubt(Body& result, const std::string& why) {
   result.warnings.push_back(why);
 }
 
+// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.
+bool standsOnFour(const BindPose& bindPose, const Finding& finding) {
+  constexpr double flattest = 0.5;  // sine, of a trunk that does not lie
+  constexpr double leastDrop = 0.6; // of the limb
+  const auto goesDown = [&](const Limb& limb) {
+    const double base = positionOf(bindPose.worlds[at(limb.joints.front())]).y;
+    return base - endPosition(limb, bindPose.worlds).y > leastDrop * limb.restLength;
+  };
+  const auto downwards = std::ranges::count_if(
+      finding.result.limbs, [&](const Limb& limb) { return (isArm(limb) || isLeg(limb)) && goesDown(limb); });
+  return finding.result.isBiped && downwards == 4 &&
+         std::abs(finding.bodyUp.y) < flattest * glm::length(finding.bodyUp);
+}
+
 void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
   result.plan = "other";
@@ -412,6 +427,11 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   body::warn(scene, finding);
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
+  }
+  if (body::standsOnFour(bindPose, finding)) {
+    body::doubt(finding.result,
+                "its trunk lies, and arms and legs go down: if it is a beast on four legs, choose the "
+                "plan quadruped");
   }
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);

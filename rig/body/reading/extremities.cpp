@@ -57,7 +57,7 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
 // Joints farther from the mirror plane than this stand on a side; in sizes of the body.
 constexpr double offMiddle = 0.004;
 
-// No body has more limbs, ears and teeth on a side; keeps a file that is none from costing much.
+// No body has more limbs, ears and teeth on a side; keeps a file that has more from costing much.
 constexpr std::size_t mostOfOneSide = 64;
 
 class Dissection {
@@ -83,15 +83,22 @@ public:
     for (std::vector<Extremity>* side : {&left, &right}) {
       std::erase_if(*side, [&](const Extremity& row) { return isWorn(row); });
     }
-    if (std::max(left.size(), right.size()) > mostOfOneSide) {
-      return result;
-    }
+    keepLongest(left);
+    keepLongest(right);
     result.pairs = pairUp(std::move(right), std::move(left));
     result.middle = middleRows();
     return result;
   }
 
 private:
+  // Joints of a face by the hundred are no limbs.
+  static void keepLongest(std::vector<Extremity>& rows) {
+    if (rows.size() > mostOfOneSide) {
+      std::ranges::stable_sort(rows, std::ranges::greater{}, &Extremity::length);
+      rows.resize(mostOfOneSide);
+    }
+  }
+
   static std::size_t index(int candidate) { return static_cast<std::size_t>(candidate); }
   [[nodiscard]] bool isSided(int candidate) const { return sided_[index(candidate)]; }
   [[nodiscard]] double heightOf(const Vec3& point) const { return glm::dot(point, up_); }
@@ -184,8 +191,8 @@ private:
     constexpr double shortBone = 0.14;
     const double whole = below_[index(path.front())];
     const auto isAnchor = [&] {
-      return std::abs(plane_.lateral(view_.at(path[0]))) <= offMiddle * view_.size ||
-             glm::distance(view_.at(path[0]), view_.at(path[1])) < shortBone * whole;
+      const bool inMiddle = std::abs(plane_.lateral(view_.at(path[0]))) <= offMiddle * view_.size;
+      return inMiddle ? !isNamedBase(path) : firstBone(path) < shortBone * whole && !isHalved(path);
     };
     while (path.size() > 2 && isAnchor()) {
       path.erase(path.begin());
@@ -193,17 +200,50 @@ private:
     return path;
   }
 
-  // The last joints of a row that hang from each other in the file: some rigs hang them side by side.
-  [[nodiscard]] std::vector<int> inOneLine(std::vector<int> path) const {
-    for (std::size_t i = path.size() - 1; i > 0; --i) {
+  [[nodiscard]] double firstBone(const std::vector<int>& path) const {
+    return glm::distance(view_.at(path[0]), view_.at(path[1]));
+  }
+
+  // A thigh may start in the middle of the body, if nothing below it is called one.
+  [[nodiscard]] bool isNamedBase(const std::vector<int>& path) const {
+    return std::ranges::any_of(std::array{Role::thigh, Role::upperArm}, [&](Role role) {
+      return view_.name(path[0]).role(role) >= 0.8 && view_.name(path[1]).role(role) < 0.8;
+    });
+  }
+
+  // The first bone is a half of one that goes on in the same direction.
+  [[nodiscard]] bool isHalved(const std::vector<int>& path) const {
+    constexpr double inLine = 0.985; // cosine
+    constexpr double alike = 0.6;    // of the longer one
+    const Vec3 first = view_.at(path[1]) - view_.at(path[0]);
+    const Vec3 next = view_.at(path[2]) - view_.at(path[1]);
+    const double a = glm::length(first);
+    const double b = glm::length(next);
+    return glm::dot(first, next) > inLine * a * b && std::min(a, b) > alike * std::max(a, b);
+  }
+
+  [[nodiscard]] double lengthOf(const std::vector<int>& path) const {
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      length += glm::distance(view_.at(path[i - 1]), view_.at(path[i]));
+    }
+    return length;
+  }
+
+  // The longest part of a row whose joints hang from each other in the file: some rigs hang them side by
+  // side.
+  [[nodiscard]] std::vector<int> inOneLine(const std::vector<int>& path) const {
+    std::vector<std::vector<int>> parts{{path.front()}};
+    for (std::size_t i = 1; i < path.size(); ++i) {
       const bool isFoot = view_.isDetached[index(path[i])];
       if (!isFoot &&
           !isAncestorOrSelf(scene_, view_.nodes[index(path[i - 1])], view_.nodes[index(path[i])])) {
-        path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
-        break;
+        parts.emplace_back();
       }
+      parts.back().push_back(path[i]);
     }
-    return path;
+    std::ranges::reverse(parts); // of equals the last one
+    return *std::ranges::max_element(parts, {}, [&](const std::vector<int>& part) { return lengthOf(part); });
   }
 
   // The farthest node below a joint that is no candidate: a tip.
@@ -228,10 +268,10 @@ private:
     return best;
   }
 
-  [[nodiscard]] Extremity extremityOf(std::vector<int> path, int attach) const {
+  [[nodiscard]] Extremity extremityOf(const std::vector<int>& path, int attach) const {
     Extremity extremity;
     extremity.attach = attach;
-    extremity.path = inOneLine(std::move(path));
+    extremity.path = inOneLine(path);
     extremity.tip = tipBelow(extremity.path.back());
     extremity.lowest = std::numeric_limits<double>::max();
     extremity.highest = std::numeric_limits<double>::lowest();
@@ -337,10 +377,26 @@ private:
       if (!negativeTaken[match.negative] && !positiveTaken[match.positive]) {
         negativeTaken[match.negative] = positiveTaken[match.positive] = true;
         pairs.push_back({negative[match.negative], positive[match.positive], match.error});
+        evenOut(pairs.back());
       }
     }
     markPaired(pairs);
     return pairs;
+  }
+
+  // A joint that stands a little off the middle on one side and in it on the other is an anchor on both.
+  void evenOut(ExtremityPair& pair) const {
+    Extremity& longer = pair.negative.path.size() > pair.positive.path.size() ? pair.negative : pair.positive;
+    const Extremity& other = &longer == &pair.negative ? pair.positive : pair.negative;
+    while (longer.path.size() > std::max<std::size_t>(other.path.size(), 2)) {
+      Extremity shorter = extremityOf({longer.path.begin() + 1, longer.path.end()}, longer.attach);
+      const double error = mirrorError(shorter, other);
+      if (error >= pair.mirrorError) {
+        break;
+      }
+      longer = std::move(shorter);
+      pair.mirrorError = error;
+    }
   }
 
   // The joints of the pairs, and what hangs above and below them.

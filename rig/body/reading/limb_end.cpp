@@ -71,6 +71,14 @@ std::optional<Vec3> farEndOfVertices(const BodyView& view, int last) {
   return joint + along * farthest;
 }
 
+// Whether what lies beyond a joint goes along the ground and not down to it: toes.
+bool toesFollow(const Extremity& leg, std::size_t joint, const Vec3& up, double near) {
+  constexpr double flattest = 0.6; // sine
+  const Vec3 on = leg.points[joint + 1] - leg.points[joint];
+  const auto below = [&](const Vec3& point) { return glm::dot(leg.points[joint] - point, up) >= near; };
+  return -glm::dot(on, up) < flattest * glm::length(on) && std::ranges::none_of(leg.points, below);
+}
+
 } // namespace
 
 bool isFan(const BodyView& view, int candidate) {
@@ -86,6 +94,22 @@ std::optional<EstimatedEnd> estimateEnd(const BodyView& view, int last) {
   }
   const std::optional<Vec3> farEnd = farEndOfVertices(view, last);
   return farEnd ? std::optional(EstimatedEnd{*farEnd, false}) : std::nullopt;
+}
+
+std::size_t endOfLeg(const BodyView& view, const Extremity& leg, const Vec3& up, double floor) {
+  constexpr double nearGround = 0.1; // of the height of its base
+  const double near = nearGround * (glm::dot(leg.points.front(), up) - floor);
+  const std::size_t last = leg.points.size() - 1;
+  for (std::size_t i = 1; i < last; ++i) {
+    if (i < leg.path.size() && view.isDetached[static_cast<std::size_t>(leg.path[i])]) {
+      return i;
+    }
+    const bool isLow = glm::dot(leg.points[i], up) - floor < near; // a thick sole lies below every joint
+    if (i >= 2 && (isLow || toesFollow(leg, i, up, near))) {
+      return i;
+    }
+  }
+  return last;
 }
 
 } // namespace stretch::rig::body

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "rig/body/evidence/body_view.h"
+#include "rig/body/reading/extremities.h"
 
 namespace stretch::rig::body {
 
@@ -19,5 +19,9 @@ struct EstimatedEnd {
 
 /// Whether fingers or palms start at a joint: three children or more, or two that are named palms.
 [[nodiscard]] bool isFan(const BodyView& view, int candidate);
+
+/// Which point of a row that stands on the ground, at the height `floor` along `up`, ends the leg: where it
+/// meets the ground, or its foot that hangs elsewhere; what lies beyond are toes.
+[[nodiscard]] std::size_t endOfLeg(const BodyView& view, const Extremity& leg, const Vec3& up, double floor);
 
 } // namespace stretch::rig::body

@@ -84,6 +84,7 @@ private:
     }
     dropFlatLegs();
     dropShortLegs();
+    dropTrunkPieces();
     if (legPairs_) {
       chooseLegs(static_cast<std::size_t>(*legPairs_));
     }
@@ -107,7 +108,9 @@ private:
   void nameChains() {
     const auto legCount = legs().size();
     for (KindredPair& one : parts_.pairs) {
-      if (one.kind == LimbKind::chain) {
+      if (one.kind == LimbKind::arm && legCount >= 3) { // pincers
+        one.kind = LimbKind::feeler;
+      } else if (one.kind == LimbKind::chain) {
         one.kind = legCount == 0   ? LimbKind::fin
                    : legCount >= 3 ? feelerOrWing(one.pair)
                                    : armOrWing(one.pair);
@@ -129,6 +132,28 @@ private:
       only.stands = false;
       only.kind = isNamed(only.pair, PartWord::leg) ? LimbKind::leg : LimbKind::chain;
     }
+  }
+
+  // Joints that move the flanks of a body on four legs: short, or along it.
+  void dropTrunkPieces() {
+    constexpr double shorter = 0.5; // than the shortest leg
+    constexpr double along = 0.9;   // cosine
+    if (std::ranges::count(parts_.pairs, true, &KindredPair::stands) != 2) {
+      return;
+    }
+    double leg = std::numeric_limits<double>::max();
+    for (const KindredPair& one : parts_.pairs) {
+      leg = one.stands ? std::min(leg, one.pair.length()) : leg;
+    }
+    const Vec3 ahead = glm::cross(plane_.normal, up_);
+    const auto liesAlong = [&](const Extremity& row) {
+      const Vec3 reach = row.points.back() - row.points.front();
+      return std::abs(glm::dot(reach, ahead)) > along * glm::length(reach);
+    };
+    std::erase_if(parts_.pairs, [&](const KindredPair& one) {
+      return one.kind == LimbKind::chain &&
+             one.pair.length() < (liesAlong(one.pair.positive) ? leg : shorter * leg);
+    });
   }
 
   // "Front legs" that are far shorter than those that carry the body, and end well above the ground, are
@@ -296,8 +321,10 @@ private:
     Vec3 middle(0.0);
     double count = 0.0;
     for (const Extremity& row : parts_.extremities.middle) {
-      middle += row.points.back();
-      count += 1.0;
+      if (legs().empty() || !isOn(row.path, parts_.axis.head)) { // what a face has lies about the head
+        middle += row.points.back();
+        count += 1.0;
+      }
     }
     for (const KindredPair* leg : legs()) {
       middle += baseOf(leg->pair);

@@ -276,22 +276,6 @@ private:
     return ahead > 0.0;
   }
 
-  // Of a leg: where it meets the ground, or its foot that hangs elsewhere; what lies beyond are toes.
-  [[nodiscard]] std::size_t endOf(const Extremity& limb, bool stands) const {
-    constexpr double nearGround = 0.1; // of the height of its base
-    const double floor = parts_.extremities.floor;
-    const double base = glm::dot(limb.points.front(), up_) - floor;
-    for (std::size_t i = 1; stands && i < limb.points.size(); ++i) {
-      if (i < limb.path.size() && view_.isDetached[static_cast<std::size_t>(limb.path[i])]) {
-        return i;
-      }
-      if (i >= 2 && glm::dot(limb.points[i], up_) - floor < nearGround * base) {
-        return i;
-      }
-    }
-    return limb.points.size() - 1;
-  }
-
   // A collar bone or half of a pelvis is none of the limb's: a first bone that only leads aside, and from
   // which the limb turns away.
   [[nodiscard]] Extremity withoutStub(Extremity row, bool hasShoulder) const {
@@ -316,7 +300,9 @@ private:
 
   void addLimb(const PlannedLimb& planned, const Placed& placed, std::vector<Limb>& limbs) const {
     const Extremity row = withoutStub(*placed.limb, isArm(placed.place) || isLeg(placed.place));
-    std::size_t end = endOf(row, isLeg(placed.place) && placed.pair->stands);
+    std::size_t end = isLeg(placed.place) && placed.pair->stands
+                          ? endOfLeg(view_, row, up_, parts_.extremities.floor)
+                          : row.points.size() - 1;
     if (isArm(placed.place)) {
       end = std::min<std::size_t>(end, 2);
     }

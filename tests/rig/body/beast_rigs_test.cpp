@@ -1,0 +1,139 @@
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/rig/creatures.h"
+#include "tests/support/rig/described_limbs.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+// Beasts as exporters leave them: in pieces, with joints in the middle, with soft parts and faces.
+
+const LimbPlace frontLeft{LimbKind::leg, LimbSide::left, 1};
+const LimbPlace frontRight{LimbKind::leg, LimbSide::right, 1};
+const LimbPlace hindLeft{LimbKind::leg, LimbSide::left, 2};
+const LimbPlace hindRight{LimbKind::leg, LimbSide::right, 2};
+
+void addBoth(SyntheticBiped& body, const std::string& key, const std::string& parent, const Vec3& place) {
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    body.joints.push_back({key + side, parent, {sign * place.x, place.y, place.z}});
+  }
+}
+
+void cutLoose(SyntheticBiped& body, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    jointOf(body, key).parent = "";
+  }
+}
+
+void checkHorse(const SyntheticBiped& body) {
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(describe(built, read, frontLeft) ==
+        "scapula.l forearmLeg.l frontKnee.l frontPastern.l -> frontHoof.l");
+  CHECK(describe(built, read, frontRight) ==
+        "scapula.r forearmLeg.r frontKnee.r frontPastern.r -> frontHoof.r");
+  CHECK(describe(built, read, hindLeft) == "thigh.l calf.l hock.l pastern.l -> hoof.l");
+  CHECK(describe(built, read, hindRight) == "thigh.r calf.r hock.r pastern.r -> hoof.r");
+}
+
+} // namespace
+
+TEST_CASE("Legs that hang from nothing mirror those across the body, not those behind them") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  cutLoose(body, {"scapula.l", "scapula.r", "thigh.l", "thigh.r"});
+  checkHorse(body);
+}
+
+TEST_CASE("Forequarters and hindquarters on two joints of one place are no images of each other") {
+  SyntheticBiped body = makeHorse();
+  body.joints.push_back({"middle", "", {0.0, 1.35, -0.2}});
+  body.joints.push_back({"fore", "middle", {0.0, 1.35, -0.2}});
+  body.joints.push_back({"hind", "middle", {0.0, 1.35, -0.2}});
+  jointOf(body, "hips").parent = "hind";
+  jointOf(body, "spine0").parent = "fore";
+  checkHorse(body);
+}
+
+TEST_CASE("Toes that hang from a handle in the foot's place are none of the leg's joints") {
+  SyntheticBiped body = makeHorse();
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    body.joints.push_back({"handle" + side, "hips", jointOf(body, "hoof" + side).position, true, false});
+    body.joints.push_back({"claw0" + side, "handle" + side, {sign * 0.2, 0.04, -0.66}});
+    body.joints.push_back({"claw1" + side, "claw0" + side, {sign * 0.2, 0.03, -0.6}});
+  }
+  nameByKeys(body);
+  body.names["handle.l"] = "foot_ik.l";
+  body.names["handle.r"] = "foot_ik.r";
+  checkHorse(body);
+}
+
+TEST_CASE("A leg starts at the thigh, in the middle of the body and in two halves as well") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  SECTION("in the middle") {
+    for (const std::string side : {".l", ".r"}) {
+      jointOf(body, "thigh" + side).position.x = 0.0;
+    }
+  }
+  SECTION("in halves, each a short bone") {
+    for (const std::string side : {".l", ".r"}) {
+      jointOf(body, "calf" + side).position = {side == ".l" ? 0.2 : -0.2, 0.85, -0.7};
+      addTwist(body, "half" + side, "thigh" + side, "calf" + side, 0.45, true);
+    }
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, hindLeft).starts_with("thigh.l "));
+  CHECK(describe(built, read, hindRight).starts_with("thigh.r "));
+}
+
+TEST_CASE("Joints that move the flanks of a beast are no limbs") {
+  SyntheticBiped body = makeHorse();
+  addBoth(body, "flank0", "spine0", {0.3, 1.2, -0.45});
+  addBoth(body, "flank1", "flank0", {0.3, 1.2, 0.25});
+  for (const std::string side : {".l", ".r"}) {
+    jointOf(body, "flank1" + side).parent += side;
+  }
+  checkHorse(body);
+}
+
+TEST_CASE("Pincers that are called arms leave a spider what it is") {
+  SyntheticBiped body = makeManyLegged(4);
+  addBoth(body, "arm0", "thorax", {0.1, 0.4, 0.5});
+  addBoth(body, "arm1", "arm0", {0.35, 0.5, 0.8});
+  addBoth(body, "arm2", "arm1", {0.2, 0.4, 1.1});
+  for (const std::string side : {".l", ".r"}) {
+    jointOf(body, "arm1" + side).parent += side;
+    jointOf(body, "arm2" + side).parent += side;
+  }
+  nameByKeys(body);
+  const Body read = detectBody(build(body).scene);
+  CHECK(read.plan == "spider");
+  CHECK(findLimb(read, {LimbKind::leg, LimbSide::right, 4}) != nullptr);
+}
+
+TEST_CASE("A leg ends at the foot where toes go on along the ground, however thick the sole is") {
+  SyntheticBiped body = makeHorse();
+  for (const auto& [side, sign] : {std::pair(std::string(".l"), 1.0), std::pair(std::string(".r"), -1.0)}) {
+    jointOf(body, "hoof" + side).position = {sign * 0.2, 0.13, -0.7};
+    body.joints.push_back({"toe" + side, "hoof" + side, {sign * 0.2, 0.05, -0.5}});
+  }
+  checkHorse(body);
+}
+
+TEST_CASE("A face of hundreds of joints hides no legs") {
+  SyntheticBiped body = makeHorse();
+  for (int i = 0; i < 80; ++i) {
+    addBoth(body, "lip" + std::to_string(i), "head", {0.03 + 0.001 * i, 1.9, 1.0 + 0.001 * i});
+  }
+  nameByKeys(body);
+  checkHorse(body);
+}
