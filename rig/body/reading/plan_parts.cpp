@@ -231,9 +231,93 @@ private:
     return score - (row.word(PartWord::ornament) > 0.0 ? 0.5 : 0.0);
   }
 
+  // On four legs a neck and a tail look much alike; an insect's feelers tell which end its head is.
+  [[nodiscard]] bool isUntold(bool headIsNamed) const {
+    return !headIsNamed && legs().size() == 2 && up_.y > 0.5;
+  }
+
+  [[nodiscard]] Vec3 middleOfLegs() const {
+    Vec3 middle(0.0);
+    const std::vector<const KindredPair*> all = legs();
+    for (const KindredPair* leg : all) {
+      middle += baseOf(leg->pair) / static_cast<double>(all.size());
+    }
+    return middle;
+  }
+
+  // Where joints are named left and right: 1 along a direction that leaves the left on its left, -1 against
+  // it.
+  [[nodiscard]] double sidesAhead(const Vec3& forward) const {
+    double votes = 0.0;
+    double named = 0.0;
+    const auto add = [&](const Extremity& limb, double sign) {
+      for (const int joint : limb.path) {
+        const Side side = view_.name(joint).side;
+        votes += side == Side::none ? 0.0 : side == Side::left ? sign : -sign;
+        named += side == Side::none ? 0.0 : 1.0;
+      }
+    };
+    const double left = glm::dot(glm::cross(up_, forward), plane_.normal) > 0.0 ? 1.0 : -1.0;
+    for (const KindredPair& one : parts_.pairs) {
+      add(one.pair.positive, left);
+      add(one.pair.negative, -left);
+    }
+    return named < 2.0 || std::abs(votes) < 0.5 * named ? 0.0 : std::copysign(1.0, votes);
+  }
+
+  // Feet point ahead of their joints, and a head has more to it than the end of a tail: in -1..1 each.
+  [[nodiscard]] double shapeAhead(const Vec3& forward) const {
+    double feet = 0.0;
+    for (const KindredPair* leg : legs()) {
+      for (const Extremity* one : {&leg->pair.positive, &leg->pair.negative}) {
+        Vec3 toes(0.0);
+        for (const Vec3& point : view_.points[index(one->path.back())]) {
+          toes += point - view_.at(one->path.back());
+        }
+        const Vec3 on = one->points.back() - one->points[one->points.size() - 2];
+        const double reach = std::max(glm::length(toes), 1e-9 * view_.size);
+        feet += glm::dot(toes, forward) / reach +
+                glm::dot(on, forward) / std::max(glm::length(on), 1e-9 * view_.size);
+      }
+    }
+    double bulks = 0.0;
+    double all = 0.0;
+    for (const Extremity& row : parts_.extremities.middle) {
+      const double ahead = glm::dot(row.points.back() - middleOfLegs(), forward);
+      const double size =
+          bulk(row.path.back()) + (row.path.size() > 1 ? bulk(row.path[row.path.size() - 2]) : 0.0);
+      bulks += std::copysign(size, ahead);
+      all += size;
+    }
+    return std::clamp(feet / static_cast<double>(2 * legs().size()), -1.0, 1.0) +
+           (all > 0.0 ? bulks / all : 0.0);
+  }
+
+  // The way a body on four legs faces, none of whose joints is called head: as legs are called front and hind
+  // ones and joints left and right, else by its shape, or as glTF has it.
+  [[nodiscard]] Vec3 unnamedForward() const {
+    constexpr double convention = 0.3;
+    const Vec3 across = glm::cross(plane_.normal, up_);
+    const Vec3 forward = glm::length(across) > 1e-6 ? glm::normalize(across) : Vec3(0.0, 0.0, 1.0);
+    for (const double told : {namedAhead(forward), sidesAhead(forward)}) {
+      if (told != 0.0) {
+        return told * forward;
+      }
+    }
+    return shapeAhead(forward) + convention * forward.z < 0.0 ? -forward : forward;
+  }
+
   void findHeadRow() {
     const std::vector<Extremity>& rows = parts_.extremities.middle;
-    const auto head = std::ranges::max_element(rows, {}, [&](const Extremity& row) { return headness(row); });
+    auto head = std::ranges::max_element(rows, {}, [&](const Extremity& row) { return headness(row); });
+    if (head != rows.end() && isUntold(head->word(PartWord::head) > 0.0)) {
+      const Vec3 forward = unnamedForward();
+      head = std::ranges::max_element(rows, {}, [&](const Extremity& row) {
+        return headness(row) +
+               2.0 * std::clamp(glm::dot(row.points.back() - middleOfLegs(), forward), -1.0, 1.0);
+      });
+      parts_.axis.forward = forward;
+    }
     if (head != rows.end()) {
       parts_.axis.row = head->path;
       parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
@@ -333,6 +417,9 @@ private:
     if (const double named = namedAhead(forward); named != 0.0) {
       parts_.axis.forward = named < 0.0 ? -forward : forward;
       return;
+    }
+    if (isUntold(parts_.axis.headIsNamed)) {
+      return; // found with the head
     }
     const int head = parts_.axis.head;
     const double ahead = head >= 0 && count > 0.0 ? glm::dot(view_.at(head) - middle / count, forward) : 0.0;

@@ -137,3 +137,19 @@ TEST_CASE("A face of hundreds of joints hides no legs") {
   nameByKeys(body);
   checkHorse(body);
 }
+
+TEST_CASE("The front of a beast whose joints start at its chest is where its sides, feet and head say") {
+  SyntheticBiped body = makeHorse();
+  jointOf(body, "spine1").parent = "";
+  jointOf(body, "spine0").parent = "spine1";
+  jointOf(body, "hips").parent = "spine0";
+  SECTION("names tell left and right only") {
+    int number = 0;
+    for (const SyntheticJoint& joint : body.joints) {
+      const std::string side = joint.key.substr(joint.key.size() - 2);
+      body.names[joint.key] = "Bone" + std::to_string(++number) + (side == ".l" || side == ".r" ? side : "");
+    }
+  }
+  SECTION("nothing is named") {}
+  checkHorse(body);
+}
