@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/bounds.h"
+
 namespace stretch::rig::body {
 
 namespace {
@@ -277,6 +279,17 @@ Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
   return axis;
 }
 
+// A body without pairs, as a snake's, lies along its plane.
+Vec3 narrowAxis(const BodyView& view) {
+  constexpr double longer = 2.0; // than wide and high
+  Bounds bounds;
+  for (const Vec3& place : view.position) {
+    bounds.add(place);
+  }
+  const Vec3 extent = bounds.empty() ? Vec3(0.0) : bounds.high - bounds.low;
+  return extent.x > longer * std::max(extent.y, extent.z) ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+}
+
 } // namespace
 
 double MirrorPlane::lateral(const Vec3& point) const {
@@ -289,7 +302,7 @@ Vec3 MirrorPlane::mirrored(const Vec3& point) const {
 
 MirrorPlane findMirrorPlane(const BodyView& view) {
   const std::vector<Pair> pairs = mirrorPairs(view);
-  const Vec3 normal = bestAxis(pairs, view);
+  const Vec3 normal = pairs.empty() ? narrowAxis(view) : bestAxis(pairs, view);
   return {normal, offsetAlong(pairs, view, normal)};
 }
 

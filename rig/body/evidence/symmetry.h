@@ -15,7 +15,7 @@ struct MirrorPlane {
 };
 
 /// Finds the plane from pairs of bones that mirror each other: siblings whose subtrees are alike, and joints
-/// whose names differ in their side only. Without any pair, the plane through the mean joint across world X.
+/// whose names differ in their side only. Without any pair, the plane through the mean joint along the body.
 [[nodiscard]] MirrorPlane findMirrorPlane(const BodyView& view);
 
 } // namespace stretch::rig::body

@@ -153,3 +153,22 @@ TEST_CASE("The front of a beast whose joints start at its chest is where its sid
   SECTION("nothing is named") {}
   checkHorse(body);
 }
+
+TEST_CASE("A snake that lies along X is read as one that lies along Z") {
+  SyntheticBiped body;
+  body.joints = {{"root", "", {0.0, 0.0, 0.0}},
+                 {"head", "root", {0.1, 0.13, 0.0}},
+                 {"jaw", "head", {0.1, 0.03, 0.0}},
+                 {"neck", "root", {0.08, 0.13, 0.0}}};
+  std::string above = "neck";
+  for (int i = 1; i < 20; ++i) {
+    const std::string key = "tail" + std::to_string(i);
+    body.joints.push_back({key, above, {0.1 - 0.18 * i, 0.07, 0.0}});
+    above = key;
+  }
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "serpent");
+  CHECK(describe(built, read, biped::spine).ends_with("tail18 -> tail19"));
+}
