@@ -80,6 +80,7 @@ public:
     view_.isDetached.assign(static_cast<std::size_t>(view_.count()), false);
     hangDetachedFeet();
     link();
+    markSplits();
     gather();
     return std::move(view_);
   }
@@ -295,7 +296,8 @@ private:
       std::optional<double> nearest;
       int leg = -1;
       for (const int last : rows) {
-        const bool isApart = !view_.isAboveOrSelf(foot, last);
+        const bool isBeside = view_.parentOf(foot) >= 0 && view_.parentOf(foot) == view_.parentOf(last);
+        const bool isApart = !isBeside && !view_.isAboveOrSelf(foot, last);
         const std::optional<double> gap = isApart ? gapTo(last, foot, footLength) : std::nullopt;
         if (gap && (!nearest || *gap < *nearest)) {
           nearest = gap;
@@ -330,6 +332,56 @@ private:
       }
     }
     topDown_ = std::move(next);
+  }
+
+  // Whether a joint lies on the bone between two others.
+  [[nodiscard]] bool liesBetween(int joint, int from, int to) const {
+    constexpr double aside = 0.1; // of the bone
+    const Vec3 bone = view_.at(to) - view_.at(from);
+    const Vec3 there = view_.at(joint) - view_.at(from);
+    const double length = glm::length(bone);
+    const double along = length > 0.0 ? glm::dot(there, bone) / length : 0.0;
+    return along > aside * length && along < (1.0 - aside) * length &&
+           glm::length(there - bone * (along / length)) < aside * length;
+  }
+
+  [[nodiscard]] bool sharesRole(int a, int b, std::initializer_list<Role> roles) const {
+    constexpr double clear = 0.8;
+    return std::ranges::any_of(roles, [&](Role role) {
+      return std::min(view_.names[static_cast<std::size_t>(a)].role(role),
+                      view_.names[static_cast<std::size_t>(b)].role(role)) >= clear;
+    });
+  }
+
+  // Whether a joint is called as another one is, and something beside it or a number.
+  [[nodiscard]] bool isCalledAfter(int joint, int other) const {
+    const std::string& name = view_.names[static_cast<std::size_t>(joint)].key;
+    const std::string& stem = view_.names[static_cast<std::size_t>(other)].key;
+    return name.starts_with(stem.substr(0, stem.find('#'))) &&
+           sharesRole(joint, other,
+                      {Role::thigh, Role::shin, Role::upperArm, Role::foreArm, Role::ankle, Role::wrist});
+  }
+
+  // Parts of a bone are called as the bone is and lie on it: below its joint ("Hip", "HipPart1") or beside
+  // the next one ("Ankle_Assist", "Ankle"). They twist with it, whatever else their names say.
+  void markSplits() {
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      const int parent = view_.parentOf(joint);
+      if (parent < 0) {
+        continue;
+      }
+      const auto isPartOf = [&](int next) {
+        return isCalledAfter(joint, parent) && liesBetween(joint, parent, next);
+      };
+      const auto isBeside = [&](int other) {
+        return view_.childrenOf(joint).empty() && isCalledAfter(joint, other) &&
+               liesBetween(joint, parent, other);
+      };
+      if (std::ranges::any_of(view_.childrenOf(joint), isPartOf) ||
+          std::ranges::any_of(view_.childrenOf(parent), isBeside)) {
+        view_.names[static_cast<std::size_t>(joint)].twist = true;
+      }
+    }
   }
 
   void gather() {

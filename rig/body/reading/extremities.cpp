@@ -157,7 +157,8 @@ private:
     while (!view_.childrenOf(path.back()).empty()) {
       const int here = path.back();
       std::vector<int> children = view_.childrenOf(here);
-      if (path.size() > 2) { // A wing ends at its tip, not at a feather that hangs from it.
+      const bool goesOn = std::ranges::any_of(children, [&](int child) { return !isFeather(child); });
+      if (goesOn || path.size() > 2) { // A wing ends at its tip, not at a feather that hangs from it.
         std::erase_if(children, [&](int child) { return isFeather(child) && !isFeather(here); });
       }
       if (children.empty()) {
@@ -300,7 +301,11 @@ private:
     for (const Vec3& point : view_.points[index(joint)]) {
       extremity.lowest = std::min(extremity.lowest, heightOf(point));
     }
-    for (const PartWord word : partWords(scene_.nodes[at(view_.nodes[index(joint)])].name)) {
+    std::set<PartWord> words = partWords(scene_.nodes[at(view_.nodes[index(joint)])].name);
+    if (std::ranges::any_of(view_.childrenOf(joint), [&](int child) { return isFeather(child); })) {
+      words.insert(PartWord::wing); // whatever it is called
+    }
+    for (const PartWord word : words) {
       extremity.words[static_cast<std::size_t>(word)] += 1.0;
     }
   }

@@ -172,3 +172,31 @@ TEST_CASE("A snake that lies along X is read as one that lies along Z") {
   CHECK(read.plan == "serpent");
   CHECK(describe(built, read, biped::spine).ends_with("tail18 -> tail19"));
 }
+
+TEST_CASE("An arm from which feathers hang is a wing, however upright its bird stands") {
+  SyntheticBiped body;
+  body.joints = {{"hips", "", {0.0, 0.35, 0.0}},          {"spine0", "hips", {0.0, 0.38, 0.06}},
+                 {"spine1", "spine0", {0.0, 0.41, 0.12}}, {"neck0", "spine1", {0.0, 0.46, 0.17}},
+                 {"neck1", "neck0", {0.0, 0.52, 0.19}},   {"head", "neck1", {0.0, 0.56, 0.2}},
+                 {"beak", "head", {0.0, 0.56, 0.28}}};
+  const auto add = [&](const std::string& key, const std::string& parent, const Vec3& place) {
+    addBoth(body, key, parent, place);
+    if (parent.find("spine") == std::string::npos && parent != "hips") {
+      jointOf(body, key + ".l").parent += ".l";
+      jointOf(body, key + ".r").parent += ".r";
+    }
+  };
+  add("thigh", "hips", {0.05, 0.32, 0.0});
+  add("calf", "thigh", {0.05, 0.22, 0.06});
+  add("hock", "calf", {0.05, 0.12, -0.03});
+  add("foot", "hock", {0.05, 0.02, 0.0});
+  add("toe", "foot", {0.05, 0.01, 0.05});
+  add("clavicle", "spine1", {0.04, 0.42, 0.13});
+  add("upperArm", "clavicle", {0.08, 0.43, 0.12});
+  add("foreArm", "upperArm", {0.25, 0.44, 0.05});
+  add("hand", "foreArm", {0.42, 0.44, 0.08});
+  add("featherUpper", "upperArm", {0.25, 0.43, -0.15});
+  add("featherLower", "foreArm", {0.42, 0.43, -0.15});
+  nameByKeys(body);
+  CHECK(detectBody(build(body).scene).plan == "bird");
+}

@@ -287,3 +287,42 @@ TEST_CASE("a scene without a character gives an empty list and a warning") {
   CHECK_FALSE(biped.warnings.empty());
   CHECK(biped.height > 0.0);
 }
+
+TEST_CASE("joints that are called after a bone and lie on it are parts of the bone, and no limb starts or "
+          "ends at one") {
+  SyntheticBiped body = makeBody();
+  applyNames(body, {"parts",
+                    "L",
+                    "R",
+                    {{"hips", "Root_M"},
+                     {"spine0", "Spine1_M"},
+                     {"spine1", "Spine2_M"},
+                     {"spine2", "Chest_M"},
+                     {"neck0", "Neck_M"},
+                     {"head", "Head_M"},
+                     {"clavicle", "Scapula_%"},
+                     {"upperArm", "Shoulder_%"},
+                     {"foreArm", "Elbow_%"},
+                     {"hand", "Wrist_%"},
+                     {"thigh", "Hip_%"},
+                     {"shin", "Knee_%"},
+                     {"foot", "Ankle_%"},
+                     {"toes", "Toes_%"}}});
+  const bool movesShin = GENERATE(true, false); // where it does not, its part carries the bone's mesh
+  for (const std::string side : {".l", ".r"}) {
+    const std::string mark = side == ".l" ? "_L" : "_R";
+    addTwist(body, "part1" + side, "thigh" + side, "shin" + side, 0.33, true);
+    addTwist(body, "part2" + side, "part1" + side, "shin" + side, 0.5, true);
+    addTwist(body, "assist" + side, "shin" + side, "foot" + side, 0.8, false);
+    body.names["part1" + side] = "HipPart1" + mark;
+    body.names["part2" + side] = "HipPart2" + mark;
+    body.names["assist" + side] = "Ankle_Assist" + mark;
+    jointOf(body, "shin" + side).movesMesh = movesShin;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg).starts_with("thigh.l "));
+  CHECK(describe(built, read, biped::leftLeg).ends_with("-> foot.l"));
+  CHECK(describe(built, read, biped::rightLeg).starts_with("thigh.r "));
+  CHECK(describe(built, read, biped::rightLeg).ends_with("-> foot.r"));
+}
