@@ -19,6 +19,7 @@ struct BindArguments {
   FileArguments input;
   OutputFile output;
   std::string locators;
+  std::string plan;
   bool keepJoints = false;
   std::string weights = "volume";
   JsonOutput json;
@@ -28,7 +29,7 @@ Result<rig::Locators> locatorsFor(const BindArguments& arguments, const Document
   if (!arguments.locators.empty()) {
     return loadLocators(arguments.locators);
   }
-  Result<FittedLocators> fitted = fitLocators(document);
+  Result<FittedLocators> fitted = fitLocators(document, arguments.plan);
   if (!fitted) {
     return fitted.error();
   }
@@ -133,6 +134,7 @@ Verb bindVerb() {
                         "Where the joints are made, or moved to in a bound file (JSON, as `rig "
                         "--locators-only` writes it) instead of the "
                         "fitted places");
+            addLocatorPlan(line, arguments->plan);
             line.flag("--keep-joints", arguments->keepJoints,
                       "Bind to the joints that the file has; weights that it has are replaced");
             line.option("--weights", arguments->weights,

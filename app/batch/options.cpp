@@ -19,6 +19,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
+#include "rig/body/locators/locator_plans.h"
 #include "rig/plan/body_plan.h"
 
 namespace stretch::app {
@@ -46,6 +47,13 @@ void addPlan(CommandLine& line, FileArguments& arguments) {
                    ? std::string()
                    : "'" + text + "' is no body plan; give one of: " + rig::planIds();
       });
+}
+
+void addLocatorPlan(CommandLine& line, std::string& plan) {
+  line.option("--plan", plan,
+              "What kind of body a mesh without a skeleton is: whose locators are fitted; default: as its "
+              "shape shows (docs/from_a_mesh.md)")
+      .oneOf(rig::locatorPlanIds());
 }
 
 void addTolerant(CommandLine& line, FileArguments& arguments) {

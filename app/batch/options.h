@@ -39,6 +39,9 @@ void addFileArguments(CommandLine& line, FileArguments& arguments);
 /// Declares --plan, for verbs that ask for limbs.
 void addPlan(CommandLine& line, FileArguments& arguments);
 
+/// Declares --plan, for verbs that fit locators.
+void addLocatorPlan(CommandLine& line, std::string& plan);
+
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);
 

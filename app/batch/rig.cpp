@@ -11,6 +11,7 @@
 #include "app/schema/locator_json.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
+#include "rig/plan/body_plan.h"
 
 namespace stretch::app {
 
@@ -20,14 +21,14 @@ struct RigArguments {
   FileArguments input;
   OutputFile output;
   std::string locators;
-  std::string plan = "biped";
+  std::string plan;
   bool locatorsOnly = false;
   JsonOutput json;
 };
 
 Result<FittedLocators> locatorsOf(const RigArguments& arguments, const Document& document) {
   if (arguments.locators.empty()) {
-    return fitLocators(document);
+    return fitLocators(document, arguments.plan);
   }
   Result<rig::Locators> given = loadLocators(arguments.locators);
   return given ? Result<FittedLocators>(FittedLocators{std::move(*given), document.body.isBiped, {}})
@@ -68,7 +69,8 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
          {"warnings", fitted.warnings}});
     return;
   }
-  fmt::print("{} locators of a {}{}\n", fitted.locators.list.size(), fitted.locators.plan,
+  fmt::print("{} locators of {}{}\n", fitted.locators.list.size(),
+             rig::planNamed(fitted.locators.plan)->title,
              fitted.isOfSkeleton ? ", at the limbs of its skeleton" : "");
   if (!unsure.empty()) {
     fmt::print("unsure: {}\n", fmt::join(unsure, ", "));
@@ -121,7 +123,7 @@ Verb rigVerb() {
                       "The .glb or .gltf to write, or the JSON file of --locators-only");
         line.option("--locators", arguments->locators,
                     "Where the joints are (JSON, as --locators-only writes it) instead of the fitted places");
-        line.option("--plan", arguments->plan, "What kind of body it is").oneOf({"biped"}).showDefault();
+        addLocatorPlan(line, arguments->plan);
         line.flag("--locators-only", arguments->locatorsOnly, "Write the locators and make no joint");
         addJson(line, arguments->json);
         return [arguments] { return runRig(*arguments); };

@@ -50,6 +50,10 @@ Status checkUnrigged(const Document& document, const rig::Locators& locators) {
   if (document.body.isBiped) {
     return Error{"the character has a skeleton already", "", "locators correct its limbs; no joint is made"};
   }
+  if (!jointsOfLocators(*document.scene, locators).empty()) {
+    return Error{"the character has the joints of these locators already", "",
+                 "bind with them: its joints go where locators were moved"};
+  }
   if (!document.addedFiles.empty()) {
     return Error{"props from other files are added to it", "", "build the rig before props are added"};
   }

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/locators/build_rig.h"
+#include "app/locators/creature_locators.h"
 #include "core/anim/sampling.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/reading/detection.h"
@@ -19,20 +20,16 @@ namespace {
 
 constexpr double unsureBelow = 0.5;
 constexpr double guess = 0.2;
+constexpr const char* biped = "biped";
 
-Result<FittedLocators> ofMeshes(const Scene& scene, const skinning::Proceed& proceed) {
-  const MeshesInWorld meshes = meshesAtRest(scene);
-  Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles, proceed);
-  if (!fitted) {
-    return fitted.error();
-  }
+FittedLocators ofBiped(skinning::FittedBiped fitted) {
   FittedLocators result;
-  for (const skinning::FittedJoint& joint : fitted->joints) {
+  for (const skinning::FittedJoint& joint : fitted.joints) {
     result.locators.list.push_back(
         {.name = joint.name, .position = joint.position, .confidence = joint.confidence});
   }
   result.locators = rig::alongBones(rig::inOrder(std::move(result.locators)));
-  result.warnings = std::move(fitted->warnings);
+  result.warnings = std::move(fitted.warnings);
   return result;
 }
 
@@ -103,25 +100,23 @@ private:
 };
 
 // Joints that have the names of locators say themselves where these belong, and how they are turned.
-rig::Locators ofNamedJoints(const Scene& scene) {
+rig::Locators ofNamedJoints(const Scene& scene, const rig::LocatorPlan& plan) {
   const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
-  rig::Locators locators;
+  rig::Locators locators{plan.id, {}};
   for (const NodeIndex joint : skinJoints(scene)) {
     const std::string& name = scene.nodes[at(joint)].name;
-    if (rig::findBipedJoint(name) != nullptr && rig::findLocator(locators, name) == nullptr) {
+    if (rig::findJoint(plan, name) != nullptr && rig::findLocator(locators, name) == nullptr) {
       const Transform place = toTransform(worlds[at(joint)]);
       locators.list.push_back({name, place.translation, glm::normalize(place.rotation), 1.0});
     }
   }
   locators = rig::inOrder(std::move(locators));
-  const bool areAll = rig::missingLocators(locators).empty() && !jointsOfLocators(scene, locators).empty();
+  const bool areAll = !locators.empty() && rig::missingLocators(locators).empty() &&
+                      !jointsOfLocators(scene, locators).empty();
   return areAll ? locators : rig::Locators();
 }
 
-Result<FittedLocators> ofLimbs(const Document& document) {
-  if (rig::Locators named = ofNamedJoints(*document.scene); !named.empty()) {
-    return FittedLocators{std::move(named), true, {}};
-  }
+FittedLocators ofLimbs(const Document& document) {
   LimbLocators locators(document);
   for (const std::string side : {"left", "right"}) {
     locators.addLimb(side + "-arm", {side + "UpperArm", side + "LowerArm", side + "Hand"});
@@ -152,7 +147,13 @@ MeshesInWorld meshesAtRest(const Scene& scene) {
   return meshes;
 }
 
-Result<FittedLocators> fitLocators(const Document& document, const skinning::Proceed& proceed) {
+Result<FittedLocators> fitLocators(const Document& document, const std::string& plan,
+                                   const skinning::Proceed& proceed) {
+  const rig::LocatorPlan* const own = rig::locatorPlan(document.body.plan);
+  if (rig::Locators named = own == nullptr ? rig::Locators() : ofNamedJoints(*document.scene, *own);
+      !named.empty()) {
+    return FittedLocators{std::move(named), true, {}};
+  }
   if (document.body.isBiped) {
     return ofLimbs(document);
   }
@@ -160,7 +161,20 @@ Result<FittedLocators> fitLocators(const Document& document, const skinning::Pro
     return Error{"the file has a skeleton in which no biped is found", "",
                  "it has joints already: bind at those (--keep-joints), or give a mesh without a skeleton"};
   }
-  return ofMeshes(*document.scene, proceed);
+  const MeshesInWorld meshes = meshesAtRest(*document.scene);
+  if (!plan.empty() && plan != biped) {
+    return ofCreature(meshes, *rig::locatorPlan(plan), proceed);
+  }
+  Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles, proceed);
+  if (plan.empty() && fitted && !fitted->standsInScene) {
+    if (std::optional<FittedLocators> creature = standingOnManyLegs(meshes, proceed)) {
+      return std::move(*creature);
+    }
+  }
+  if (plan.empty() && (!fitted || !fitted->doubt.empty())) {
+    return ofShownPlan(meshes, fitted ? fitted->doubt : fitted.error().what, proceed);
+  }
+  return fitted ? Result<FittedLocators>(ofBiped(std::move(*fitted))) : fitted.error();
 }
 
 std::vector<std::string> unsureLocators(const rig::Locators& locators) {

@@ -25,8 +25,10 @@ struct FittedLocators {
 };
 
 /// Locators at the limbs of the character where it has a skeleton, else fitted to its meshes as they stand
-/// (docs/from_a_mesh.md, Locators). Error, one line: a skeleton that is no biped's, what fitBiped refuses.
-[[nodiscard]] Result<FittedLocators> fitLocators(const Document& document,
+/// (docs/from_a_mesh.md, Locators), as those of the plan (rig/body/locators/locator_plans.h), or of the one
+/// that its shape shows where `plan` is empty. Error, one line: a skeleton that is no biped's, a mesh that
+/// shows no body, one whose plan is not clear, one that has not what the given plan needs.
+[[nodiscard]] Result<FittedLocators> fitLocators(const Document& document, const std::string& plan = {},
                                                  const skinning::Proceed& proceed = {});
 
 /// Names of the locators that are guessed rather than found.

@@ -20,14 +20,16 @@ using gltf::Json;
 
 constexpr double farthestPlace = 1e9; ///< Single precision, which files hold, still tells bones apart there.
 
-Result<std::string> locatorName(const Json& json, const std::string& where) {
+Result<std::string> locatorName(const Json& json, const rig::LocatorPlan& plan, const std::string& where) {
   if (!json.is_object() || !json.contains("name") || !json["name"].is_string()) {
     return Error{"names no joint", where, R"(give "name", such as "leftUpperArm")"};
   }
   const auto name = json["name"].get<std::string>();
-  if (rig::findBipedJoint(name) == nullptr) {
-    return Error{"'" + name + "' is not a joint of the plan biped", where,
-                 "give one of VRM's names, such as leftUpperArm, leftLowerArm, leftHand"};
+  if (rig::findJoint(plan, name) == nullptr) {
+    const std::size_t middle = plan.joints.size() / 2;
+    return Error{"'" + name + "' is not a joint of the plan " + plan.id, where,
+                 fmt::format("give one of its names, such as {}, {}, {}", plan.joints[middle - 1].name,
+                             plan.joints[middle].name, plan.joints[middle + 1].name)};
   }
   return name;
 }
@@ -76,8 +78,9 @@ EntrySchema<rig::Locator> locatorSchema() {
 }
 
 // `place`: the entry's in its list, for one without a name.
-Result<rig::Locator> locatorFromJson(const Json& json, const std::string& place) {
-  const Result<std::string> name = locatorName(json, place);
+Result<rig::Locator> locatorFromJson(const Json& json, const rig::LocatorPlan& plan,
+                                     const std::string& place) {
+  const Result<std::string> name = locatorName(json, plan, place);
   if (!name) {
     return name.error();
   }
@@ -95,7 +98,7 @@ Result<rig::Locator> locatorFromJson(const Json& json, const std::string& place)
   return locator;
 }
 
-Status checkPlan(const Json& json) {
+Result<const rig::LocatorPlan*> planOf(const Json& json) {
   if (!json.is_object() || !json.contains("locators") || !json["locators"].is_array()) {
     return Error{"holds no locators", "", R"(give {"plan": "biped", "locators": [...]})"};
   }
@@ -104,10 +107,13 @@ Status checkPlan(const Json& json) {
       return Error{"is not a part of a file of locators", key, "give plan and locators"};
     }
   }
-  if (json.value("plan", Json("biped")) != "biped") {
-    return Error{json["plan"].dump() + " has no locators", "plan", "give \"biped\""};
+  const Json id = json.value("plan", Json("biped"));
+  const rig::LocatorPlan* const plan = id.is_string() ? rig::locatorPlan(id.get<std::string>()) : nullptr;
+  if (plan == nullptr) {
+    return Error{id.dump() + " has no locators", "plan",
+                 fmt::format("give one of: {}", fmt::join(rig::locatorPlanIds(), ", "))};
   }
-  return Success{};
+  return plan;
 }
 
 // What bones cannot be built from.
@@ -136,14 +142,15 @@ Json locatorsToJson(const rig::Locators& locators) {
 }
 
 Result<rig::Locators> locatorsFromJson(const Json& json) {
-  if (Status plan = checkPlan(json); !plan) {
+  const Result<const rig::LocatorPlan*> plan = planOf(json);
+  if (!plan) {
     return plan.error();
   }
-  rig::Locators locators;
+  rig::Locators locators{(*plan)->id, {}};
   bool hasTurns = false;
   for (const Json& entry : json["locators"]) {
     Result<rig::Locator> locator =
-        locatorFromJson(entry, "locators[" + std::to_string(locators.list.size()) + "]");
+        locatorFromJson(entry, **plan, "locators[" + std::to_string(locators.list.size()) + "]");
     if (!locator) {
       return locator.error();
     }

@@ -202,7 +202,7 @@ std::optional<ArmJoints> armJoints(const StandingBody& body, const ArmLine& arm)
 // What one hand holds makes its arm longer: it is cut to the other one's length.
 ArmPair armPair(const StandingBody& body, const LegLines& legs) {
   constexpr double holding = 1.1;
-  const std::vector<double> fromMiddle = waysFromMiddle(body, legs.crotch);
+  const std::vector<double> fromMiddle = waysFromMiddle(body, legs);
   ArmLine right = armLine(body, legs, fromMiddle, -1.0, most);
   ArmLine left = armLine(body, legs, fromMiddle, 1.0, most);
   if (left.way > 0.0 && right.way > holding * left.way) {

@@ -27,11 +27,11 @@ std::vector<double> waysFrom(const StandingBody& body, const std::vector<std::ui
   return ways;
 }
 
-std::vector<std::uint32_t> middlePlane(const StandingBody& body, double crotch) {
+std::vector<std::uint32_t> middlePlane(const StandingBody& body, const LegLines& legs) {
   std::vector<std::uint32_t> middle;
   for (std::uint32_t cell = 0; cell < body.cubes.cellCount(); ++cell) {
     const Vec3 place = body.middleOf(cell);
-    if (std::abs(place.x) < 1.5 * body.cubes.grid.size && place.y >= crotch) {
+    if (std::abs(place.x) < 1.5 * body.cubes.grid.size && !legs.isLeg[cell]) {
       middle.push_back(cell);
     }
   }
@@ -104,8 +104,8 @@ Vec3 outwardsAlong(const std::vector<Vec3>& places, const Vec3& centroid, const 
 
 } // namespace
 
-std::vector<double> waysFromMiddle(const StandingBody& body, double crotch) {
-  return waysFrom(body, middlePlane(body, crotch));
+std::vector<double> waysFromMiddle(const StandingBody& body, const LegLines& legs) {
+  return waysFrom(body, middlePlane(body, legs));
 }
 
 ArmLine armLine(const StandingBody& body, const LegLines& legs, const std::vector<double>& fromMiddle,

@@ -24,8 +24,8 @@ struct ArmLine {
   std::vector<std::pair<std::uint32_t, double>> cells; ///< With their ways from the tip.
 };
 
-/// For each cell the way inside the body from its middle plane, above the legs.
-[[nodiscard]] std::vector<double> waysFromMiddle(const StandingBody& body, double crotch);
+/// For each cell the way inside the body from its middle plane, legs left out: a tail lies in it.
+[[nodiscard]] std::vector<double> waysFromMiddle(const StandingBody& body, const LegLines& legs);
 
 /// `side`: 1 for +X. The tip is what is farthest from the middle of the body (waysFromMiddle), legs left
 /// out; `longest`: no farther than that, as what an arm holds is no part of it.

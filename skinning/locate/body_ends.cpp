@@ -12,8 +12,6 @@
 
 namespace stretch::skinning {
 
-namespace {
-
 std::vector<double> waysFromCentre(const StandingBody& body) {
   const std::size_t count = body.cubes.cellCount();
   Vec3 centroid(0.0);
@@ -34,38 +32,50 @@ std::vector<double> waysFromCentre(const StandingBody& body) {
   return ways;
 }
 
-} // namespace
+InwardOrder inwardOrder(const std::vector<double>& ways) {
+  InwardOrder order{std::vector<std::size_t>(ways.size()), std::vector<std::size_t>(ways.size())};
+  std::iota(order.cells.begin(), order.cells.end(), std::size_t{0});
+  std::ranges::stable_sort(order.cells, [&](std::size_t a, std::size_t b) { return ways[a] > ways[b]; });
+  for (std::size_t place = 0; place < order.cells.size(); ++place) {
+    order.places[order.cells[place]] = place;
+  }
+  return order;
+}
 
 // From the farthest cell inwards each cell begins a heap or joins those that it touches. Where two heaps
 // meet, the one that reaches less far out has come to its root.
-std::size_t endsOf(const StandingBody& body) {
-  constexpr double shortest = 0.2; // of the farthest way
-  const std::vector<double> ways = waysFromCentre(body);
-  std::vector<std::size_t> order(ways.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ways[a] > ways[b]; });
+std::vector<BodyEnd> bodyEnds(const StandingBody& body, const std::vector<double>& ways, double shortest) {
+  const InwardOrder inwards = inwardOrder(ways); // the farthest cell leads a heap
+  const std::vector<std::size_t>& order = inwards.cells;
+  const std::vector<std::size_t>& places = inwards.places;
   if (order.empty()) {
-    return 0;
+    return {};
   }
   const double least = shortest * ways[order.front()];
-  std::vector<std::size_t> places(order.size()); // of cells in the order: the farthest cell leads a heap
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    places[order[place]] = place;
-  }
   DisjointSets heaps(order.size());
-  std::size_t ends = 1; // the farthest of all meets no one
+  const auto endAt = [&](std::size_t tip, std::size_t root) {
+    return BodyEnd{static_cast<std::uint32_t>(order[tip]), ways[order[tip]] - ways[order[root]],
+                   body.middleOf(order[root])};
+  };
+  std::vector<BodyEnd> ends{endAt(0, order.size() - 1)}; // the farthest of all meets no one
   for (std::size_t place = 0; place < order.size(); ++place) {
     eachNeighbour(body.cubes, order[place], [&](std::size_t next, std::size_t) {
       if (places[next] > place) {
         return;
       }
       const std::size_t lesser = std::max(heaps.leaderOf(place), heaps.leaderOf(places[next]));
-      if (heaps.join(place, places[next])) {
-        ends += ways[order[lesser]] - ways[order[place]] >= least ? 1 : 0;
+      if (heaps.join(place, places[next]) && ways[order[lesser]] - ways[order[place]] >= least) {
+        ends.push_back(endAt(lesser, place));
       }
     });
   }
+  std::ranges::stable_sort(ends, [](const BodyEnd& a, const BodyEnd& b) { return a.length > b.length; });
   return ends;
+}
+
+std::size_t endsOf(const StandingBody& body) {
+  constexpr double shortest = 0.2;
+  return bodyEnds(body, waysFromCentre(body), shortest).size();
 }
 
 } // namespace stretch::skinning

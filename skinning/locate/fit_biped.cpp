@@ -15,8 +15,6 @@ namespace stretch::skinning {
 
 namespace {
 
-constexpr const char* byHand = "set all locators by hand and give them: --locators";
-
 // A body with its limbs, in its own space; "left" is +X whichever way it faces.
 struct BodyJoints {
   TrunkJoints trunk;
@@ -56,15 +54,22 @@ double halfWidthOf(const ArmPair& arms) {
 BodyJoints bodyJoints(const StandingBody& body, const Found& found) {
   constexpr double usualCrotch = 0.47;
   constexpr double hipsOverHips = 0.01;
+  constexpr double touching = 0.12; // legs that part no higher than that are boots: trousers touch each other
+  constexpr double ofShoulders = 0.5;
   const auto& [legs, arms] = found;
   const double crotch = legs.found() ? legs.crotch : usualCrotch;
   const double shoulders = shoulderHeightOf(arms);
   BodyJoints joints;
-  joints.facing = facingOf(legs) < 0.0 ? -1.0 : 1.0;
+  constexpr double backwards = -0.05; // feet of robots have heels: characters face +Z unless theirs clearly
+                                      // do not
+  joints.facing = facingOf(legs) < backwards ? -1.0 : 1.0;
   joints.trunk = trunkJoints(body, crotch, shoulders, halfWidthOf(arms));
-  const double hips = areBoxes(legs) ? crotch : hipHeightOf(crotch, joints.trunk.neck.place.y);
+  const bool touch = legs.found() && crotch < touching;
+  const double hips = touch            ? ofShoulders * shoulders
+                      : areBoxes(legs) ? crotch
+                                       : hipHeightOf(crotch, joints.trunk.neck.place.y);
   joints.trunk.hips.place.y = hips + hipsOverHips;
-  joints.trunk.hips.confidence = legs.found() ? 0.8 : 0.3;
+  joints.trunk.hips.confidence = legs.found() ? (touch ? 0.4 : 0.8) : 0.3;
   joints.leftLeg =
       legs.found() ? legJoints(legs.left, hips, joints.facing) : guessedLeg(hips, 1.0, joints.facing);
   joints.rightLeg =
@@ -158,18 +163,21 @@ std::vector<std::string> missing(const Found& found, bool isTurned) {
 void doubtOtherBodies(const StandingBody& body, const Found& found, FittedBiped& fitted) {
   constexpr std::size_t tooManyLegs = 4; // a person may have a stick or a cloak to the ground beside the feet
   constexpr std::size_t tooManyEnds = 8; // head, hands, feet, and two ears or a sword
-  constexpr double upright = 1.5;
+  const double upright = found.arms.left || found.arms.right ? 1.5 : 0.8; // what leans and lacks arms may be
+                                                                          // a bird
   constexpr double guess = 0.3;
   const std::size_t legs = legsUnder(body);
   const std::size_t ends = endsOf(body);
   const bool lies =
       found.legs.found() && depthForHeight(body, found.legs.crotch, halfWidthOf(found.arms)) > upright;
+  fitted.doubt = found.legs.found() ? "" : "no two legs with a gap between them show";
   if (legs < tooManyLegs && ends < tooManyEnds && !lies) {
     return;
   }
   const std::string why = legs >= tooManyLegs   ? fmt::format("it stands on {} legs", legs)
                           : ends >= tooManyEnds ? fmt::format("{} limbs or tips reach out of it", ends)
                                                 : "its trunk lies on its legs, as a bird's";
+  fitted.doubt = why;
   fitted.warnings.push_back(
       fmt::format("this is no biped: {}; the joints are only a guess, set all locators by hand", why));
   for (FittedJoint& joint : fitted.joints) {
@@ -177,54 +185,44 @@ void doubtOtherBodies(const StandingBody& body, const Found& found, FittedBiped&
   }
 }
 
-// A sheet is one cube thick everywhere.
-bool hasVolume(const StandingBody& body) {
-  constexpr double cubes = 2.5;
-  return std::ranges::any_of(body.cubes.depths, [&](float depth) {
-    return static_cast<double>(depth) > cubes * body.cubes.grid.size;
-  });
+Error noBiped() {
+  return {"the mesh shows neither two legs nor two arms", "", byHand};
 }
 
-Error noBody(const std::string& why) {
-  return {why, "", byHand};
+FittedBiped fitted(const StandingBody& body, const Found& found) {
+  const BodyJoints joints = bodyJoints(body, found);
+  constexpr double same = 0.99;
+  FittedBiped result{
+      named(joints, body.upright), missing(found, joints.facing < 0.0), {}, body.upright.axes[1].y > same};
+  doubtOtherBodies(body, found, result);
+  return result;
 }
 
-} // namespace
-
-Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
-                             const Proceed& proceed) {
-  const auto goesOn = [&](double share) { return !proceed || proceed(share); };
-  const Error stopped{"stopped before the locators were found", "", "fit them again"};
-  if (triangles.empty()) {
-    return noBody("no mesh with triangles is there to fit locators to");
-  }
-  const Result<Upright> upright = findUpright(positions, triangles);
-  if (!upright) {
-    return noBody(upright.error().what);
-  }
-  if (!goesOn(0.5)) {
-    return stopped;
-  }
-  const Result<StandingBody> body = standingBody(positions, triangles, *upright);
+Result<FittedBiped> fitStanding(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                                UpAxis up, const Proceed& proceed) {
+  const Result<StandingBody> body = standingIn(positions, triangles, up, proceed);
   if (!body) {
     return body.error();
-  }
-  if (!hasVolume(*body)) {
-    return noBody("the mesh encloses nothing that a body could be");
-  }
-  if (!goesOn(0.8)) {
-    return stopped;
   }
   Found found;
   found.legs = legLines(*body);
   found.arms = armPair(*body, found.legs);
-  if (!found.legs.found() && !(found.arms.left && found.arms.right)) {
-    return noBody("the mesh shows neither two legs nor two arms");
+  const bool shows = found.legs.found() || (found.arms.left && found.arms.right);
+  return shows ? Result<FittedBiped>(fitted(*body, found)) : Result<FittedBiped>(noBiped());
+}
+
+} // namespace
+
+// What looks like two legs may be two barrels on a back: another axis than the scene's has to show a whole
+// biped.
+Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                             const Proceed& proceed) {
+  Result<FittedBiped> best = fitStanding(positions, triangles, UpAxis::anyOfScene, proceed);
+  if (best && best->warnings.empty()) {
+    return best;
   }
-  const BodyJoints joints = bodyJoints(*body, found);
-  FittedBiped fitted{named(joints, *upright), missing(found, joints.facing < 0.0)};
-  doubtOtherBodies(*body, found, fitted);
-  return fitted;
+  Result<FittedBiped> other = fitStanding(positions, triangles, UpAxis::ofScene, proceed);
+  return other ? other : best;
 }
 
 } // namespace stretch::skinning

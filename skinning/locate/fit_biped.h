@@ -21,6 +21,8 @@ struct FittedJoint {
 struct FittedBiped {
   std::vector<FittedJoint> joints;
   std::vector<std::string> warnings; ///< One line each: what does not show in the mesh.
+  std::string doubt;                 ///< Why this may be no biped; empty where nothing speaks against it.
+  bool standsInScene = true;         ///< +Y of the scene is up.
 };
 
 /// Finds the joints of a biped in a mesh that has no skeleton (docs/from_a_mesh.md, How locators are found):

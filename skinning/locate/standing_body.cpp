@@ -178,6 +178,18 @@ std::vector<std::vector<SliceRegion>> layersOf(const VoxelBody& body) {
   return layers;
 }
 
+// A sheet is one cube thick everywhere.
+bool hasVolume(const StandingBody& body) {
+  constexpr double cubes = 2.5;
+  return std::ranges::any_of(body.cubes.depths, [&](float depth) {
+    return static_cast<double>(depth) > cubes * body.cubes.grid.size;
+  });
+}
+
+Error noBody(const std::string& why) {
+  return {why, "", byHand};
+}
+
 } // namespace
 
 std::size_t StandingBody::layerAt(double height) const {
@@ -199,6 +211,27 @@ Result<StandingBody> standingBody(std::span<const Vec3> positions, const std::ve
   joinPieces(body.cubes);
   body.layers = layersOf(body.cubes);
   return body;
+}
+
+Result<StandingBody> standingIn(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                                UpAxis up, const Proceed& proceed) {
+  const auto goesOn = [&](double share) { return !proceed || proceed(share); };
+  const Error stopped{"stopped before the locators were found", "", "fit them again"};
+  if (triangles.empty()) {
+    return noBody("no mesh with triangles is there to fit locators to");
+  }
+  const Result<Upright> upright = findUpright(positions, triangles, up);
+  if (!upright) {
+    return noBody(upright.error().what);
+  }
+  if (!goesOn(0.5)) {
+    return stopped;
+  }
+  Result<StandingBody> body = standingBody(positions, triangles, *upright);
+  if (body && !hasVolume(*body)) {
+    return noBody("the mesh encloses nothing that a body could be");
+  }
+  return body && !goesOn(0.8) ? Result<StandingBody>(stopped) : std::move(body);
 }
 
 } // namespace stretch::skinning

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "skinning/bind/voxel_body.h"
+#include "skinning/fit/alternate.h"
 #include "skinning/locate/upright.h"
 
 namespace stretch::skinning {
@@ -38,5 +39,14 @@ struct StandingBody {
 /// between them. Error: what voxelBody refuses.
 [[nodiscard]] Result<StandingBody>
 standingBody(std::span<const Vec3> positions, const std::vector<Triangle>& triangles, const Upright& upright);
+
+/// Fills the mesh after its stance was found (findUpright). Error, one line: no triangle, nothing that has an
+/// extent or encloses anything, places that are no numbers, told to stop.
+[[nodiscard]] Result<StandingBody> standingIn(std::span<const Vec3> positions,
+                                              const std::vector<Triangle>& triangles, UpAxis up,
+                                              const Proceed& proceed);
+
+/// Remedy of errors about meshes that show no body.
+inline constexpr const char* byHand = "set all locators by hand and give them: --locators";
 
 } // namespace stretch::skinning

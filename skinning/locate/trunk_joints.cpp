@@ -63,16 +63,23 @@ Vec3 middleAbove(const std::vector<TrunkSection>& sections, double height) {
   return area > 0.0 ? sum / area : Vec3(0.0, height, 0.0);
 }
 
-// The narrowest section between the shoulders and the head's widest part.
+// The narrowest section between the shoulders and the head's widest part: one above which the body grows
+// again, as it does not below what sticks up from a head, where there is such a one.
 std::size_t narrowestOver(const std::vector<TrunkSection>& sections, double shoulders) {
   constexpr double neckPart = 0.6; // of what is above the shoulders
+  constexpr double grows = 1.1;
   std::size_t narrowest = 0;
+  bool hasNeck = false;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const double height = sections[i].height;
     const bool isBetween = height > shoulders && height < shoulders + neckPart * (1.0 - shoulders);
     const bool isFirst = sections[narrowest].height <= shoulders;
-    if (isBetween && (isFirst || sections[i].area < sections[narrowest].area)) {
+    const bool isNeck = std::any_of(sections.begin() + static_cast<std::ptrdiff_t>(i), sections.end(),
+                                    [&](const auto& above) { return above.area > grows * sections[i].area; });
+    const bool isBetter = isNeck == hasNeck ? sections[i].area < sections[narrowest].area : isNeck;
+    if (isBetween && (isFirst || isBetter)) {
       narrowest = i;
+      hasNeck = isNeck;
     }
   }
   return narrowest;

@@ -151,7 +151,7 @@ Result<Lump> lumpOf(std::span<const Vec3> positions, const std::vector<Triangle>
   return lump;
 }
 
-Stance standing(const Lump& lump) {
+Stance standing(const Lump& lump, UpAxis upAxis) {
   const Vec3 x(1.0, 0.0, 0.0);
   const Vec3 y(0.0, 1.0, 0.0);
   const Vec3 z(0.0, 0.0, 1.0);
@@ -160,7 +160,7 @@ Stance standing(const Lump& lump) {
   best.score *= asGood;
   for (const auto& [up, across] :
        {std::pair{z, x}, std::pair{-z, x}, std::pair{-y, x}, std::pair{x, z}, std::pair{-x, z}}) {
-    const Stance other = stanceOf(lump, up, across);
+    const Stance other = upAxis == UpAxis::ofScene ? Stance{} : stanceOf(lump, up, across);
     if (other.score > best.score) {
       best = other;
     }
@@ -180,7 +180,8 @@ Vec3 chosenSide(const Vec3& normal, const Vec3& up) {
 
 } // namespace
 
-Result<Upright> findUpright(std::span<const Vec3> positions, const std::vector<Triangle>& triangles) {
+Result<Upright> findUpright(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                            UpAxis up) {
   Bounds box;
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t corner : triangle) {
@@ -196,7 +197,7 @@ Result<Upright> findUpright(std::span<const Vec3> positions, const std::vector<T
   if (!lump) {
     return lump.error();
   }
-  const Stance stance = standing(*lump);
+  const Stance stance = standing(*lump, up);
   const Vec3 across = chosenSide(stance.mirror.normal, stance.up);
   Upright upright;
   upright.axes = {across, stance.up, glm::cross(across, stance.up)};

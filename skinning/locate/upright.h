@@ -26,10 +26,13 @@ struct Upright {
   [[nodiscard]] Vec3 toScene(const Vec3& point) const { return origin + axes * point * height; }
 };
 
-/// Finds which way is up, +Y where nothing speaks against it, and the plane that mirrors the body: any
-/// direction across. Facing +Z of the scene, or the way nearest to it, until more is known. Error: what
-/// voxelBody refuses.
+enum class UpAxis { ofScene, anyOfScene };
+
+/// Finds which way is up, +Y where that is asked for or nothing speaks against it, and the plane that mirrors
+/// the body: any direction across. Facing +Z of the scene, or the way nearest to it, until more is known.
+/// Error: what voxelBody refuses.
 [[nodiscard]] Result<Upright> findUpright(std::span<const Vec3> positions,
-                                          const std::vector<Triangle>& triangles);
+                                          const std::vector<Triangle>& triangles,
+                                          UpAxis up = UpAxis::anyOfScene);
 
 } // namespace stretch::skinning

@@ -89,8 +89,10 @@ TEST_CASE("What a set of locators lacks or has too much of is told in one line t
   entryOf(json, "spine")["pose"] = 1;
   CHECK(tells(json, "spine", "pose"));
   json = whole;
+  json["plan"] = "centipede";
+  CHECK(tells(json, "centipede", "biped"));
   json["plan"] = "quadruped";
-  CHECK(tells(json, "quadruped", "biped"));
+  CHECK(tells(json, "not a joint of the plan quadruped", "leftHip"));
   CHECK(tells(Json::array(), "no locators", "plan"));
   CHECK(tells(Json{{"locators", 5}}, "no locators", "plan"));
 }

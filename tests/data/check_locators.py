@@ -7,7 +7,8 @@ where the artists put the joints.
 - The same body lying, upside down, turned, in units of 1e-4 and 1e5: the same joints.
 - A mesh of 200,000 triangles and one of 500,000 in SECONDS_AT_MOST.
 - A file without a mesh, a triangle, a plane: one line, nothing written, by rig and by bind.
-- Bodies that are no bipeds are told so; the dummy is bound however it lies and whatever its units are.
+- Bodies that are no bipeds are read as what they are: the limbs that the program finds in the artist's skeleton, each joint against the locator of the same limb
+  that stands for it, in the mean within 5 % of the largest extent; what is not clear is refused in one line. With --plan biped they are told to be none; the dummy is bound however it lies and whatever its units are.
 - rig builds joints in which the program finds all six limbs; moved locators given back are where the joints then are.
 
 """
@@ -30,12 +31,24 @@ SECONDS_AT_MOST = 30
 ARM, LEG = ("UpperArm", "LowerArm", "Hand"), ("UpperLeg", "LowerLeg", "Foot")
 CHARACTERS = ["biped/CesiumMan.glb", "biped/mannequiny-0.3.0.glb", "biped/human-addon-animations.glb", "biped/Knight.glb",
               "biped/rpg-lowpoly-skeleton.glb", "biped/boxman.glb", "biped/robot.glb", "biped/kenney-platformer-character/character.glb",
-              "vrm/cryptovoxels.vrm", "bodies/model-human.glb"]
+              "vrm/cryptovoxels.vrm", "bodies/model-human.glb", "hard/gdbot.glb", "hard/lumberjack.glb", "hard/quaternius-orc.glb", "hard/rigify-222-character.glb"]
 SKELETONS = {"bodies/model-human.glb": "bodies/rig-human.glb"}
-# Not bipeds: told so, or refused.
-OTHER_BODIES = ["bodies/bird-animations.glb", "bodies/model-spider.glb", "bodies/spider-animations.glb", "bodies/snake-animations.glb", "bodies/dragon-animations.glb", "quadruped/Fox.glb"]
+CREATURES = ["quadruped/Fox.glb", "hard/quaternius-Donkey.glb", "bodies/dragon-animations.glb", "bodies/bird-animations.glb", "hard/quaternius-Trex.glb",
+             "bodies/spider-animations.glb", "hard/quaternius-Spider.glb"]
+CREATURE_MEAN = 5.0  # percent of the largest extent
+UNCLEAR = ["bodies/snake-animations.glb", "hard/quaternius-Bee.glb"]
+# Names of locators by limb; % stands for the side.
+TRUNK = {"spine": ["hips", "spine", "chest"], "neck": ["chest", "neck", "head"]}
+WING = {"%-wing": ["%Wing1", "%Wing2", "%Wing3", "%Wing4"]}
+LOCATORS_OF = {
+    "quadruped": {**TRUNK, **WING, "front-%-leg": ["%Shoulder", "%Elbow", "%Wrist", "%FrontPaw"], "hind-%-leg": ["%Hip", "%Knee", "%Hock", "%HindPaw"],
+                  "tail": ["tail1", "tail2", "tail3", "tail4"]},
+    "bird": {**TRUNK, **WING, "%-leg": ["%Hip", "%Knee", "%Ankle", "%Foot"], "%-arm": ["%UpperArm", "%LowerArm", "%Hand"], "tail": ["tail1", "tail2", "tail3"]},
+    "spider": {"spine": ["thorax", "head"], "tail": ["abdomen1", "abdomen2"],
+               **{f"%-leg{'' if row == 1 else -row}": [f"%Leg{row}{joint}" for joint in ("Base", "Knee", "Ankle", "Foot")] for row in range(1, 5)}}}
 # What the fit does not reach: (each, mean) in percent of the height.
-LOOSER = {"rpg-lowpoly-skeleton": (6.0, MEAN), "character": (5.5, MEAN), "robot": (6.0, MEAN)}
+LOOSER = {"rpg-lowpoly-skeleton": (6.0, MEAN), "character": (5.5, MEAN), "robot": (6.0, MEAN), "gdbot": (8.5, 4.5), "lumberjack": (9.0, 5.0),
+          "quaternius-orc": (6.5, 4.5), "rigify-222-character": (6.5, 3.5)}
 
 
 def artists_joints(program, skeleton, places):
@@ -211,15 +224,77 @@ def refused(program, file, output, what):
     return problems
 
 
+def nearest_pairs(some, more):
+    """Of two rows of places the shorter one paired with places of the longer one in their order, as near as may be."""
+    if len(some) > len(more):
+        return [(b, a) for a, b in nearest_pairs(more, some)]
+    if not some:
+        return []
+    best, pairs = math.inf, []
+    for first in range(len(more) - len(some) + 1):
+        rest = nearest_pairs(some[1:], more[first + 1 :])
+        cost = math.dist(some[0], more[first]) + sum(math.dist(*pair) for pair in rest)
+        if cost < best:
+            best, pairs = cost, [(some[0], more[first]), *rest]
+    return pairs
+
+
+def extent(mesh):
+    document, buffers = read_gltf(mesh)
+    places = []
+    for node in document["nodes"]:
+        for primitive in document["meshes"][node["mesh"]]["primitives"]:
+            places += [times(node["matrix"], place) for place in accessor(document, buffers, primitive["attributes"]["POSITION"], "3f")]
+    return max(max(axis) - min(axis) for axis in zip(*places))
+
+
+def creature_problems(program, data, name, folder, rows):
+    file, mesh = data / name, folder / "creature.gltf"
+    places = unskinned(file, mesh)
+    info = json.loads(run(program, "info", file, "--json", "--tolerant")[1])
+    plan, output = info["plan"]["plan"], folder / "creature.json"
+    status, _, told = run(program, "rig", mesh, "-o", output, "--locators-only", "--tolerant")
+    if status != 0:
+        return [f"{name}: {told}"]
+    fitted_to = json.loads(output.read_text())
+    if fitted_to["plan"] != plan:
+        return [f"{name}: a {plan} is fitted as a {fitted_to['plan']}"]
+    locators = {entry["name"]: entry["position"] for entry in fitted_to["locators"]}
+    artists = {limb["limb"]: [places[joint["node"]] for joint in limb["joints"] if joint["node"] in places] for limb in info["limbs"]}
+    size, of_each, problems = extent(mesh), {}, []
+    for limb, names in LOCATORS_OF[plan].items():
+        for side in ("left", "right") if "%" in limb else ("",):
+            row = [locators[one.replace("%", side)] for one in names if one.replace("%", side) in locators]
+            joints = [place for place in artists.get(limb.replace("%", side), []) if any(place)]
+            if joints and not row:
+                problems.append(f"{name}: no locators of {limb.replace('%', side)}")
+            for number, (joint, place) in enumerate(nearest_pairs(joints, row)):
+                of_each[f"{limb.replace('%', side)} {number + 1}"] = 100.0 * math.dist(joint, place) / size
+    mean, _, row = table_row(f"{file.stem} ({plan})", of_each)
+    rows.append(row)
+    bound = folder / "creature.glb"
+    run(program, "bind", mesh, "-o", bound, "--tolerant")
+    found = json.loads(run(program, "info", bound, "--json")[1])
+    lacking = {limb for limb in artists if limb not in {one["limb"] for one in found["limbs"]}}
+    if found["plan"]["plan"] != plan or lacking:
+        problems.append(f"{name}: bound, it is a {found['plan']['plan']} without {sorted(lacking)}")
+    return problems + ([f"{name}: the mean is {mean:.2f} % of the size off"] if mean > CREATURE_MEAN else [])
+
+
 def doubt_problems(program, data, folder):
     problems = []
-    for name in OTHER_BODIES:
+    for name in [*CREATURES, *UNCLEAR]:
         mesh = folder / "other.gltf"
         unskinned(data / name, mesh)
+        status, _, told = run(program, "rig", mesh, "-o", folder / "other.glb", "--tolerant", "--plan", "biped")
+        if "no biped" not in told and "neither two legs nor two arms" not in told and "no two legs" not in told:
+            problems.append(f"{name}: taken for a biped, status {status}, told {told!r}")
+    for name in UNCLEAR:
+        unskinned(data / name, mesh)
         for verb in ("rig", "bind"):
-            status, _, told = run(program, verb, mesh, "-o", folder / "other.glb")
-            if "no biped" not in told and "neither two legs nor two arms" not in told:
-                problems.append(f"{verb}, {name}: taken for a biped, status {status}, told {told!r}")
+            status, _, told = run(program, verb, mesh, "-o", folder / "unclear.glb", "--tolerant")
+            if status != 1 or told.count("\n") != 1 or "--plan" not in told:
+                problems.append(f"{verb}, {name}: not refused in a line that names --plan: status {status}, told {told!r}")
     return problems
 
 
@@ -268,6 +343,8 @@ def main():
         folder = pathlib.Path(name)
         for character in [dummy, *CHARACTERS]:
             problems += character_problems(program, arguments.data, character, folder, rows)
+        for creature in CREATURES:
+            problems += creature_problems(program, arguments.data, creature, folder, rows)
         problems += move_problems(program, dummy, folder)
         problems += refusal_problems(program, folder)
         problems += doubt_problems(program, arguments.data, folder)

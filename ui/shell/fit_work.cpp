@@ -10,18 +10,15 @@ namespace stretch::ui {
 
 namespace {
 
-Status startFitting(Shell& shell, const std::string& label) {
+Status startFitting(Shell& shell, const std::string& label, const std::string& plan) {
   const app::Document& document = shell.open.character()->document();
   shell.beside.fitting.scene = document.scene;
   shell.beside.fitting.label = label;
-  shell.beside.fitting.job = std::make_unique<app::Job<app::FittedLocators>>(
-      [document](const skinning::Proceed& proceed) { return app::fitLocators(document, proceed); });
+  shell.beside.fitting.job =
+      std::make_unique<app::Job<app::FittedLocators>>([document, plan](const skinning::Proceed& proceed) {
+        return app::fitLocators(document, plan, proceed);
+      });
   return Success{};
-}
-
-bool isMeshAlone(const Shell& shell) {
-  const app::Session* const session = shell.open.character();
-  return session != nullptr && !session->document().body.isBiped && session->document().scene->skins.empty();
 }
 
 bool canStop(const Shell& shell) {
@@ -52,15 +49,19 @@ Status stop(Shell& shell) {
 
 void fitBesideWindow(std::vector<app::Command<Shell>>& commands) {
   for (app::Command<Shell>& fit : commands) {
-    if (fit.id != app::command::locatorsFit && fit.id != app::command::locatorsReset) {
+    const bool isReset = fit.id == app::command::locatorsReset;
+    if (!isReset && !fit.id.starts_with(app::command::locatorsFit)) {
       continue;
     }
-    const std::string label = fit.id == app::command::locatorsFit ? "Fit locators" : "Reset the locators";
+    const std::string label = isReset ? "Reset the locators" : "Fit locators";
     fit.enabled = [enabled = fit.enabled](const Shell& shell) {
       return shell.beside.fitting.job == nullptr && enabled(shell);
     };
-    fit.run = [label, run = fit.run](Shell& shell) {
-      return isMeshAlone(shell) ? startFitting(shell, label) : run(shell);
+    fit.run = [label, id = fit.id, run = fit.run](Shell& shell) {
+      const app::Session* const session = shell.open.character();
+      return session != nullptr && app::isMeshAlone(*session)
+                 ? startFitting(shell, label, app::planToFit(*session, id))
+                 : run(shell);
     };
   }
 }

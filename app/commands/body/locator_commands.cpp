@@ -8,6 +8,7 @@
 #include "app/locators/build_rig.h"
 #include "app/locators/fit_locators.h"
 #include "app/locators/locator_edits.h"
+#include "rig/plan/body_plan.h"
 
 namespace stretch::app {
 
@@ -17,8 +18,8 @@ bool hasShownLocators(const Session& session) {
   return showsLocators(session);
 }
 
-Status fitAnew(Session& session, const char* label) {
-  Result<FittedLocators> fitted = fitLocators(session.document());
+Status fitAnew(Session& session, const std::string& plan, const char* label) {
+  Result<FittedLocators> fitted = fitLocators(session.document(), plan);
   if (!fitted) {
     return fitted.error();
   }
@@ -74,7 +75,33 @@ std::string buildLabel(const Session& session) {
   return session.document().body.isBiped ? "Correct the limbs" : "Build rig";
 }
 
+DocumentCommand fitAsCommand(const rig::LocatorPlan& plan) {
+  const std::string title = rig::planNamed(plan.id)->title;
+  DocumentCommand command =
+      entry(command::locatorsFitPrefix, "Fit locators of " + title,
+            "Finds where the joints of " + title +
+                " are in a mesh without a skeleton, whatever its shape looks like.",
+            {}, {isMeshAlone, "the character has a skeleton"},
+            [id = plan.id](Session& session) { return fitAnew(session, id, "Fit locators"); });
+  command.id = command::locatorsFitPrefix + plan.id;
+  command.checked = [id = plan.id](const Session& session) {
+    return !session.document().locators.empty() && session.document().locators.plan == id;
+  };
+  return command;
+}
+
 } // namespace
+
+bool isMeshAlone(const Session& session) {
+  return !session.document().body.isBiped && session.document().scene->skins.empty();
+}
+
+std::string planToFit(const Session& session, const std::string& command) {
+  const std::string prefix = command::locatorsFitPrefix;
+  return command == command::locatorsReset ? session.document().locators.plan
+         : command.starts_with(prefix)     ? command.substr(prefix.size())
+                                           : std::string();
+}
 
 void takeLocators(Session& session, rig::Locators locators, const std::string& label) {
   selectLocators(session, {});
@@ -86,14 +113,17 @@ void takeLocators(Session& session, rig::Locators locators, const std::string& l
 
 std::vector<DocumentCommand> locatorCommands() {
   const Need shown{hasShownLocators, "fit locators first"};
-  return {
+  std::vector<DocumentCommand> commands{
       entry(command::locatorsFit, "Fit locators",
             "Finds where the joints are in a mesh without a skeleton, or shows them at the limbs of one.", {},
             {[](const Session& session) { return session.document().locators.empty(); },
              "locators are there already: reset them, or go back to them"},
-            [](Session& session) { return fitAnew(session, "Fit locators"); }),
+            [](Session& session) { return fitAnew(session, {}, "Fit locators"); }),
       entry(command::locatorsReset, "Reset locators", "Forgets what was moved and fits the locators again.",
-            {}, shown, [](Session& session) { return fitAnew(session, "Reset the locators"); }),
+            {}, shown,
+            [](Session& session) {
+              return fitAnew(session, planToFit(session, command::locatorsReset), "Reset the locators");
+            }),
       ticked(entry(command::locatorsMirror, "Mirror locators",
                    "What moves a locator moves its counterpart on the other side.", {}, shown,
                    doing([](Session& session) {
@@ -125,6 +155,10 @@ std::vector<DocumentCommand> locatorCommands() {
                 showOrHide),
           showOrHideLabel),
   };
+  for (const rig::LocatorPlan& plan : rig::locatorPlans()) {
+    commands.push_back(fitAsCommand(plan));
+  }
+  return commands;
 }
 
 } // namespace stretch::app

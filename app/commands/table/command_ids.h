@@ -47,6 +47,7 @@ inline constexpr const char* selectionNext = "selection.next";
 inline constexpr const char* pickChain = "limb.chain";
 inline constexpr const char* detectAgain = "rig.detect";
 inline constexpr const char* locatorsFit = "locators.fit";
+inline constexpr const char* locatorsFitPrefix = "locators.fit-"; ///< And the plan's id.
 inline constexpr const char* locatorsReset = "locators.reset";
 inline constexpr const char* locatorsMirror = "locators.mirror";
 inline constexpr const char* locatorsSnap = "locators.snap";

@@ -30,6 +30,12 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> weightCommands();
 [[nodiscard]] std::vector<DocumentCommand> sequenceCommands();
 
+/// Whether the character has neither limbs nor a skeleton: locators are fitted to its meshes.
+[[nodiscard]] bool isMeshAlone(const Session& session);
+
+/// Id of the plan whose locators a command fits: empty for the one that the shape shows.
+[[nodiscard]] std::string planToFit(const Session& session, const std::string& command);
+
 /// Puts locators that were fitted into the document, shown, as one step of this name.
 void takeLocators(Session& session, rig::Locators locators, const std::string& label);
 

@@ -1,7 +1,6 @@
 #include "rig/body/locators/locators.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -11,31 +10,6 @@
 namespace stretch::rig {
 
 namespace {
-
-constexpr std::array joints = std::to_array<LocatorJoint>({
-    {"hips", "", true},
-    {"spine", "hips", true},
-    {"chest", "spine", false},
-    {"upperChest", "chest", false},
-    {"neck", "upperChest", false},
-    {"head", "neck", true},
-    {"leftShoulder", "upperChest", false},
-    {"leftUpperArm", "leftShoulder", true},
-    {"leftLowerArm", "leftUpperArm", true},
-    {"leftHand", "leftLowerArm", true},
-    {"rightShoulder", "upperChest", false},
-    {"rightUpperArm", "rightShoulder", true},
-    {"rightLowerArm", "rightUpperArm", true},
-    {"rightHand", "rightLowerArm", true},
-    {"leftUpperLeg", "hips", true},
-    {"leftLowerLeg", "leftUpperLeg", true},
-    {"leftFoot", "leftLowerLeg", true},
-    {"leftToes", "leftFoot", false},
-    {"rightUpperLeg", "hips", true},
-    {"rightLowerLeg", "rightUpperLeg", true},
-    {"rightFoot", "rightLowerLeg", true},
-    {"rightToes", "rightFoot", false},
-});
 
 constexpr std::string_view left = "left";
 constexpr std::string_view right = "right";
@@ -61,25 +35,28 @@ Vec3 positionOr(const Locators& locators, std::string_view name, const Vec3& oth
   return locator == nullptr ? otherwise : locator->position;
 }
 
+const LocatorPlan& planOf(const Locators& locators) {
+  const LocatorPlan* const plan = locatorPlan(locators.plan);
+  return plan == nullptr ? locatorPlans().front() : *plan;
+}
+
 // Right-handed: +X left, +Y up, +Z forward, each of unit length.
 Mat3 bodyAxes(const Locators& locators) {
-  const Vec3 up = positionOr(locators, "head", Vec3(0.0, 1.0, 0.0)) - positionOr(locators, "hips", Vec3(0.0));
+  const LocatorPlan& plan = planOf(locators);
+  const Vec3 along = positionOr(locators, "head", Vec3(0.0, 1.0, 0.0)) -
+                     positionOr(locators, plan.joints.front().name, Vec3(0.0));
   Vec3 across(0.0);
-  for (const std::string_view joint : {"UpperArm", "UpperLeg"}) {
+  for (const std::string& joint : plan.across) {
     across += positionOr(locators, std::string(left).append(joint), Vec3(0.0)) -
               positionOr(locators, std::string(right).append(joint), Vec3(0.0));
   }
-  const Vec3 forward = glm::cross(across, up);
-  if (!(glm::length(forward) > 0.0)) {
+  const Vec3 third = plan.stands ? glm::cross(across, along) : glm::cross(along, across);
+  if (!(glm::length(third) > 0.0)) {
     return Mat3(1.0);
   }
-  const Vec3 z = glm::normalize(forward);
-  const Vec3 y = glm::normalize(up);
+  const Vec3 y = glm::normalize(plan.stands ? along : third);
+  const Vec3 z = glm::normalize(plan.stands ? third : along);
   return {glm::cross(y, z), y, z};
-}
-
-bool isFootPart(std::string_view name) {
-  return name.ends_with("Foot") || name.ends_with("Toes");
 }
 
 Quat turnAlong(const Vec3& bone, const Vec3& facing) {
@@ -92,11 +69,6 @@ Quat turnAlong(const Vec3& bone, const Vec3& facing) {
 
 } // namespace
 
-const LocatorJoint* findBipedJoint(std::string_view name) {
-  const auto* const found = std::ranges::find(joints, name, &LocatorJoint::name);
-  return found == joints.end() ? nullptr : found;
-}
-
 const Locator* findLocator(const Locators& locators, std::string_view name) {
   const auto found = std::ranges::find(locators.list, name, &Locator::name);
   return found == locators.list.end() ? nullptr : &*found;
@@ -108,9 +80,10 @@ Locator* findLocator(Locators& locators, std::string_view name) {
 }
 
 std::string_view parentLocator(const Locators& locators, std::string_view name) {
-  const LocatorJoint* joint = findBipedJoint(name);
+  const LocatorPlan& plan = planOf(locators);
+  const LocatorJoint* joint = findJoint(plan, name);
   while (joint != nullptr && !joint->parent.empty()) {
-    joint = findBipedJoint(joint->parent);
+    joint = findJoint(plan, joint->parent);
     if (findLocator(locators, joint->name) != nullptr) {
       return joint->name;
     }
@@ -120,9 +93,9 @@ std::string_view parentLocator(const Locators& locators, std::string_view name) 
 
 std::vector<std::string> missingLocators(const Locators& locators) {
   std::vector<std::string> missing;
-  for (const LocatorJoint& joint : joints) {
+  for (const LocatorJoint& joint : planOf(locators).joints) {
     if (joint.isNeeded && findLocator(locators, joint.name) == nullptr) {
-      missing.emplace_back(joint.name);
+      missing.push_back(joint.name);
     }
   }
   return missing;
@@ -147,7 +120,8 @@ std::string mirroredLocator(std::string_view name) {
 }
 
 Locators inOrder(Locators locators) {
-  std::ranges::stable_sort(locators.list, {}, [](const Locator& locator) {
+  const std::vector<LocatorJoint>& joints = planOf(locators).joints;
+  std::ranges::stable_sort(locators.list, {}, [&](const Locator& locator) {
     return std::ranges::find(joints, locator.name, &LocatorJoint::name) - joints.begin();
   });
   return locators;
@@ -155,10 +129,12 @@ Locators inOrder(Locators locators) {
 
 Locators alongBones(Locators locators) {
   const Mat3 axes = bodyAxes(locators);
+  const LocatorPlan& plan = planOf(locators);
   for (Locator& locator : locators.list) {
     const std::optional<Vec3> bone = boneOf(locators, locator);
     if (bone && glm::length(*bone) > 0.0) {
-      locator.orientation = turnAlong(*bone, isFootPart(locator.name) ? axes[1] : axes[2]);
+      const LocatorJoint* const joint = findJoint(plan, locator.name);
+      locator.orientation = turnAlong(*bone, joint != nullptr && joint->facesUp ? axes[1] : axes[2]);
     }
   }
   return locators;

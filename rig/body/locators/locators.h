@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "rig/body/locators/locator_plans.h"
 
 namespace stretch::rig {
 
 /// Place where one joint of a body plan is to stand, and its turn.
 struct Locator {
-  std::string name;   ///< Name of the joint: one that findBipedJoint() knows.
+  std::string name;   ///< Name of the joint: one of its plan (locator_plans.h).
   Vec3 position{0.0}; ///< World, in the pose that the mesh has without a skeleton.
   /// World. +Y along the bone, +Z where the body faces (alongBones); unit length.
   Quat orientation{1.0, 0.0, 0.0, 0.0};
@@ -27,16 +28,6 @@ struct Locators {
   [[nodiscard]] bool empty() const { return list.empty(); }
   friend bool operator==(const Locators&, const Locators&) = default;
 };
-
-/// A joint of the plan "biped", named as VRM's table of humanoid bones names it.
-struct LocatorJoint {
-  std::string_view name;
-  std::string_view parent; ///< Empty for the hips.
-  bool isNeeded = true;    ///< A body may lack the others: its bones go on to the next joint.
-};
-
-/// Null when the name is no joint of the plan.
-[[nodiscard]] const LocatorJoint* findBipedJoint(std::string_view name);
 
 /// Null when there is none of this name.
 [[nodiscard]] const Locator* findLocator(const Locators& locators, std::string_view name);
@@ -58,8 +49,8 @@ enum class BodySide { centre, left, right };
 [[nodiscard]] Locators inOrder(Locators locators);
 
 /// Turns every locator: +Y along its bone to the next joint (that of a last joint goes on as the bone before
-/// it), +Z as nearly as may be to where the body faces, upwards on feet and toes. +X of an elbow or a knee is
-/// then the axis that it bends about. Bones without length keep the turn that they have.
+/// it), +Z as nearly as may be to where the body faces, upwards where the plan says so, as on feet. +X of an
+/// elbow or a knee is then the axis that it bends about. Bones without length keep the turn that they have.
 [[nodiscard]] Locators alongBones(Locators locators);
 
 /// Turns the named locator and the ones beside it with their bones, after it was moved from `before`: each

@@ -464,7 +464,6 @@ TEST_CASE("Every option of bind changes what it writes") {
   const TemporaryFolder inputs;
   addPerson(inputs);
   addSequences(inputs);
-  // A closed tube with a skeleton is bound in no time; the person has neither.
   fs::remove(inputs / "odd.glb");
   REQUIRE(
       runVerb({"compress", (inputs / "tube").string(), "-o", (inputs / "tube.glb").string(), "--bones", "3"})
@@ -473,12 +472,13 @@ TEST_CASE("Every option of bind changes what it writes") {
   copyWithViolation(inputs / "tube.glb", inputs / "odd.glb");
   const std::string surface = "--keep-joints --weights surface";
   const std::string tube = "IN/tube.glb -o OUT/out.glb ";
+  const std::string person = "IN/person.gltf -o OUT/out.glb ";
   checkTable({"bind", "--json",
               joinedRows(fileRows("tube.glb", "copy.glb", surface),
                          joinedRows({{"--keep-joints", tube, tube + surface},
                                      {"--weights", tube + surface, tube + "--keep-joints"},
-                                     {"--locators", "IN/person.gltf -o OUT/out.glb",
-                                      "IN/person.gltf -o OUT/out.glb --locators IN/places.json"}},
+                                     {"--locators", person, person + "--locators IN/places.json"},
+                                     {"--plan", person + "--plan spider", person + "--plan biped"}},
                                     rowsBehind(tube + surface, reportRows)))},
              inputs);
 }

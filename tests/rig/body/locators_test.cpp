@@ -84,8 +84,8 @@ TEST_CASE("Every name with a side has a counterpart", "[locators]") {
   for (const char* const bone :
        {"Shoulder", "UpperArm", "LowerArm", "Hand", "UpperLeg", "LowerLeg", "Foot", "Toes"}) {
     const std::string left = std::string("left") + bone;
-    CHECK(findBipedJoint(left) != nullptr);
+    CHECK(findJoint(*locatorPlan("biped"), left) != nullptr);
     CHECK(mirroredLocator(left) == std::string("right") + bone);
-    CHECK(findBipedJoint(mirroredLocator(left)) != nullptr);
+    CHECK(findJoint(*locatorPlan("biped"), mirroredLocator(left)) != nullptr);
   }
 }

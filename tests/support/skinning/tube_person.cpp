@@ -12,23 +12,18 @@ namespace {
 
 constexpr std::uint32_t around = 20;
 
-struct Ring {
-  Vec3 middle{0.0};
-  double radius = 0.1;
-};
-
 class Tubes {
 public:
   explicit Tubes(TubePerson& person) : person_(person) {}
 
   // Closed at both ends.
-  void add(const std::vector<Ring>& rings) {
+  void add(const std::vector<TubeRing>& rings) {
     const Vec3 along = glm::normalize(rings.back().middle - rings.front().middle);
     const Vec3 helper = std::abs(along.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
     const Vec3 x = glm::normalize(helper - glm::dot(helper, along) * along);
     const Vec3 y = glm::cross(along, x);
     const auto first = static_cast<std::uint32_t>(person_.positions.size());
-    for (const Ring& ring : rings) {
+    for (const TubeRing& ring : rings) {
       for (std::uint32_t i = 0; i < around; ++i) {
         const double angle = 2.0 * pi * i / around;
         person_.positions.push_back(ring.middle + ring.radius * (std::cos(angle) * x + std::sin(angle) * y));
@@ -114,6 +109,10 @@ void addBox(const Vec3& low, const Vec3& high, TubePerson& person) {
 }
 
 } // namespace
+
+void addTube(TubePerson& body, const std::vector<TubeRing>& rings) {
+  Tubes(body).add(rings);
+}
 
 TubePerson blockPerson() {
   TubePerson person;

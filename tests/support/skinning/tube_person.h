@@ -27,6 +27,15 @@ struct TubePerson {
   std::map<std::string, Vec3> joints; ///< By VRM's names.
 };
 
+/// A ring of a tube.
+struct TubeRing {
+  Vec3 middle{0.0};
+  double radius = 0.1;
+};
+
+/// Adds a tube through rings, closed at both ends.
+void addTube(TubePerson& body, const std::vector<TubeRing>& rings);
+
 /// Made of boxes: limbs without hands and feet, that turn at their ends and in their middles.
 [[nodiscard]] TubePerson blockPerson();
 

@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
 #include "app/commands/table/selection.h"
 #include "app/locators/build_rig.h"
 #include "app/locators/fit_locators.h"
 #include "app/locators/locator_edits.h"
+#include "rig/plan/body_plan.h"
 #include "ui/panels/body/weight_view.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
@@ -79,12 +81,10 @@ void moveTools(PanelContext& context) {
                           .width = ImGui::GetContentRegionAvail().x});
 }
 
-/// From the hips to the head: what steps and decimals are measured by.
+/// From the first one, the hips, to the head: what steps and decimals are measured by.
 double lengthOf(const rig::Locators& locators) {
-  const rig::Locator* const hips = rig::findLocator(locators, "hips");
   const rig::Locator* const head = rig::findLocator(locators, "head");
-  const double length =
-      hips == nullptr || head == nullptr ? 1.0 : glm::distance(hips->position, head->position);
+  const double length = head == nullptr ? 1.0 : glm::distance(locators.list.front().position, head->position);
   return length > 0.0 ? length : 1.0;
 }
 
@@ -135,8 +135,32 @@ void placeRow(PanelContext& context) {
   }
 }
 
+/// What kind of body the mesh is: another choice fits its locators.
+void fittedPlanRow(PanelContext& context) {
+  const app::Session& session = context.character();
+  if (!app::isMeshAlone(session)) {
+    return;
+  }
+  const rig::Locators& locators = session.document().locators;
+  std::vector<Choice> choices;
+  int selected = -1;
+  for (const rig::LocatorPlan& plan : rig::locatorPlans()) {
+    const bool isFitted = !locators.empty() && locators.plan == plan.id;
+    selected = isFitted ? static_cast<int>(choices.size()) : selected;
+    choices.push_back({capitalised(rig::planNamed(plan.id)->title)});
+  }
+  const Help help{"Body of the locators", "Which joints are looked for in the mesh. A choice fits them.", {}};
+  labelledRow(widgetsOf(context), "Body", help);
+  const int chosen =
+      dropdown(widgetsOf(context), "locators/plan", choices, selected, help, 0.0F, "As it looks");
+  if (chosen >= 0 && chosen != selected) {
+    request(context, command::locatorsFitPrefix + rig::locatorPlans()[static_cast<std::size_t>(chosen)].id);
+  }
+}
+
 void shownLocators(PanelContext& context) {
   panelTitle(widgetsOf(context), icon::target, "Locators");
+  fittedPlanRow(context);
   useLocators(context);
   moveTools(context);
   placeRow(context);
@@ -158,6 +182,7 @@ void locatorPart(PanelContext& context) {
                             .icon = icon::target,
                             .emphasis = Emphasis::primary,
                             .width = width});
+    fittedPlanRow(context);
     note(widgetsOf(context), "This mesh has no skeleton. Fit locators finds where its joints belong; move "
                              "what is off, then bind.");
   } else {
