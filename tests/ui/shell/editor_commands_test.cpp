@@ -124,18 +124,19 @@ TEST_CASE("Every id of the list has a command, every command an id of the list, 
   std::set<std::string> known;
   for (const app::Command<Shell>& command : editorCommands()) {
     known.insert(command.id);
-    // Those of directions, of kept views, of body plans and of limbs that are added to the selection are put
-    // together.
+    // Those of directions, of kept views, of body plans, of their locators and of limbs that are added to the
+    // selection are put together.
     const bool puttogether =
         command.id.rfind("view.keep-", 0) == 0 || command.id.rfind("view.kept-", 0) == 0 ||
         command.id.rfind("sphere.nudge-", 0) == 0 || command.id.rfind("controller.nudge-", 0) == 0 ||
-        command.id.rfind(command::planPrefix, 0) == 0 || command.id.rfind("-add") != std::string::npos;
+        command.id.rfind(command::planPrefix, 0) == 0 ||
+        command.id.rfind(command::locatorsFitPrefix, 0) == 0 || command.id.rfind("-add") != std::string::npos;
     INFO(command.id);
     CHECK((puttogether || listed.count(command.id) == 1));
   }
   for (const std::string& id : listed) {
     INFO(id);
-    CHECK((id == command::planPrefix || known.count(id) == 1));
+    CHECK((id == command::planPrefix || id == command::locatorsFitPrefix || known.count(id) == 1));
   }
   for (const char* room : {"app", "ui"}) {
     for (const fs::directory_entry& entry :

@@ -5,9 +5,10 @@
 
 #include "app/commands/table/command_ids.h"
 #include "app/files/save.h"
+#include "app/locators/locator_edits.h"
 #include "app/open_document.h"
 #include "tests/support/app/mesh_file.h"
-#include "tests/support/skinning/tube_person.h"
+#include "tests/support/skinning/tube_creature.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/shell/clip_import.h"
@@ -45,9 +46,8 @@ struct Working {
   Shell shell;
 };
 
-app::Document statue() {
+app::Document statue(const test::TubePerson& person = test::tubePerson()) {
   const test::TemporaryFolder folder;
-  const test::TubePerson person = test::tubePerson();
   test::writeMeshFile(folder / "person.gltf", person.positions, person.triangles);
   Result<app::Document> document = app::openDocument(folder / "person.gltf");
   REQUIRE(document);
@@ -61,6 +61,24 @@ bool changesNothingWhenStopped(Working& working) {
   CHECK(working.shell.ui.toasts.front().text == "Stopped: nothing was changed");
   working.waitUntilDone();
   return !working.session().history().canUndo();
+}
+
+// What the panel asks for when a choice of its list of bodies is taken.
+std::string requestedBy(const app::Document& document, const std::string& choice) {
+  test::PanelDriver driver{document};
+  driver.open.character()->view().showLocators = true;
+  driver.frames(3);
+  REQUIRE(driver.find("locators/plan") != nullptr);
+  driver.click("locators/plan");
+  driver.frames(2);
+  driver.click("locators/plan/" + choice);
+  REQUIRE(driver.requested.size() == 1);
+  return driver.requested.front();
+}
+
+void runAndWait(Working& working, const std::string& command) {
+  runCommand(working.shell, command);
+  working.waitUntilDone();
 }
 
 } // namespace
@@ -132,4 +150,52 @@ TEST_CASE("A clip for a character that is not open any more is told and left out
   REQUIRE(working.shell.ui.toasts.size() == 1);
   CHECK(working.shell.ui.toasts.front().text ==
         "dummy_swing.glb was for a character that is not open any more");
+}
+
+TEST_CASE("The panel of a mesh fits the locators of the body that is chosen, and undo takes them back",
+          "[locators][panels]") {
+  Working editor(statue(test::tubeInsect(4)));
+  runAndWait(editor, command::locatorsFit);
+  REQUIRE(editor.session().document().locators.plan == "spider");
+  const rig::Locators before = editor.session().document().locators;
+  const std::string request = requestedBy(editor.session().document(), "An insect");
+  CHECK(request == command::locatorsFitPrefix + std::string("insect"));
+  runAndWait(editor, request);
+  CHECK(editor.session().document().locators.plan == "insect");
+  runAndWait(editor, command::locatorsReset);
+  CHECK(editor.session().document().locators.plan == "insect");
+  runAndWait(editor, command::undo);
+  CHECK(editor.session().document().locators == before);
+  runAndWait(editor, command::undo);
+  CHECK(editor.session().document().locators.empty());
+}
+
+TEST_CASE("A mesh without locators offers the same bodies", "[locators][panels]") {
+  const app::Document mesh = statue(test::tubeQuadruped());
+  CHECK(requestedBy(mesh, "A quadruped") == command::locatorsFitPrefix + std::string("quadruped"));
+}
+
+TEST_CASE("A creature's locators are moved with their counterparts and built as every one's are",
+          "[locators][panels]") {
+  Working editor(statue(test::tubeQuadruped()));
+  runAndWait(editor, command::locatorsFit);
+  const app::Document moved =
+      app::moveLocators(editor.session().document(), {"leftHock"}, {0.05, 0.0, 0.0}, true);
+  const double before = rig::findLocator(editor.session().document().locators, "rightHock")->position.x;
+  CHECK(rig::findLocator(moved.locators, "rightHock")->position.x == Approx(before - 0.05).margin(1e-3));
+  runAndWait(editor, command::rigBuild);
+  CHECK(editor.session().document().body.plan == "quadruped");
+  // With its joints made there is nothing more to choose.
+  test::PanelDriver driver{editor.session().document()};
+  driver.frames(3);
+  CHECK(driver.find("locators/plan") == nullptr);
+}
+
+TEST_CASE("What does not show its body is told in the window, and nothing is changed", "[locators][panels]") {
+  Working editor(statue(test::tubeStooping()));
+  runAndWait(editor, command::locatorsFit);
+  CHECK(editor.session().document().locators.empty());
+  REQUIRE_FALSE(editor.shell.ui.toasts.empty());
+  CHECK(editor.shell.ui.toasts.front().text.find("biped, quadruped, bird, insect, spider") !=
+        std::string::npos);
 }
