@@ -5,10 +5,12 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/options.h"
 #include "app/batch/output.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/keys/import_clip.h"
+#include "app/schema/import_schema.h"
 #include "core/gltf/json/json.h"
 
 namespace stretch::app {
@@ -23,13 +25,14 @@ struct ImportArguments {
   std::string from; // OTHER or OTHER#clip
   std::string fromClip;
   std::string name;
+  SettingTexts settings;
   JsonOutput json;
 };
 
 // "other.glb#walk" is the clip walk of other.glb, unless there is a file of that very name. Files and clips
 // may have a # in their names: the mark is the first one that a file stands before, else the first.
 ClipRequest requestOf(const ImportArguments& arguments) {
-  ClipRequest request{arguments.from, arguments.fromClip, arguments.name};
+  ClipRequest request{arguments.from, arguments.fromClip, arguments.name, {}};
   const auto isThere = [&](std::size_t length) {
     std::error_code ignored;
     return std::filesystem::exists(arguments.from.substr(0, length), ignored);
@@ -87,7 +90,10 @@ void printReport(const Json& report) {
 }
 
 Status runImport(const ImportArguments& arguments) {
-  const ClipRequest request = requestOf(arguments);
+  ClipRequest request = requestOf(arguments);
+  if (Status set = setFromTexts(importSchema(), arguments.settings, request.settings); !set) {
+    return set;
+  }
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, request.file.string()});
       !apart) {
     return apart;
@@ -142,6 +148,7 @@ Verb importClipVerb() {
             line.option("--from-clip", arguments->fromClip,
                         "The one clip that is wanted, by name or #index; else all of them");
             line.option("--name", arguments->name, "What the one clip is to be called");
+            addSettingOptions(line, importSchema(), arguments->settings, "Retargeting");
             addJson(line, arguments->json);
             return [arguments] { return runImport(*arguments); };
           }};

@@ -72,7 +72,7 @@ public:
         poser_(to, pairs_.pairs), times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)),
         sourceShoulders_(shoulderWidth(from)), ownShoulders_(shoulderWidth(to)) {}
 
-  Result<Retargeted> run(const std::function<bool(double)>& proceed) {
+  Result<Retargeted> run(const std::function<bool(double)>& proceed, const ShiftArms& shiftArms) {
     const Error stopped{"stopped before the clip was brought over", clip_.name, "import it again"};
     if (times_.empty()) {
       return Error{"the clip is too long", clip_.name, "give a shorter one"};
@@ -88,13 +88,16 @@ public:
       follow(times_[frame]);
     }
     holdFeet();
+    if (shiftArms && correction_ != Correction::none) {
+      armShifts_ = shiftArms(followed([&](double share) { return !proceed || proceed(0.3 + 0.3 * share); }));
+    }
     std::vector<BodyPose> poses;
     poses.reserve(times_.size());
     for (std::size_t frame = 0; frame < times_.size(); ++frame) {
-      if (!goesOn(0.3, 0.9, frame)) {
+      if (!goesOn(0.6, 0.9, frame)) {
         return stopped;
       }
-      poses.push_back(posed(frame));
+      poses.push_back(posed(frame, armShifts_.empty() ? ArmShifts() : armShifts_[frame]));
     }
     return finished(poses);
   }
@@ -164,7 +167,7 @@ private:
     const BodyPose own = poser_.pose(turns_.back(), Vec3(0.0), {});
     const Vec3 shift =
         scaled(midOf(from_, source), ankleHeight(from_), ankleHeight(to_)) - midOf(to_, own.worlds);
-    shifts_.push_back(shift);
+    carried_.push_back(shift);
     if (sourceShoulders_ && ownShoulders_) {
       hands_.push_back(joinedHands(from_, source, *sourceShoulders_));
     }
@@ -258,11 +261,22 @@ private:
     return std::max(0.0, way.y - std::sqrt(reach * reach - across * across));
   }
 
-  [[nodiscard]] BodyPose posed(std::size_t frame) const {
-    if (correction_ == Correction::none) {
-      return poser_.pose(turns_[frame], shifts_[frame], {});
+  [[nodiscard]] FollowedClip followed(const std::function<bool(double)>& proceed) const {
+    const auto worlds = [this](std::size_t frame, const ArmShifts& shifts) {
+      return posed(frame, shifts).worlds;
+    };
+    FollowedClip followed{times_, pairs_.world, {}, worlds, proceed};
+    for (const JoinedHands& hands : hands_) {
+      followed.joined.push_back(hands.share);
     }
-    const Vec3 shift = shifts_[frame] - Vec3(0.0, lowered_[frame], 0.0);
+    return followed;
+  }
+
+  [[nodiscard]] BodyPose posed(std::size_t frame, const ArmShifts& shifts) const {
+    if (correction_ == Correction::none) {
+      return poser_.pose(turns_[frame], carried_[frame], {});
+    }
+    const Vec3 shift = carried_[frame] - Vec3(0.0, lowered_[frame], 0.0);
     std::vector<Quat> turns = turns_[frame];
     const BodyPose straight = poser_.pose(turns, shift, {});
     FootPlaces feet;
@@ -273,7 +287,30 @@ private:
     if (!hands_.empty()) {
       joinHands(hands_[frame], straight.worlds, turns);
     }
-    return poser_.pose(turns, shift, feet);
+    BodyPose pose = poser_.pose(turns, shift, feet);
+    bool isShifted = false;
+    for (const std::size_t side : {leftSide, rightSide}) {
+      isShifted =
+          (to_.arms[side] && shiftArm(to_.arms[side]->limb, pose.worlds, shifts[side], turns)) || isShifted;
+    }
+    return isShifted ? poser_.pose(turns, shift, feet) : pose;
+  }
+
+  // Whether there was anything to do.
+  bool shiftArm(const Limb& arm, const std::vector<Mat4>& worlds, const ArmShift& shift,
+                std::vector<Quat>& turns) const {
+    if (shift.wrist == Vec3(0.0) && shift.swivel == 0.0) {
+      return false;
+    }
+    const std::vector<Vec3> points = bonesOf(arm, worlds);
+    const Vec3 back = -to_.axes[2]; // Where elbows go.
+    const Vec3 wrist = bend(arm, worlds, points.back() + shift.wrist, back, turns);
+    const Vec3 line = wrist - points.front();
+    const double far = glm::length(line);
+    for (const NodeIndex joint : arm.joints) {
+      turn(joint, far > 0.0 ? axisAngle(line / far, shift.swivel) : Quat(1.0, 0.0, 0.0, 0.0), turns);
+    }
+    return true;
   }
 
   // Hands that work together in the source are as many shoulder widths apart here, about the middle between
@@ -381,8 +418,9 @@ private:
   std::optional<double> sourceShoulders_; // their width; nothing without two arms
   std::optional<double> ownShoulders_;
   std::vector<std::vector<Quat>> turns_; // of the pairs, at every frame
-  std::vector<Vec3> shifts_;
-  std::vector<JoinedHands> hands_; // at every frame; empty where one of both lacks an arm
+  std::vector<Vec3> carried_;            // how far the body is moved
+  std::vector<ArmShifts> armShifts_;     // at every frame; empty: none
+  std::vector<JoinedHands> hands_;       // at every frame; empty where one of both lacks an arm
   std::array<LegPath, 2> legs_;
   std::vector<double> lowered_;
 };
@@ -390,8 +428,9 @@ private:
 } // namespace
 
 Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
-                            const std::function<bool(double)>& proceed, Correction correction) {
-  return Retargeting(from, clip, to, correction).run(proceed);
+                            const std::function<bool(double)>& proceed, Correction correction,
+                            const ShiftArms& shiftArms) {
+  return Retargeting(from, clip, to, correction).run(proceed, shiftArms);
 }
 
 } // namespace stretch::rig

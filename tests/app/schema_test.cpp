@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "app/schema/import_schema.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/sequence_schema.h"
@@ -102,6 +103,7 @@ TEST_CASE("Every setting has names of its own and a sentence of help") {
   checkNames(weightSchema());
   checkNames(sequenceSchema());
   checkNames(clipSchema());
+  checkNames(importSchema());
 }
 
 TEST_CASE("Every setting takes its default and another value, and refuses what it cannot be") {
@@ -109,6 +111,7 @@ TEST_CASE("Every setting takes its default and another value, and refuses what i
   checkValues(weightSchema());
   checkValues(sequenceSchema());
   checkValues(clipSchema());
+  checkValues(importSchema());
 }
 
 TEST_CASE("Every setting is read from the text of its option") {
@@ -116,6 +119,7 @@ TEST_CASE("Every setting is read from the text of its option") {
   checkTexts(weightSchema());
   checkTexts(sequenceSchema());
   checkTexts(clipSchema());
+  checkTexts(importSchema());
 }
 
 TEST_CASE("Settings go through JSON as they were") {

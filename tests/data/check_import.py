@@ -12,7 +12,8 @@ From the program come only the clip that it wrote and the limbs that `info --jso
   put down turn legs;
 - reach: the straight distance from shoulder to hand, of the arm's length, against the source's: the largest difference;
 - told: what the program itself tells of the clip: feet that stand slide at most 0.5 % of the height, or a third more than the source's do, hands that
-  work together are at most 0.02 widths of the shoulders off;
+  work together are at most 0.02 widths of the shoulders off, hands that touch are at most 3.57 cm off at 1.7 m and no farther than as mapped, at most
+  5.94 % of forearms to feet are inside trunk and head, or as many as in the source, and no more than one in a hundred more than as mapped, and nothing is farther below the floor than as mapped or in the source by 1.5 % of the height;
 - the first and last key of the source are the new clip's, the validator finds nothing that the file did not have, and the file's own parts
   stand as they were.
 --pictures draws a contact sheet of each source and of each result.
@@ -35,7 +36,13 @@ LARGEST_SLIDE = 0.005  # of the height
 STANDS_WITHIN = 0.0025  # of the height
 ARRIVING = 2  # of the sixty samples in each second, at either end of a stand: the foot comes to rest and sets off
 MOST_HANDS = 0.02  # widths of the shoulders
+MOST_CONTACT = 3.57  # cm at 1.7 m: what R2ET (CVPR 2023) is said to reach on its own set, as the next
+MOST_INSIDE = 5.94  # % of forearms to feet
+MORE_INSIDE = 1.0  # a hand that is brought to what it touches sinks in a little
+MORE_BELOW = 1.5  # % of the height: arms that are moved out of the trunk stay above the floor
+CARRIED = ("biped/Knight.glb",)  # has three swords and four shields on his hands in all his clips, and they go through him
 SHORT_ARMS = ("biped/boxman.glb",)  # do not reach before the chest together
+TOUCHING = 0.5  # cm at 1.7 m: what is nearer than this touches
 LATEST = 1e-3  # seconds
 HUMAN = "biped/human-addon-animations.glb"
 PAIRS = [
@@ -178,6 +185,15 @@ def worse_than_goal(report, target):
         problems.append(f"a foot slides by {own['slide_percent']:.2f} % as told, the source's by {source['slide_percent']:.2f}")
     if own["hands_widths"] is not None and not str(target).endswith(SHORT_ARMS) and own["hands_widths"] > MOST_HANDS:
         problems.append(f"hands that work together are {own['hands_widths']:.3f} widths of the shoulders off")
+    mapped = report["mapped"]
+    if own["contact_cm"] is not None and own["contact_cm"] > min(MOST_CONTACT, max(mapped["contact_cm"], TOUCHING)):
+        problems.append(f"hands that touch are {own['contact_cm']:.2f} cm off, as mapped {mapped['contact_cm']:.2f}")
+    if own["inside_percent"] is not None:
+        goal = max(MOST_INSIDE, source["inside_percent"] or 0.0)
+        if own["inside_percent"] > mapped["inside_percent"] + MORE_INSIDE or (own["inside_percent"] > goal and not str(target).endswith(CARRIED)):
+            problems.append(f"{own['inside_percent']:.2f} % of forearms to feet are inside, as mapped {mapped['inside_percent']:.2f}")
+    if own["floor_percent"] is not None and own["floor_percent"] > max(mapped["floor_percent"], source["floor_percent"] or 0.0) + MORE_BELOW:
+        problems.append(f"{own['floor_percent']:.2f} % of the height below the floor, as mapped {mapped['floor_percent']:.2f}")
     return problems
 
 

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include "skinning/geometry/inside.h"
 
@@ -49,4 +51,28 @@ TEST_CASE("The distance from a surface is that of its sides, its edges and its c
   CHECK(distanceFrom(surface, Vec3(1.3, 0.1, 1.4)) == Approx(0.5));
   CHECK(distanceFrom(surface, Vec3(2.0, 2.0, 2.0)) == Approx(std::sqrt(3.0)));
   CHECK(distanceFrom(surface, Vec3(0.2, 0.1, 4.0), 0.7) == 0.7);
+}
+
+TEST_CASE("The nearest point of a surface is told by its triangle and its shares of the corners") {
+  const Cube cube;
+  const PlacedSurface surface{cube.places, cube.triangles};
+  for (const Vec3& place :
+       {Vec3(0.2, 0.1, 1.5), Vec3(1.3, 0.1, 1.4), Vec3(2.0, 2.0, 2.0), Vec3(0.9, 0.2, 0.1)}) {
+    const std::optional<SurfacePoint> nearest = nearestOn(surface, place);
+    REQUIRE(nearest);
+    CHECK(glm::length(placeOf(surface, *nearest) - place) == Approx(distanceFrom(surface, place)));
+    CHECK(nearest->shares.x + nearest->shares.y + nearest->shares.z == Approx(1.0));
+  }
+  CHECK(placeOf(surface, *nearestOn(surface, Vec3(0.2, 0.1, 1.5))).z == Approx(1.0));
+  CHECK_FALSE(nearestOn(surface, Vec3(0.2, 0.1, 4.0), 0.7));
+}
+
+TEST_CASE("A ray goes through a surface where it leaves it, and not behind its start") {
+  const Cube cube;
+  const PlacedSurface surface{cube.places, cube.triangles};
+  const std::vector<SurfacePoint> from = crossedBy(surface, Vec3(0.2, 0.1, 0.3), Vec3(0.0, 0.0, 5.0));
+  REQUIRE(from.size() == 1);
+  CHECK(glm::length(placeOf(surface, from.front()) - Vec3(0.2, 0.1, 1.0)) < 1e-12);
+  CHECK(crossedBy(surface, Vec3(0.2, 0.1, -3.0), Vec3(0.0, 0.0, 1.0)).size() == 2);
+  CHECK(crossedBy(surface, Vec3(0.2, 0.1, 3.0), Vec3(0.0, 0.0, 1.0)).empty());
 }

@@ -68,7 +68,7 @@ void importClip(Shell& shell, const ClipAnswer& wanted) {
   }
   const app::Document& document = shell.open.character()->document();
   app::ClipRequest request{
-      wanted.file, wanted.clip < 0 ? std::string() : fmt::format("#{}", wanted.clip), {}};
+      wanted.file, wanted.clip < 0 ? std::string() : fmt::format("#{}", wanted.clip), {}, shell.ui.imports};
   import.file = wanted.file;
   import.scene = document.scene;
   import.job = std::make_unique<app::Job<app::NewClips>>(

@@ -11,6 +11,7 @@
 
 #include "app/edits/pose/prop_file_edits.h"
 #include "app/named.h"
+#include "app/retarget/touch_shifts.h"
 #include "core/base/number.h"
 #include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/patch/new_clips.h"
@@ -107,8 +108,9 @@ Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Do
 }
 
 Result<NewClip> broughtOver(const Donor& donor, int index, const Document& document,
-                            const std::optional<rig::Skeleton>& own, const std::string& file,
+                            const std::optional<rig::Skeleton>& own, const ClipRequest& request,
                             const std::function<bool(double)>& proceed) {
+  const std::string file = request.file.string();
   const Clip& clip = clipOf(donor.document, index);
   const std::string title = titleOfClip(donor.document, index);
   rig::CopiedTracks copied = rig::copyTracks(*donor.document.scene, clip, *document.scene);
@@ -123,7 +125,9 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   if (!canRetarget) {
     return cannotFollow(donor, copied, document, file);
   }
-  Result<rig::Retargeted> brought = rig::retarget(*donor.skeleton, clip, *own, proceed);
+  Result<rig::Retargeted> brought =
+      rig::retarget(*donor.skeleton, clip, *own, proceed, rig::Correction::feetAndHands,
+                    touchShifts({*donor.skeleton, clip}, *own, request.settings.touch));
   if (!brought) {
     return Error{brought.error().what, file + ": " + title, brought.error().remedy};
   }
@@ -250,7 +254,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
     if (!goesOn(0.0)) {
       return Error{"stopped before the clips were brought over", file, "import them again"};
     }
-    Result<NewClip> clip = broughtOver(*donor, index, document, own, file, goesOn);
+    Result<NewClip> clip = broughtOver(*donor, index, document, own, request, goesOn);
     done += 1.0;
     if (!clip) {
       first = first ? first : clip.error();

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/forecast/retarget_figures.h"
+#include "app/retarget/retarget_figures.h"
+#include "app/schema/import_settings.h"
 #include "core/base/result.h"
 
 namespace stretch::app {
@@ -17,6 +18,7 @@ struct ClipRequest {
   std::filesystem::path file;
   std::string clip; ///< By name, "#index" or the index alone; empty: all of them.
   std::string name; ///< Name that the one clip is to have; empty: the one in its file.
+  ImportSettings settings = {};
 };
 
 /// A clip of another file, brought to this character.

@@ -1,6 +1,7 @@
 #include "ui/panels/context/view_schema.h"
 
 #include "app/schema/form_schema.h"
+#include "app/schema/import_schema.h"
 #include "app/schema/schema_rows.h"
 
 namespace stretch::ui {
@@ -187,9 +188,12 @@ const app::Schema<app::SequenceView>& sequenceViewSchema() {
 }
 
 const app::Schema<UiState>& windowSchema() {
-  static const app::Schema<UiState> schema = app::joined<UiState>(
-      {windowWays(), app::partOf<UiState>(
-                         app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; })});
+  static const app::Schema<UiState> schema =
+      app::joined<UiState>({windowWays(),
+                            app::partOf<UiState>(
+                                app::formSchema(), [](auto& ui) -> auto& { return ui.savedForm; }),
+                            app::partOf<UiState>(
+                                app::importSchema(), [](auto& ui) -> auto& { return ui.imports; })});
   return schema;
 }
 

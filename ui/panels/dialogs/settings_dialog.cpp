@@ -81,7 +81,7 @@ void drawSettingsDialog(PanelContext& context) {
   themeRow(context);
   interfaceScaleRow(context);
   navigationRow(context);
-  for (const char* name : {"form", "key_frames"}) {
+  for (const char* name : {"form", "key_frames", "touch"}) {
     viewRow(context, "settings/", windowSetting(name), context.ui);
     explain(context, explanationOf(windowSetting(name), context.ui));
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/schema/import_settings.h"
 #include "app/schema/saved_form.h"
 #include "ui/panels/state/answers.h"
 #include "ui/panels/state/body_state.h"
@@ -51,6 +52,7 @@ struct UiState {
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   std::vector<std::string> closedSections;       ///< Ids of collapsed sections of panels.
   app::SavedForm savedForm;                      ///< How stretches are told in files.
+  app::ImportSettings imports;                   ///< How clips of other files come in.
   UiAnswers answers;
   bool panelDrag = false; ///< The session's drag was begun by a panel.
 };

@@ -28,8 +28,6 @@ struct Inside {
 /// steps: at most 600 of forearms to feet, 150 of each hand.
 class BodyTouch {
 public:
-  /// Vertices follow the part of the node that moves them most: the trunk is what hangs on the hips, but for
-  /// arms from the shoulder's joint on and legs.
   explicit BodyTouch(const rig::Skeleton& skeleton);
 
   /// Whether both trunk and limbs are shown at all.

@@ -1,4 +1,4 @@
-#include "app/forecast/retarget_figures.h"
+#include "app/retarget/retarget_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "app/forecast/body_touch.h"
+#include "app/retarget/body_touch.h"
 #include "core/anim/frames.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/json/json.h"

@@ -9,46 +9,25 @@
 #include <glm/geometric.hpp>
 
 #include "app/edits/keys/import_clip.h"
-#include "app/forecast/body_touch.h"
-#include "app/forecast/retarget_figures.h"
+#include "app/retarget/body_touch.h"
+#include "app/retarget/retarget_figures.h"
 #include "core/gltf/json/json.h"
 #include "core/math/rotation.h"
-#include "tests/support/nodes.h"
-#include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/boxed_biped.h"
 
 using namespace stretch;
 using namespace stretch::app;
+using test::addBox;
 using test::MovingBiped;
+using test::skeletonOf;
 
 namespace {
-
-// A box that hangs on a node, its middle at a place of the world in the bind pose.
-void addBox(MovingBiped& moving, const std::string& node, const Vec3& middle, const Vec3& half) {
-  const std::vector<Mat4> worlds = worldMatrices(moving.scene, restPose(moving.scene));
-  Primitive box;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
-    const Vec3 place = transformPoint(glm::inverse(worlds[at(moving.node.at(node))]), middle + half * corner);
-    box.positions.emplace_back(place);
-    box.normals.emplace_back(0.0F, 1.0F, 0.0F);
-  }
-  box.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
-                 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
-  const NodeIndex part = test::addNode(moving.scene, "box of " + node, moving.node.at(node), Vec3(0.0));
-  moving.scene.nodes[at(part)].mesh = static_cast<int>(moving.scene.meshes.size());
-  moving.scene.meshes.push_back({"box", {box}, {}});
-}
 
 const Vec3 chest(0.0, 1.2, 0.0);
 
 // A biped of which a chest and the hands are shown, without these.
 MovingBiped bare() {
-  MovingBiped moving = test::still(test::namedBody({.toes = false, .fingers = false}));
-  moving.scene.meshes.clear();
-  for (Node& node : moving.scene.nodes) {
-    node.mesh = -1;
-    node.skin = -1;
-  }
+  MovingBiped moving = test::bareBiped(test::namedBody({.toes = false, .fingers = false}));
   addBox(moving, "spine0", chest, Vec3(0.2));
   return moving;
 }
@@ -67,12 +46,6 @@ MovingBiped clapping(double gap) {
   addBox(moving, "hand.l", Vec3(0.05 + 0.5 * gap, 1.2, 2.0), Vec3(0.05));
   addBox(moving, "hand.r", Vec3(-0.05 - 0.5 * gap, 1.2, 2.0), Vec3(0.05));
   return moving;
-}
-
-rig::Skeleton skeletonOf(const MovingBiped& moving) {
-  std::optional<rig::Skeleton> skeleton = rig::skeletonOf(moving.scene, moving.body);
-  REQUIRE(skeleton);
-  return *std::move(skeleton);
 }
 
 FrameState atRest(const MovingBiped& moving) {
