@@ -30,16 +30,9 @@ constexpr double tailBehind = 0.1; // the hips, of the height
 class Reader {
 public:
   Reader(const StandingBody& body, int rows)
-      : body_(body), ways_(waysFromCentre(body)), ends_(creatureEnds(body, ways_, rows)) {
-    branches_ = branchesOf(body, ways_, ends_.all());
-    isTrunk_.assign(body.cubes.cellCount(), true);
-    for (const BodyBranch& branch : branches_) {
-      for (const std::uint32_t cell : branch.cells) {
-        isTrunk_[cell] = &branch - branches_.data() < static_cast<std::ptrdiff_t>(ends_.middle.size());
-      }
-    }
-    facing_ = facing();
-  }
+      : body_(body), ways_(waysFromCentre(body)), ends_(creatureEnds(body, ways_, rows)),
+        branches_(branchesOf(body, ways_, ends_.all())),
+        isTrunk_(trunkCells(body.cubes.cellCount(), branches_, ends_.middle.size())), facing_(facing()) {}
 
   [[nodiscard]] CreatureShape shape() const {
     CreatureShape shape;
@@ -54,6 +47,18 @@ public:
   }
 
 private:
+  // All but what branches off at the sides; the first ones lie in the middle.
+  static std::vector<bool> trunkCells(std::size_t cells, const std::vector<BodyBranch>& branches,
+                                      std::size_t inMiddle) {
+    std::vector<bool> isTrunk(cells, true);
+    for (std::size_t i = inMiddle; i < branches.size(); ++i) {
+      for (const std::uint32_t cell : branches[i].cells) {
+        isTrunk[cell] = false;
+      }
+    }
+    return isTrunk;
+  }
+
   struct Slab {
     double low = 0.0;
     double high = 0.0;
@@ -267,6 +272,7 @@ private:
   [[nodiscard]] std::vector<Vec3> sprawlingLine(const std::vector<BranchSection>& all) const {
     constexpr double grown = 1.8;
     std::vector<double> radii;
+    radii.reserve(all.size());
     for (const BranchSection& section : all) {
       radii.push_back(section.radius);
     }
@@ -393,7 +399,7 @@ private:
     for (const BranchSection& section : outTo(snout, chest, 1.0)) {
       neck.push_back(section.middle);
     }
-    neck.push_back({0.0, at(snout).y, at(snout).z});
+    neck.emplace_back(0.0, at(snout).y, at(snout).z);
     addLine(shape, CreaturePart::neck, neck);
     constexpr double clearly = 1.4;
     const double forward = std::abs(at(snout).z - hind);
@@ -407,7 +413,7 @@ private:
     for (const BranchSection& section : outTo(rear, hips, -1.0)) {
       tail.push_back(section.middle);
     }
-    tail.push_back({0.0, at(rear).y, at(rear).z});
+    tail.emplace_back(0.0, at(rear).y, at(rear).z);
     addLine(shape, CreaturePart::tail, tail);
   }
 
