@@ -81,7 +81,11 @@ Status setRange(Session& session, bool start) {
     return done;
   }
   if (trail == nullptr) {
-    setRangeByHand(session, rangeFrom(session, start));
+    const Vec2 range = rangeFrom(session, start);
+    if (!(range.y > range.x)) {
+      return Error{"the range would have no length", "", "move the playhead first"};
+    }
+    setRangeByHand(session, range);
     return Success{};
   }
   Document document = session.document();

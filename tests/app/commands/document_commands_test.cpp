@@ -5,6 +5,7 @@
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/frames.h"
 #include "app/commands/table/keymap.h"
+#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/exaggerate.h"
 #include "core/anim/frames.h"
@@ -130,6 +131,25 @@ TEST_CASE("Without a range the stroke around the playhead is taken") {
   CHECK_FALSE(trail.exaggerated);
   CHECK(keyboard.press("T"));
   CHECK_FALSE(keyboard.session.document().trails.front().visible);
+}
+
+TEST_CASE("A range that would have no length is refused, and the one that is set stays") {
+  Keyboard keyboard(test::boxer());
+  ViewState& view = keyboard.session.view();
+  view.frame = 0.0;
+  CHECK_FALSE(keyboard.press("]"));
+  CHECK_FALSE(isRangeSet(view));
+  view.frame = 20.0; // the last one
+  CHECK_FALSE(keyboard.press("["));
+  CHECK_FALSE(isRangeSet(view));
+  view.frame = 5.0;
+  REQUIRE(keyboard.press("["));
+  view.frame = 12.0;
+  REQUIRE(keyboard.press("]"));
+  view.frame = 0.0;
+  CHECK_FALSE(keyboard.press("]"));
+  CHECK(view.rangeStart == 5.0);
+  CHECK(view.rangeEnd == 12.0);
 }
 
 TEST_CASE("Several limbs are exaggerated in one step") {
