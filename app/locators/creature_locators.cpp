@@ -124,7 +124,7 @@ Result<FittedLocators> ofShownPlan(const MeshesInWorld& meshes, const std::strin
   }
   return Error{
       fmt::format("what kind of body this is does not show: no biped, as {}; nor another by its legs", doubt),
-      "", fmt::format("say which: --plan {}", fmt::join(rig::locatorPlanIds(), ", "))};
+      "", fmt::format("choose its body: --plan with one of {}", fmt::join(rig::locatorPlanIds(), ", "))};
 }
 
 } // namespace stretch::app

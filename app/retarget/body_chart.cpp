@@ -66,7 +66,7 @@ BodyChart::BodyChart(const rig::Skeleton& skeleton, const BodyParts& parts)
         head_.add(place);
         continue;
       }
-      const double slice = (alongOf(place.y) - firstSlice) / sliceStep;
+      const double slice = std::clamp((alongOf(place.y) - firstSlice) / sliceStep, -2.0, sliceCount + 1.0);
       for (int near = static_cast<int>(std::ceil(slice - 1.0));
            near <= static_cast<int>(std::floor(slice + 1.0)); ++near) {
         slices_[at(std::clamp(near, 0, sliceCount - 1))].add(place);

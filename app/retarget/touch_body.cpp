@@ -43,12 +43,21 @@ public:
       for (int x = cellOf(triangle.low, 0); x <= cellOf(triangle.high, 0); ++x) {
         for (int y = cellOf(triangle.low, 1); y <= cellOf(triangle.high, 1); ++y) {
           cells_[at(x * count + y)].push_back(surface.triangles[i]);
+          ++entries_;
         }
+      }
+      if (entries_ > mostEntries) {
+        cells_ = {};
+        return;
       }
     }
   }
 
+  /// True of all places where the triangles are too large for columns to tell.
   [[nodiscard]] bool isBetween(const Vec3& place) const {
+    if (entries_ > mostEntries) {
+      return true;
+    }
     const skinning::PlacedSurface here{surface_.places,
                                        cells_[at(cellOf(place, 0) * count + cellOf(place, 1))]};
     return !skinning::crossedBy(here, place, Vec3(0.0, 0.0, 1.0)).empty() &&
@@ -57,16 +66,18 @@ public:
 
 private:
   static constexpr int count = 24;
+  static constexpr std::size_t mostEntries = 4'000'000;
 
   [[nodiscard]] int cellOf(const Vec3& place, int axis) const {
     const double size = box_.high[axis] - box_.low[axis];
     return size > 0.0
-               ? std::clamp(static_cast<int>(count * (place[axis] - box_.low[axis]) / size), 0, count - 1)
+               ? static_cast<int>(std::clamp(count * (place[axis] - box_.low[axis]) / size, 0.0, count - 1.0))
                : 0;
   }
 
   const skinning::PlacedSurface& surface_;
   Bounds box_;
+  std::size_t entries_ = 0;
   std::array<std::vector<Triangle>, static_cast<std::size_t>(count* count)> cells_;
 };
 
@@ -126,14 +137,20 @@ std::vector<NearVertex> TouchBody::inTrunk(const std::vector<Vec3>& places, std:
       box.add(places[vertex]);
     }
   }
+  std::vector<std::size_t> near;
+  std::ranges::copy_if(arms[side], std::back_inserter(near), [&](std::size_t vertex) {
+    const Vec3& place = places[vertex];
+    return glm::all(glm::greaterThanEqual(place, box.low)) && glm::all(glm::lessThanEqual(place, box.high));
+  });
+  if (near.empty()) {
+    return {};
+  }
   const skinning::PlacedSurface surface{places, parts.trunk};
   const Columns columns(surface, box);
   std::vector<std::size_t> inside;
-  for (const std::size_t vertex : arms[side]) {
+  for (const std::size_t vertex : near) {
     const Vec3& place = places[vertex];
-    const bool isNear =
-        glm::all(glm::greaterThanEqual(place, box.low)) && glm::all(glm::lessThanEqual(place, box.high));
-    if (isNear && columns.isBetween(place) && skinning::windingNumber(surface, place) > isInside) {
+    if (columns.isBetween(place) && skinning::windingNumber(surface, place) > isInside) {
       inside.push_back(vertex);
     }
   }

@@ -204,7 +204,9 @@ public:
     if (!own_.hasSurface() || clip_.seconds.size() < 2) {
       return {};
     }
-    findSamples();
+    if (!findSamples()) {
+      return {};
+    }
     wishes_.resize(samples_.size());
     bool isNeeded = false;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -218,7 +220,9 @@ public:
       return {};
     }
     shifts_.resize(clip_.seconds.size());
-    findPaths();
+    if (!findPaths()) {
+      return {};
+    }
     constexpr int rounds = 4;
     for (int round = 0; round < rounds; ++round) {
       smoothOut();
@@ -251,7 +255,8 @@ private:
     return (clip_.seconds.back() - clip_.seconds.front()) / static_cast<double>(clip_.seconds.size() - 1);
   }
 
-  void findSamples() {
+  /// False when it was stopped.
+  bool findSamples() {
     constexpr double often = 1.0 / 15.0; // seconds
     constexpr std::size_t most = 900;
     const std::size_t frames = clip_.seconds.size();
@@ -259,14 +264,23 @@ private:
     const std::size_t every = std::max(fine, (frames + most - 1) / most);
     for (std::size_t frame = 0; frame < frames; frame += every) {
       samples_.push_back(source_.at(frame, clip_.seconds[frame]));
+      if (!clip_.proceed(0.25 * static_cast<double>(frame) / static_cast<double>(frames))) {
+        return false;
+      }
     }
     if (samples_.back().frame + 1 < frames) {
       samples_.push_back(source_.at(frames - 1, clip_.seconds.back()));
     }
+    return true;
   }
 
-  void findPaths() {
+  /// False when it was stopped.
+  bool findPaths() {
+    constexpr std::size_t often = 64;
     for (std::size_t frame = 0; frame < clip_.seconds.size(); ++frame) {
+      if (frame % often == 0 && !clip_.proceed(0.4)) {
+        return false;
+      }
       paths_[leftSide].push_back({});
       paths_[rightSide].push_back({});
       const std::vector<Mat4> worlds = clip_.worlds(frame, {});
@@ -276,6 +290,7 @@ private:
         }
       }
     }
+    return true;
   }
 
   // How much both hands go together: where they work together for less than a half, either goes by itself.

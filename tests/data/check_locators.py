@@ -23,7 +23,6 @@ import tempfile
 import time
 
 from check_corpus import read_gltf, run
-from rest_height import rest_height
 from unskinned import placed_skins, rest_worlds, unskinned
 
 EACH, MEAN = 5.0, 2.5  # percent of the height
@@ -51,12 +50,16 @@ LOOSER = {"rpg-lowpoly-skeleton": (6.0, MEAN), "character": (5.5, MEAN), "robot"
           "quaternius-orc": (6.5, 4.5), "rigify-222-character": (6.5, 3.5)}
 
 
-def artists_joints(program, skeleton, places):
-    """Places by the names of locators, of the limbs that the program finds in the character as it came."""
-    status, output, told = run(program, "info", skeleton, "--json", "--tolerant")
+def info_of(program, file):
+    status, output, told = run(program, "info", file, "--json", "--tolerant")
     if status != 0:
         raise RuntimeError(told)
-    info = json.loads(output)
+    return json.loads(output)
+
+
+def artists_joints(program, skeleton, places):
+    """Places by the names of locators, of the limbs that the program finds in the character as it came."""
+    info = info_of(program, skeleton)
     joints = {}
     for limb in info["limbs"]:
         nodes = [joint["node"] for joint in limb["joints"]]
@@ -69,7 +72,7 @@ def artists_joints(program, skeleton, places):
     controllers = {c["controller"]: c for c in info["controllers"] if "controller" in c}
     if "joint" in controllers.get("hips", {}):
         joints["hips"] = places.get(controllers["hips"]["joint"]["node"])
-    return {name: place for name, place in joints.items() if place is not None and any(place)}, rest_height(program, skeleton)
+    return {name: place for name, place in joints.items() if place is not None and any(place)}
 
 
 def mesh_and_joints(program, data, name, folder):
@@ -81,8 +84,8 @@ def mesh_and_joints(program, data, name, folder):
         skeleton = data / SKELETONS[str(name)]
         document, buffers = read_gltf(skeleton)
         places = placed_skins(document, buffers, *rest_worlds(document["nodes"]))[1]
-    joints, height = artists_joints(program, skeleton, places)
-    return mesh, joints, height
+    # In the mesh's own units, which those of its scene may not be.
+    return mesh, artists_joints(program, skeleton, places), info_of(program, mesh)["height"]
 
 
 def fitted(program, mesh, output):

@@ -24,7 +24,8 @@ Vec3 mirrorOf(const Vec3& place) {
   return {-place.x, place.y, place.z};
 }
 
-constexpr double tailBehind = 0.1; // the hips, of the height
+constexpr double tailBehind = 0.1;  // the hips, of the height
+constexpr double usualHeight = 0.6; // of a trunk that shows nothing of itself
 
 // A body with its ends taken apart.
 class Reader {
@@ -32,12 +33,14 @@ public:
   Reader(const StandingBody& body, int rows)
       : body_(body), ways_(waysFromCentre(body)), ends_(creatureEnds(body, ways_, rows)),
         branches_(branchesOf(body, ways_, ends_.all())),
-        isTrunk_(trunkCells(body.cubes.cellCount(), branches_, ends_.middle.size())), facing_(facing()) {}
+        isTrunk_(trunkCells(body.cubes.cellCount(), branches_, ends_.middle.size())), facing_(facing()),
+        back_(ends_.legs.empty() ? usualHeight : backHeight()) {}
 
   [[nodiscard]] CreatureShape shape() const {
     CreatureShape shape;
     shape.legRows = static_cast<int>(ends_.legs.size());
-    if (ends_.legs.empty()) {
+    constexpr int mostRows = 8; // no plan has more, so that its number says enough
+    if (ends_.legs.empty() || shape.legRows > mostRows) {
       return shape;
     }
     addLegs(shape);
@@ -106,7 +109,8 @@ private:
       }
       std::erase_if(cells, [&](std::uint32_t cell) {
         const auto& [sum, count] = depths[section(cell)];
-        return facing_ * (at(cell).z - sum / count) < 0.0;
+        const double rounding = 1e-6 * size();
+        return facing_ * (at(cell).z - sum / count) < -rounding;
       });
     }
     std::vector<BranchSection> all = sectionsOf(body_, cells, fromTip);
@@ -218,7 +222,8 @@ private:
     for (const EndPair& pair : ends_.legs) {
       z += 0.5 * (sections(pair.left).back().middle.z + sections(pair.right).back().middle.z);
     }
-    return slabAt(z / static_cast<double>(ends_.legs.size())).high;
+    const Slab slab = slabAt(z / static_cast<double>(ends_.legs.size()));
+    return slab.low <= slab.high ? slab.high : slab.count > 0.0 ? slab.middle : usualHeight;
   }
 
   // A leg hangs under the trunk, and goes on in it to its hip, or sprawls beside it.
@@ -261,7 +266,7 @@ private:
     constexpr double hipHeight = 0.75; // of the back's
     constexpr double shoulderHeight = 0.68;
     const Vec3 root = sections(end).back().middle;
-    const double hip = (isFront ? shoulderHeight : hipHeight) * backHeight();
+    const double hip = (isFront ? shoulderHeight : hipHeight) * back_;
     std::vector<Vec3> line = freeMiddles(end);
     std::erase_if(line, [&](const Vec3& middle) { return middle.y > hip - 2.0 * size(); });
     const Vec3 top = line.empty() ? root : line.back();
@@ -386,7 +391,9 @@ private:
     constexpr double overBelly = 0.6;
     const auto onTrunk = [&](double z) {
       const Slab slab = slabAt(z);
-      return slab.count > 0.0 ? Vec3(0.0, glm::mix(slab.low, slab.high, overBelly), z) : Vec3(0.0, 0.6, z);
+      const bool isHollow = slab.low > slab.high; // in the middle
+      const double height = isHollow ? slab.middle : glm::mix(slab.low, slab.high, overBelly);
+      return Vec3(0.0, slab.count > 0.0 ? height : usualHeight, z);
     };
     const std::uint32_t snout = farthest(1.0);
     const std::uint32_t rear = farthest(-1.0); // of a tail, where it reaches out behind
@@ -443,6 +450,9 @@ private:
     for (const BranchSection& section : part == CreaturePart::wing ? leadingSections(end) : sections(end)) {
       line.push_back(section.middle);
     }
+    if (line.empty()) {
+      line.push_back(end.root);
+    }
     line = withinTrunk(std::move(line), part == CreaturePart::wing);
     std::ranges::reverse(line);
     line.push_back(at(end.cell));
@@ -468,6 +478,7 @@ private:
   std::vector<BodyBranch> branches_;
   std::vector<bool> isTrunk_;
   double facing_ = 1.0;
+  double back_ = usualHeight; // backHeight()
 };
 
 } // namespace

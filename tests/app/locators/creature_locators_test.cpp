@@ -239,7 +239,8 @@ TEST_CASE("A body that is no biped is not made one, and one that is not clear is
       INFO(answer.told);
       CHECK(answer.exitCode == 1);
       CHECK(std::ranges::count(answer.told, '\n') == 1);
-      CHECK(answer.told.find("--plan biped, quadruped, bird, insect, spider") != std::string::npos);
+      CHECK(answer.told.find("--plan with one of biped, quadruped, bird, insect, spider") !=
+            std::string::npos);
       CHECK_FALSE(std::filesystem::exists(files.output));
     }
   }
