@@ -41,6 +41,9 @@ struct Rect {
   [[nodiscard]] bool contains(const ImVec2& point) const {
     return point.x >= min.x && point.x < max.x && point.y >= min.y && point.y < max.y;
   }
+  [[nodiscard]] bool overlaps(const Rect& other) const {
+    return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+  }
 };
 
 /// A widget's place and what the mouse does with it in this frame.

@@ -215,6 +215,16 @@ void EditorStage::drop(const std::vector<std::filesystem::path>& files) {
   frames(2);
 }
 
+void EditorStage::openBoxer() {
+  const std::filesystem::path file = folder / "dummy.glb";
+  std::filesystem::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", file,
+                             std::filesystem::copy_options::skip_existing);
+  openFile(shell, {file});
+  frames(2);
+  settle();
+  frames(2);
+}
+
 void EditorStage::askToClose() {
   InputQueue input;
   input.closeAsked = true;

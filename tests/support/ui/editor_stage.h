@@ -38,6 +38,8 @@ public:
   void click(const std::string& widget);
   /// As the palette does.
   void run(const std::string& command);
+  /// The bundled boxer as a file of the folder, opened as the user would; again where it is open.
+  void openBoxer();
   /// Files that are dropped on the window.
   void drop(const std::vector<std::filesystem::path>& files);
   void askToClose();

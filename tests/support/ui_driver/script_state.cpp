@@ -437,8 +437,7 @@ std::string shareOfPicture(const Shell& shell, const char* id) {
 bool toastsCoverFigure(const Shell& shell) {
   const std::optional<Rect>& figure = shell.viewport.messages.figure;
   return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
-           return item.id.starts_with("toast/") && item.min.x < figure->max.x && figure->min.x < item.max.x &&
-                  item.min.y < figure->max.y && figure->min.y < item.max.y;
+           return item.id.starts_with("toast/") && figure->overlaps({item.min, item.max});
          });
 }
 

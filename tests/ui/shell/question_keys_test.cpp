@@ -23,10 +23,7 @@ namespace {
 /// The bundled character with work that no file has, and the question what is to become of it.
 struct Asked : test::EditorStage {
   Asked() {
-    std::filesystem::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", folder / "dummy.glb");
-    openFile(shell, {folder / "dummy.glb"});
-    frames(2);
-    settle();
+    openBoxer();
     session().edit(app::setLooping(session().document(), 0, true), "Loop");
     askToClose();
   }

@@ -21,20 +21,13 @@ namespace {
 /// The bundled character, a series of three images and a sound of a second.
 struct Referring : test::EditorStage {
   Referring() {
-    fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", folder / "dummy.glb");
-    openAgain();
+    openBoxer();
     for (int i = 1; i <= 3; ++i) {
       REQUIRE(writePng(imageFile(i), filled(4 * i, 2, {1.0F, 0.0F, 0.0F})));
     }
     sound = folder.write("beat.wav", test::wavOf(test::toneBetween(0.25, 0.5, 1.0, 8000), 8000));
   }
 
-  void openAgain() {
-    openFile(shell, {folder / "dummy.glb"});
-    frames(2);
-    settle();
-    frames(2);
-  }
   [[nodiscard]] fs::path imageFile(int number) const {
     return folder / ("film-" + std::to_string(number) + ".png");
   }
@@ -155,7 +148,7 @@ TEST_CASE("A reference is kept with the user's settings of the file, at once, an
   CHECK_THAT(*text, Catch::Contains("film-1.png"));
   CHECK_THAT(*text, Catch::Contains("beat.wav"));
   REQUIRE(stage.session().save(stage.folder / "dummy.glb", false)); // no question whether to save
-  stage.openAgain();
+  stage.openBoxer();
   CHECK(stage.reference() == before);
   CHECK_FALSE(stage.session().history().canUndo());
   CHECK(stage.session().history().isSaved());
@@ -163,7 +156,7 @@ TEST_CASE("A reference is kept with the user's settings of the file, at once, an
   stage.run(command::referenceNoImages);
   stage.run(command::referenceNoSound);
   REQUIRE(stage.session().save(stage.folder / "dummy.glb", false));
-  stage.openAgain();
+  stage.openBoxer();
   CHECK(stage.session().document().references.empty());
 }
 

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 
 #include "app/commands/table/command_ids.h"
@@ -17,16 +16,7 @@ namespace {
 
 /// The bundled character, opened as a file.
 struct Told : test::EditorStage {
-  Told() {
-    std::filesystem::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", folder / "dummy.glb");
-    openAgain();
-  }
-  void openAgain() {
-    openFile(shell, {folder / "dummy.glb"});
-    frames(2);
-    settle();
-    frames(2);
-  }
+  Told() { openBoxer(); }
   [[nodiscard]] bool isTold(std::string_view beginning) const {
     return std::ranges::any_of(shell.ui.toasts,
                                [&](const Toast& toast) { return toast.text.starts_with(beginning); });
@@ -38,7 +28,7 @@ struct Told : test::EditorStage {
 TEST_CASE("What was told of a file goes with it") {
   Told stage;
   tell(stage.shell, ToastKind::warning, "The left hand goes through the floor");
-  stage.openAgain();
+  stage.openBoxer();
   CHECK_FALSE(stage.isTold("The left hand goes through the floor"));
 }
 

@@ -22,10 +22,6 @@ namespace {
 constexpr float width = 460.0F;
 constexpr float height = 340.0F;
 
-bool overlap(const Item& item, const Rect& box) {
-  return item.min.x < box.max.x && box.min.x < item.max.x && item.min.y < box.max.y && box.min.y < item.max.y;
-}
-
 /// How many messages there are, and how many of them lie over a place.
 struct Told {
   int count = 0;
@@ -37,7 +33,7 @@ Told messagesOver(const ItemRegistry& items, const Rect& box) {
   for (const Item& item : items.items) {
     if (item.id.starts_with("toast/")) {
       ++told.count;
-      told.over += overlap(item, box) ? 1 : 0;
+      told.over += box.overlaps({item.min, item.max}) ? 1 : 0;
     }
   }
   return told;

@@ -20,10 +20,6 @@ Rect placed(const Rect& widget, const Rect& panel) {
   return {corner, {corner.x + size.x, corner.y + size.y}};
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
 bool inWindow(const Rect& box, const ImVec2& screen) {
   return box.min.x >= 0.0F && box.min.y >= 0.0F && box.max.x <= screen.x && box.max.y <= screen.y;
 }
@@ -92,13 +88,13 @@ TEST_CASE("Tooltips of the panels keep off their widget and off what stands belo
     }
     ++seen;
     INFO(item.id);
-    CHECK_FALSE(overlap(*tip, {item.min, item.max}));
+    CHECK_FALSE(tip->overlaps({item.min, item.max}));
     CHECK(inWindow(*tip, ImGui::GetIO().DisplaySize));
     for (const Item& other : items) {
       const bool below = other.min.y >= item.max.y && paneOf(other) == paneOf(item);
       if (below && paneOf(item) != Pane::bar) {
         INFO(other.id);
-        CHECK_FALSE(overlap(*tip, {other.min, other.max}));
+        CHECK_FALSE(tip->overlaps({other.min, other.max}));
       }
     }
   }

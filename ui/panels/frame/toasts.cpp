@@ -203,16 +203,12 @@ std::vector<PlacedToast> placeToasts(const Theme& theme, ToastStyle style, const
   return placed;
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
 /// Whether all of it lies in its place, on nothing that is kept.
 bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std::vector<Rect>& kept) {
   return std::ranges::all_of(placed, [&](const PlacedToast& toast) {
     const Rect& box = toast.place.box;
     const bool isInside = room.contains(box.min) && box.max.x <= room.max.x && box.max.y <= room.max.y;
-    return isInside && std::ranges::none_of(kept, [&](const Rect& rect) { return overlap(rect, box); });
+    return isInside && std::ranges::none_of(kept, [&](const Rect& rect) { return rect.overlaps(box); });
   });
 }
 
