@@ -1,6 +1,8 @@
 #include <utility>
 #include <vector>
 
+#include <imgui_internal.h>
+
 #include "app/commands/pose/hold.h"
 #include "app/commands/table/selection.h"
 #include "ui/panels/context/dialog_frame.h"
