@@ -44,7 +44,7 @@ Status runKeysTool(Shell& shell, app::KeysModal::Kind kind) {
 }
 
 void openRetime(Shell& shell) {
-  const Span range = shownRange(*shell.open.character());
+  const Span range = shownSpan(*shell.open.character());
   shell.ui.time.retime = {.open = true,
                           .firstFrame = std::round(range.start),
                           .lastFrame = std::round(range.end),

@@ -63,28 +63,19 @@ bool hasClipAndLegs(const Session& session) {
                              [](const rig::Limb& limb) { return isLeg(limb); });
 }
 
-rig::HoldTime workingTime(const Session& session, const std::string& limbId) {
-  return {workingRange(session, *findLimb(session.document(), limbId)), usualBlend};
+rig::HoldTime shownTime(const Session& session) {
+  return {shownRange(session), usualBlend};
 }
 
-// As it is seen at the playhead: a frame of the adjusted clip, or a place of its own where trails moved it.
+// At the place itself, not at the frame's: what is posed at that frame later leaves the pin where it is.
 rig::Pin pinHere(Session& session, const std::string& limbId) {
-  const Document& document = session.document();
-  const rig::Limb& limb = *findLimb(document, limbId);
   const double frame = session.view().frame;
   rig::Pin pin;
   pin.limb = limbId;
   pin.clip = session.view().clip;
-  pin.time = workingTime(session, limbId);
+  pin.time = shownTime(session);
   pin.atFrame = frame;
-  const Clip& clip = clipOf(document, pin.clip);
-  const FrameState adjusted =
-      rig::adjustedFrame(*document.scene, clip, session.motion(), frame / clip.framesPerSecond);
-  const rig::HeldPlace seen = rig::endPlace(limb, session.frameAt(frame));
-  constexpr double unseen = 1e-6; // of the height
-  if (glm::length(seen.position - endPosition(limb, adjusted)) > unseen * document.body.height) {
-    pin.place = seen;
-  }
+  pin.place = rig::endPlace(*findLimb(session.document(), limbId), session.frameAt(frame));
   return pin;
 }
 
@@ -121,7 +112,7 @@ std::optional<std::size_t> presentGrip(const Session& session) {
   const std::vector<rig::Grip>& grips = session.document().holds.grips;
   for (std::size_t i = 0; !targets.empty() && i < grips.size(); ++i) {
     const Vec2 range = grips[i].time.rangeFrames;
-    const Vec2 wanted = workingTime(session, targets.front()).rangeFrames;
+    const Vec2 wanted = shownTime(session).rangeFrames;
     if (grips[i].leader == targets.front() && grips[i].clip == session.view().clip && range.x <= wanted.y &&
         wanted.x <= range.y) {
       return i;
@@ -145,7 +136,7 @@ Status matchOtherHand(Session& session) {
     return Error{"there is no limb on the other side to follow it", leader, "select a limb that has one"};
   }
   rig::Holds wanted;
-  wanted.grips.push_back({follower, leader, session.view().clip, workingTime(session, leader), {}, 1.0});
+  wanted.grips.push_back({follower, leader, session.view().clip, shownTime(session), {}, 1.0});
   return finish(session, placeHolds(session.document(), wanted), "Match the other hand");
 }
 

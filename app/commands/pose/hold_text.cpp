@@ -9,6 +9,7 @@
 
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
+#include "app/edits/trail/place_trails.h"
 
 namespace stretch::app {
 
@@ -93,6 +94,20 @@ std::string toldRanges(std::vector<std::string> ranges) {
   return listed(ranges);
 }
 
+// The trails that new pins outweigh: what is pinned stays, whatever its trail makes of the limb.
+std::string outweighed(const Document& before, const Document& after) {
+  std::vector<std::string> ranges;
+  for (const rig::Pin& pin : after.holds.pins) {
+    const Vec2 range = pin.time.rangeFrames;
+    const bool isNew = std::ranges::find(before.holds.pins, pin) == before.holds.pins.end();
+    const rig::Trail* const trail = overlappingTrail(after, pin.limb, pin.clip, range.x, range.y);
+    if (isNew && trail != nullptr) {
+      ranges.push_back(toldRange({trail->settings.startFrame, trail->settings.endFrame}));
+    }
+  }
+  return ranges.empty() ? "" : ", instead of the trail of " + toldRanges(std::move(ranges));
+}
+
 } // namespace
 
 std::string holdChangeText(const Document& before, const Document& after) {
@@ -108,7 +123,7 @@ std::string holdChangeText(const Document& before, const Document& after) {
       text += " in the place of " + toldRanges(old->second);
     }
   }
-  return text;
+  return text + outweighed(before, after);
 }
 
 } // namespace stretch::app

@@ -121,12 +121,19 @@ bool isRangeSet(const ViewState& view) {
 }
 
 Vec2 workingRange(const Session& session, const rig::Limb& limb) {
+  return isRangeSet(session.view()) ? shownRange(session) : proposedRange(session, limb);
+}
+
+Vec2 shownRange(const Session& session) {
   const ViewState& view = session.view();
-  if (!isRangeSet(view)) {
-    return proposedRange(session, limb);
-  }
   const double last = lastFrame(session.document(), view.clip);
-  return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
+  if (isRangeSet(view)) {
+    return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
+  }
+  const rig::Limb* const limb = view.selection.limbs().empty()
+                                    ? nullptr
+                                    : findLimb(session.document(), view.selection.limbs().front());
+  return limb == nullptr ? Vec2(0.0, last) : proposedRange(session, *limb);
 }
 
 void setRangeByHand(Session& session, const Vec2& range) {

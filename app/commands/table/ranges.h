@@ -26,6 +26,10 @@ namespace stretch::app {
 /// The working range (x start, y end) within the clip, or the proposed one when none is set.
 [[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
 
+/// The range that the timeline shows: the working range of the first selected limb; without one the range
+/// that is set, else the whole clip.
+[[nodiscard]] Vec2 shownRange(const Session& session);
+
 /// The range of a limb that is exaggerated together with one that leads over its range: its own stroke, as if
 /// it were alone, but the leading range where the two share most of their time (limbs that move as one stay
 /// together, and one of a limb's strokes that goes along is as good as its strongest if it is half as

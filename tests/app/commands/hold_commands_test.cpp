@@ -1,12 +1,15 @@
 #include <algorithm>
 
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "app/commands/pose/hold.h"
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
@@ -78,6 +81,28 @@ TEST_CASE("A hand that a trail has moved is pinned where the trail has it") {
   }
 }
 
+TEST_CASE("A pinned hand stays where it was pinned when the hips are lowered afterwards, at the pin's frame too") {
+  Session session(test::boxer());
+  session.view().rangeStart = 2.0;
+  session.view().rangeEnd = 12.0;
+  session.view().frame = 5.0;
+  selectLimb(session, "left-arm", false);
+  const Vec3 held = seenEnd(session, "left-arm", 5.0);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  rig::Adjustment low;
+  low.controller = "hips";
+  low.keys.resize(1);
+  low.keys[0].frame = 5.0;
+  low.keys[0].move = {0.0, -0.1, 0.0};
+  const Result<Document> lowered = placeAdjustments(session.document(), std::vector{low});
+  REQUIRE(lowered);
+  session.edit(*lowered, "Lower the hips");
+  const Vec3 elbow = seenEnd(session, "spine", 5.0);
+  CHECK(glm::length(seenEnd(session, "left-arm", 5.0) - held) < 1e-6);
+  session.undo();
+  CHECK(glm::length(seenEnd(session, "spine", 5.0) - elbow) > 0.05);
+}
+
 TEST_CASE("What was pinned is told with its frames, and what it took the place of") {
   Session session(test::boxer());
   const auto told = [&] {
@@ -100,6 +125,39 @@ TEST_CASE("What was pinned is told with its frames, and what it took the place o
   CHECK(told() == "Pin \xE2\x80\x93 left arm 5 to 10 in the place of 2 to 6 and 9 to 12");
   REQUIRE(runHold(session, command::holdRemove).empty());
   CHECK(told() == "Take holds away \xE2\x80\x93 left arm 5 to 10");
+}
+
+TEST_CASE("A pin over a trail tells that the trail does not show there") {
+  Session session(test::withNewTrail(test::boxer(), {}));
+  const rig::TrailSettings& trail = session.document().trails.front().settings;
+  selectLimb(session, "left-arm", false);
+  const auto told = [&] {
+    const History<Document>& history = session.history();
+    return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
+  };
+  session.view().rangeStart = trail.startFrame;
+  session.view().rangeEnd = trail.endFrame;
+  REQUIRE(runHold(session, command::holdPin).empty());
+  const std::string range = fmt::format("{:g} to {:g}", trail.startFrame, trail.endFrame);
+  CHECK(told() == "Pin \xE2\x80\x93 left arm " + range + ", instead of the trail of " + range);
+  selectLimb(session, "right-arm", false);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(told().starts_with("Pin \xE2\x80\x93 right arm"));
+  CHECK(told().find("trail") == std::string::npos);
+}
+
+TEST_CASE("Without a range a selected hand is pinned over the whole clip, a selected arm over its own stroke") {
+  Session session(test::boxer());
+  const double last = lastFrame(session.document(), 0);
+  selectController(session, "left-hand", false);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(session.document().holds.pins.front().time.rangeFrames == Vec2(0.0, last));
+  session.undo();
+  selectLimb(session, "left-arm", false);
+  const Vec2 stroke = proposedRange(session, *findLimb(session.document(), "left-arm"));
+  REQUIRE(stroke.y - stroke.x < last);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(session.document().holds.pins.front().time.rangeFrames == stroke);
 }
 
 TEST_CASE("M lets the other hand follow, and lets it go again") {

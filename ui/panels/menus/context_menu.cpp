@@ -201,7 +201,7 @@ void holdEntries(PanelContext& context) {
   if (!hold) {
     return;
   }
-  const Span working = shownRange(context.character());
+  const Span working = shownSpan(context.character());
   if (plainEntry(context, "context/hold-range", "Hold over the working range",
                  "It holds from frame " + shortNumber(working.start, 1) + " to " +
                      shortNumber(working.end, 1) + ".")) {

@@ -320,19 +320,8 @@ Span visibleFrames(const PanelContext& context) {
   return {0.0, std::max(1.0, app::lastFrame(session.document(), session.view().clip))};
 }
 
-Span shownRange(const app::Session& session) {
-  const app::ViewState& view = session.view();
-  const double last = app::lastFrame(session.document(), view.clip);
-  if (view.rangeEnd >= view.rangeStart) {
-    return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
-  }
-  const rig::Limb* limb = view.selection.limbs().empty()
-                              ? nullptr
-                              : app::findLimb(session.document(), view.selection.limbs().front());
-  if (limb == nullptr) {
-    return {0.0, last};
-  }
-  const Vec2 range = app::workingRange(session, *limb);
+Span shownSpan(const app::Session& session) {
+  const Vec2 range = app::shownRange(session);
   return {range.x, range.y};
 }
 
@@ -344,7 +333,7 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.clip = {0.0, app::lastFrame(document, clip)};
   model.view = visibleFrames(context);
   model.playhead = session.view().frame;
-  model.range = shownRange(session);
+  model.range = shownSpan(session);
   model.rangeIsDefault = session.view().rangeEnd < session.view().rangeStart;
   model.keyRows = keyRows(context, detail);
   model.keysEditable = detail == RowDetail::everyLimb;

@@ -17,6 +17,6 @@ enum class RowDetail {
 [[nodiscard]] Span visibleFrames(const PanelContext& context);
 
 /// The working range as new trails would take it.
-[[nodiscard]] Span shownRange(const app::Session& session);
+[[nodiscard]] Span shownSpan(const app::Session& session);
 
 } // namespace stretch::ui

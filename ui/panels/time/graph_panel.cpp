@@ -242,7 +242,7 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   model.curves = graph.curves;
   model.values = {graph.valueMin, graph.valueMax};
   model.playhead = session.view().frame;
-  model.range = shownRange(session);
+  model.range = shownSpan(session);
   model.unit = graphUnit(context, subject);
   model.editable = !graph.rows.empty();
   model.snap = context.ui.time.timeline.snapToFrames;

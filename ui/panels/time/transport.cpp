@@ -151,7 +151,7 @@ std::string rangeText(const PanelContext& context) {
     const std::size_t frame = app::shownFrame(context.sequence());
     return frame < mesh.frameNames.size() ? mesh.frameNames[frame] : std::string();
   }
-  const Span range = shownRange(context.character());
+  const Span range = shownSpan(context.character());
   return "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" + shortNumber(range.end, 1);
 }
 
