@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "app/commands/pose/posing.h"
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/frames.h"
@@ -134,6 +135,24 @@ std::string pastedText(const Shell& shell, std::string_view commandId) {
              : std::string();
 }
 
+/// What was copied; empty for other commands.
+std::string copiedText(const Shell& shell, std::string_view commandId) {
+  const app::Session* const session = shell.open.character();
+  if (session == nullptr) {
+    return {};
+  }
+  if (commandId == command::poseCopy) {
+    return "Copied: the pose of " + app::chosenText(*session);
+  }
+  if (commandId == command::poseCopyOffsets) {
+    return app::poseLabel(session->document(), "Copied: the offsets of", session->view().selection.controllers());
+  }
+  if (commandId == command::copyTrail) {
+    return "Copied: the trail of the " + app::limbTitle(session->document(), session->view().copiedTrail->limb);
+  }
+  return {};
+}
+
 /// Where the viewed clip ends, seconds; 0 without one.
 double endOfClip(const Shell& shell) {
   const app::Session* const session = shell.open.character();
@@ -209,11 +228,10 @@ void runCommand(Shell& shell, std::string_view commandId) {
   if (done && !undone.empty()) {
     tellUndone(shell, commandId, undone);
   }
-  if (const std::string held = heldText(shell, commandId); done && !held.empty()) {
-    tell(shell, ToastKind::info, held);
-  }
-  if (const std::string pasted = pastedText(shell, commandId); done && !pasted.empty()) {
-    tell(shell, ToastKind::info, pasted);
+  for (const auto& toldText : {heldText, pastedText, copiedText}) {
+    if (const std::string text = done ? toldText(shell, commandId) : std::string(); !text.empty()) {
+      tell(shell, ToastKind::info, text);
+    }
   }
   if (done && !applied.empty()) {
     tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));

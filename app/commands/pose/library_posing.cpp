@@ -10,12 +10,12 @@ namespace stretch::app {
 
 namespace {
 
-/// The controllers of a pose that are selected, with what they hold; the whole pose where none is selected.
-SeenPose onSelected(const Session& session, SeenPose pose) {
-  if (session.view().selection.controllers().empty()) {
+/// The controllers of a pose that are chosen, with what they hold; the whole pose where none is.
+SeenPose onChosen(const Session& session, SeenPose pose) {
+  const std::vector<std::string> ids = withAttributes(session, chosenControllers(session));
+  if (ids.empty()) {
     return pose;
   }
-  const std::vector<std::string> ids = posedIds(session);
   const auto isOther = [&](const auto& part) { return std::ranges::find(ids, part.id) == ids.end(); };
   std::erase_if(pose.controllers, isOther);
   std::erase_if(pose.values, isOther);
@@ -32,9 +32,9 @@ bool hasAny(const Session& session, const SeenPose& pose) {
 } // namespace
 
 Result<PoseBlend> blendInto(Session& session, const SeenPose& pose) {
-  const SeenPose wanted = onSelected(session, pose);
+  const SeenPose wanted = onChosen(session, pose);
   if (!hasAny(session, wanted)) {
-    const bool isWhole = session.view().selection.controllers().empty();
+    const bool isWhole = chosenControllers(session).empty();
     return isWhole ? Error{"this character has none of the pose's controllers", "", "take another pose"}
                    : Error{"the pose has none of the selected controllers", "",
                            "select others, or none for the whole character"};

@@ -199,8 +199,8 @@ bool canCopyPose(const Session& session) {
 std::vector<DocumentCommand> copyingCommands() {
   return {
       entry(command::poseCopy, "Copy the pose",
-            "Copies how the selected controllers are seen at the playhead, whatever moves them; the whole "
-            "character where none is selected.",
+            "Copies how the selected controllers or limbs are seen at the playhead, whatever moves them; the "
+            "whole character where none is selected.",
             {}, {canCopyPose, "open a character that has controllers"},
             doing([](Session& session) { session.view().copiedPose = seenAtPlayhead(session); })),
       entry(command::poseCopyOffsets, "Copy the offsets",

@@ -18,6 +18,19 @@ namespace stretch::app {
 
 namespace {
 
+/// "the left hand and left elbow", "4 controllers".
+std::string titlesOf(const Document& document, std::span<const std::string> ids) {
+  constexpr std::size_t mostNamed = 3;
+  if (ids.size() > mostNamed) {
+    return fmt::format("{} controllers", ids.size());
+  }
+  std::vector<std::string> titles;
+  for (const std::string& id : ids) {
+    titles.push_back(controllerTitle(document, id));
+  }
+  return "the " + listed(titles);
+}
+
 bool isPosedWithoutKey(const ViewState& view) {
   return view.unkeyed.clip == view.clip && sameFrame(view.unkeyed.frame, view.frame);
 }
@@ -121,16 +134,40 @@ std::vector<rig::Attribute> attributesOf(const Session& session,
   return attributes;
 }
 
-std::vector<std::string> posedIds(const Session& session) {
+std::vector<std::string> withAttributes(const Session& session, std::span<const std::string> controllers) {
   const rig::ControllerList list = controllersOf(session.document());
   std::vector<std::string> ids;
-  for (const rig::Controller& controller : selectedControllers(session)) {
-    ids.push_back(controller.id);
-    for (const rig::Attribute& attribute : attributesHeldBy(list, controller)) {
+  for (const std::string& id : controllers) {
+    const Result<rig::Controller> controller = findController(session.document(), list, id);
+    if (!controller) {
+      continue;
+    }
+    ids.push_back(id);
+    for (const rig::Attribute& attribute : attributesHeldBy(list, *controller)) {
       ids.push_back(attribute.id);
     }
   }
   return ids;
+}
+
+std::vector<std::string> posedIds(const Session& session) {
+  return withAttributes(session, session.view().selection.controllers());
+}
+
+std::vector<std::string> chosenControllers(const Session& session) {
+  const Selection& selection = session.view().selection;
+  std::vector<std::string> ids = selection.controllers();
+  for (const rig::Controller& controller : controllersOf(session.document()).controllers) {
+    if (selection.controllers().empty() && isSelected(session, controller.limb)) {
+      ids.push_back(controller.id);
+    }
+  }
+  return ids;
+}
+
+std::string chosenText(const Session& session) {
+  const std::vector<std::string> ids = chosenControllers(session);
+  return ids.empty() ? "the whole character" : titlesOf(session.document(), ids);
 }
 
 OffsetPose shownPose(const Session& session, std::span<const std::string> ids) {
@@ -244,14 +281,7 @@ Status previewKeyed(Session& session, const OffsetPose& pose) {
 }
 
 std::string poseLabel(const Document& document, const std::string& verb, std::span<const std::string> ids) {
-  if (ids.size() > 3) {
-    return fmt::format("{} {} controllers", verb, ids.size());
-  }
-  std::vector<std::string> names;
-  for (const std::string& id : ids) {
-    names.push_back(controllerTitle(document, id));
-  }
-  return fmt::format("{} the {}", verb, listed(names));
+  return verb + " " + titlesOf(document, ids);
 }
 
 } // namespace stretch::app

@@ -28,9 +28,20 @@ namespace stretch::app {
 [[nodiscard]] std::vector<rig::Attribute> attributesOf(const Session& session,
                                                        std::span<const rig::Controller> controllers);
 
+/// These controllers, each followed by the attributes that go with it (attributesHeldBy).
+[[nodiscard]] std::vector<std::string> withAttributes(const Session& session,
+                                                      std::span<const std::string> controllers);
+
 /// Lists what posing acts on: the selected controllers and the attributes that go with them
 /// (attributesHeldBy).
 [[nodiscard]] std::vector<std::string> posedIds(const Session& session);
+
+/// Lists the controllers that a pose is copied from and, out of the library, put on: the selected ones, else
+/// those of the selected limbs; none: the whole character.
+[[nodiscard]] std::vector<std::string> chosenControllers(const Session& session);
+
+/// "the left hand", "3 controllers", "the whole character": what chosenControllers lists.
+[[nodiscard]] std::string chosenText(const Session& session);
 
 /// Returns the offsets of these at the playhead, keyed or not.
 [[nodiscard]] OffsetPose shownPose(const Session& session, std::span<const std::string> ids);

@@ -204,7 +204,7 @@ private:
 
 SeenPose seenAtPlayhead(Session& session) {
   const ViewState& view = session.view();
-  const std::vector<std::string> ids = view.selection.controllers();
+  const std::vector<std::string> ids = chosenControllers(session);
   SeenPose pose = seenPose({session.document(), view.clip, view.frame, session.controllersAt(view.frame),
                             session.frameAt(view.frame)},
                            ids);

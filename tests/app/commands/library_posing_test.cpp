@@ -164,6 +164,29 @@ TEST_CASE("Selected controllers alone take the pose, with the attributes that go
   CHECK(std::ranges::count(idsOf(blend->to), "left-hand") == 1);
 }
 
+TEST_CASE("A pose is put on the controllers of the selected limb alone, and copied from them") {
+  Session session(test::openedFile(test::posedCharacter));
+  const SeenPose punch = seenAt(session, frameOfPunch);
+  session.view().frame = 5.0;
+  selectLimb(session, "left-arm", false);
+  CHECK(chosenText(session) == "the left hand and left elbow");
+  const Result<PoseBlend> blend = blendInto(session, punch);
+  REQUIRE(blend);
+  REQUIRE(std::ranges::count(idsOf(blend->to), "left-hand") == 1);
+  for (const std::string& id : idsOf(blend->to)) {
+    INFO(id);
+    CHECK(id.starts_with("left-"));
+    CHECK(id.find("leg") == std::string::npos);
+    CHECK(id.find("foot") == std::string::npos);
+  }
+  const SeenPose copied = seenAtPlayhead(session);
+  CHECK(copied.controllers.size() == 2);
+  CHECK(std::ranges::find(copied.controllers, "left-elbow", &SeenController::id) != copied.controllers.end());
+  selectController(session, "head", false);
+  REQUIRE(seenAtPlayhead(session).controllers.size() == 1);
+  CHECK(seenAtPlayhead(session).controllers.front().id == "head");
+}
+
 TEST_CASE("A pose that cannot be taken says why") {
   Session session(test::openedFile(test::posedCharacter));
   const SeenPose punch = seenAt(session, frameOfPunch);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/editor_stage.h"
 #include "ui/shell/file_work.h"
@@ -62,4 +63,21 @@ TEST_CASE("A pose that is pasted at a first key without a range says that the wh
   session.view().rangeEnd = 25.0;
   stage.run(command::posePaste);
   CHECK_FALSE(stage.isTold(held));
+}
+
+TEST_CASE("Copying tells what was copied: a pose, offsets, a trail") {
+  Told stage;
+  stage.run(command::poseCopy);
+  CHECK(stage.isTold("Copied: the pose of the whole character"));
+  app::selectController(stage.session(), "left-hand", false);
+  stage.run(command::poseCopy);
+  CHECK(stage.isTold("Copied: the pose of the left hand"));
+  stage.run(command::poseCopyOffsets);
+  CHECK(stage.isTold("Copied: the offsets of the left hand"));
+  app::selectLimb(stage.session(), "right-leg", false);
+  stage.run(command::poseCopy);
+  CHECK(stage.isTold("Copied: the pose of the right foot and right knee"));
+  stage.run(command::trailToggle);
+  stage.run(command::copyTrail);
+  CHECK(stage.isTold("Copied: the trail of the right leg"));
 }

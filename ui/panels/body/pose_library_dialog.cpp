@@ -151,10 +151,9 @@ void chosenRows(PanelContext& context) {
 /// Which controllers the pose is for, and what it does not reach.
 std::string remarkOf(const PanelContext& context) {
   const PoseLibraryState& state = context.ui.body.library;
-  const std::size_t selected = context.character().view().selection.controllers().size();
-  const std::string whom = selected == 0   ? "For the whole character."
-                           : selected == 1 ? "For the selected controller alone."
-                                           : fmt::format("For the {} selected controllers alone.", selected);
+  const app::Session& session = context.character();
+  const bool isPart = !app::chosenControllers(session).empty();
+  const std::string whom = "For " + app::chosenText(session) + (isPart ? " alone." : ".");
   return state.remark.empty() ? whom : whom + " " + capitalised(state.remark) + ".";
 }
 
