@@ -206,14 +206,19 @@ void Session::followSelection() {
     }
     view_.rangeStart = wanted.x;
     view_.rangeEnd = wanted.y;
-  } else if (trail == nullptr && followed_.trail != 0 &&
-             range == Vec2(followed_.startFrame, followed_.endFrame)) {
-    // Nobody set this range: it was the trail's.
-    const Vec2 before = std::exchange(rangeBefore_, std::nullopt).value_or(Vec2(0.0, -1.0));
+  } else if (trail == nullptr && followed_.trail != 0) {
+    const Vec2 before = rangeByHand().value_or(Vec2(0.0, -1.0));
     view_.rangeStart = before.x;
     view_.rangeEnd = before.y;
+    rangeBefore_.reset();
   }
   followed_ = now;
+}
+
+std::optional<Vec2> Session::rangeByHand() const {
+  const Vec2 range(view_.rangeStart, view_.rangeEnd);
+  const bool isOfTrail = followed_.trail != 0 && range == Vec2(followed_.startFrame, followed_.endFrame);
+  return isOfTrail ? rangeBefore_ : range.y >= range.x ? std::optional(range) : std::nullopt;
 }
 
 void Session::followRate() {

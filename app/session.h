@@ -114,6 +114,9 @@ public:
 
   /// The working range follows the selected trail: whenever another one is selected, or its range changes.
   void followSelection();
+  /// Returns the working range that was set by hand, also while a selected trail's has taken its place;
+  /// nothing where none was.
+  [[nodiscard]] std::optional<Vec2> rangeByHand() const;
 
 private:
   /// Drops what is selected and is not there any more; selects the one trail that came back.

@@ -35,16 +35,18 @@ BodyTouch::BodyTouch(const rig::Skeleton& skeleton) : scene_(*skeleton.scene) {
   BodyParts parts = bodyPartsOf(skeleton);
   trunk_ = std::move(parts.trunk);
   std::vector<std::size_t> limbs = std::move(parts.lowerLegs);
+  std::vector<std::size_t> held;
   for (const std::size_t side : {rig::leftSide, rig::rightSide}) {
     ArmParts& arm = parts.arms[side];
-    for (const std::vector<std::size_t>& part : {arm.forearm, arm.hand, arm.held}) {
-      limbs.insert(limbs.end(), part.begin(), part.end());
-    }
+    limbs.insert(limbs.end(), arm.forearm.begin(), arm.forearm.end());
+    limbs.insert(limbs.end(), arm.hand.begin(), arm.hand.end());
+    held.insert(held.end(), arm.held.begin(), arm.held.end());
     handVertices_[side] = thinned(arm.hand, mostOfHand);
     hands_[side] = std::move(arm.handTriangles);
   }
   std::ranges::sort(limbs);
   limbVertices_ = thinned(limbs, mostOfLimbs);
+  heldVertices_ = thinned(held, mostOfLimbs);
 }
 
 HandDistances BodyTouch::handsAt(const FrameState& frame) const {
@@ -66,15 +68,23 @@ Inside BodyTouch::insideAt(const FrameState& frame) const {
       box.add(places[vertex]);
     }
   }
-  Inside inside;
-  for (const std::size_t vertex : limbVertices_) {
+  // 0 where it is outside.
+  const auto depthOf = [&](std::size_t vertex) {
     const Vec3& place = places[vertex];
     const bool isNear =
         glm::all(glm::greaterThanEqual(place, box.low)) && glm::all(glm::lessThanEqual(place, box.high));
-    if (isNear && skinning::windingNumber({places, trunk_}, place) > isInside) {
-      inside.share += 1.0 / static_cast<double>(limbVertices_.size());
-      inside.deepest = std::max(inside.deepest, skinning::distanceFrom({places, trunk_}, place));
-    }
+    return isNear && skinning::windingNumber({places, trunk_}, place) > isInside
+               ? skinning::distanceFrom({places, trunk_}, place)
+               : 0.0;
+  };
+  Inside inside;
+  for (const std::size_t vertex : limbVertices_) {
+    const double depth = depthOf(vertex);
+    inside.share += depth > 0.0 ? 1.0 / static_cast<double>(limbVertices_.size()) : 0.0;
+    inside.deepest = std::max(inside.deepest, depth);
+  }
+  for (const std::size_t vertex : heldVertices_) {
+    inside.heldDeepest = std::max(inside.heldDeepest.value_or(0.0), depthOf(vertex));
   }
   return inside;
 }

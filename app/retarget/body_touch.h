@@ -20,12 +20,13 @@ struct HandDistances {
 
 /// How much of a character's forearms, hands, shins and feet is inside its trunk and head.
 struct Inside {
-  double share = 0.0;   ///< Of their vertices.
-  double deepest = 0.0; ///< World units.
+  double share = 0.0;                ///< Of their vertices.
+  double deepest = 0.0;              ///< World units.
+  std::optional<double> heldDeepest; ///< The same of what the hands hold; nothing: they hold nothing.
 };
 
 /// The surface of a biped in parts, for what touches what. Vertices of large surfaces are looked at in even
-/// steps: at most 600 of forearms to feet, 150 of each hand.
+/// steps: at most 600 of forearms to feet and of what is held, 150 of each hand.
 class BodyTouch {
 public:
   explicit BodyTouch(const rig::Skeleton& skeleton);
@@ -40,6 +41,7 @@ private:
   const Scene& scene_;
   std::vector<Triangle> trunk_; ///< With those that reach over to upper arms and thighs.
   std::vector<std::size_t> limbVertices_;
+  std::vector<std::size_t> heldVertices_;
   std::array<std::vector<std::size_t>, 2> handVertices_;
   std::array<std::vector<Triangle>, 2> hands_;
 };

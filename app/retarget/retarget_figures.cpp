@@ -186,6 +186,7 @@ private:
     double deepest = 0.0;
     double distance = 0.0;
     std::size_t touches = 0;
+    std::optional<double> held;
     const auto add = [&](bool isTouching, const std::optional<double>& far) {
       if (isTouching && far) {
         distance += *far;
@@ -197,6 +198,7 @@ private:
       const Inside inside = touch.insideAt(frame);
       share += inside.share;
       deepest = std::max(deepest, inside.deepest);
+      held = std::max(held, inside.heldDeepest); // Nothing is less than any depth.
       if (time.trunk[0] || time.trunk[1] || time.hands) {
         const HandDistances hands = touch.handsAt(frame);
         add(time.trunk[rig::leftSide], hands.toTrunk[rig::leftSide]);
@@ -206,6 +208,7 @@ private:
     }
     figures.inside = share / static_cast<double>(touchTimes_.size());
     figures.deepest = deepest / played.skeleton.height;
+    figures.held = held ? std::optional(*held / played.skeleton.height) : std::nullopt;
     if (touches > 0) {
       figures.contact = distance / static_cast<double>(touches) / played.skeleton.height;
     }
@@ -232,14 +235,18 @@ struct ToldFigure {
 
 constexpr double percent = 100.0;
 constexpr double tallCentimetres = 170.0;
-constexpr std::array<ToldFigure, 6> toldFigures{
+constexpr std::array<ToldFigure, 7> toldFigures{
     {{"slide_percent", "feet that stand slide", "% of the height", &RetargetFigures::slide, percent, 0.005},
      {"contact_cm", "hands that touch are off by", "cm at 1.7 m", &RetargetFigures::contact, tallCentimetres,
       0.021},
-     {"inside_percent", "inside trunk and head", "% of forearms to feet", &RetargetFigures::inside, percent,
-      0.02},
-     {"deepest_percent", "deepest inside", "% of the height", &RetargetFigures::deepest, percent, 0.01},
-     {"floor_percent", "below the floor", "% of the height", &RetargetFigures::floor, percent, 0.005},
+     {"inside_percent", "inside trunk and head are", "% of forearms, hands, shins and feet",
+      &RetargetFigures::inside, percent, 0.02},
+     {"deepest_percent", "arms or legs are inside trunk or head by up to", "% of the height",
+      &RetargetFigures::deepest, percent, 0.01},
+     {"held_percent", "what the hands hold is inside trunk or head by up to", "% of the height",
+      &RetargetFigures::held, percent, 0.05},
+     {"floor_percent", "the body is below the floor by up to", "% of the height", &RetargetFigures::floor,
+      percent, 0.005},
      {"hands_widths", "hands that work together are off by", "widths of the shoulders",
       &RetargetFigures::hands, 1.0, 0.05}}};
 

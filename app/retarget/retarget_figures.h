@@ -25,6 +25,7 @@ struct RetargetFigures {
   std::optional<double> contact; ///< From the hand to what the source's touches, mean, of the height.
   std::optional<double> inside;  ///< Share of the vertices of forearms to feet in trunk and head, mean.
   std::optional<double> deepest; ///< How deep the deepest of them is, of the height.
+  std::optional<double> held;    ///< How deep what the hands hold gets there, of the height.
   std::optional<double> hands;   ///< Between hands that work together, farthest from the source's distance,
                                  ///< widths of the shoulders.
   BelowFloor below;

@@ -289,6 +289,7 @@ void askForFile(Shell& shell, FilePurpose purpose) {
     const bool isOpenFile =
         character != nullptr && purpose == FilePurpose::saveModel && !character->savePath().empty();
     dialog.typed = isOpenFile ? name : freeName(dialog.folder, name);
+    dialog.remark = purpose == FilePurpose::saveFilm ? "Draws " + filmedText(shell) : std::string();
   }
 }
 

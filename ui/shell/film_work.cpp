@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/evaluate/evaluate.h"
 #include "core/anim/frames.h"
@@ -27,17 +26,22 @@ struct FilmRequest {
   PictureOptions options;
 };
 
+std::vector<double> filmedFrames(const app::Session& session) {
+  const double last = lastFrame(app::clipOf(session.document(), session.view().clip));
+  const Vec2 range = session.rangeByHand().value_or(Vec2(0.0, last));
+  std::vector<double> frames;
+  for (double frame = range.x; frame <= std::min(range.y, last); frame += 1.0) {
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
 FilmRequest requestOf(Shell& shell) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
   const ViewportOverlays& overlays = shell.ui.overlays;
   FilmRequest request{session.document(), session.sharedMotion(), {}, {}, overlays.sideBySide, {}};
-  const bool hasRange = app::isRangeSet(view);
-  const double last = lastFrame(app::clipOf(request.document, view.clip));
-  const double end = hasRange ? std::min(view.rangeEnd, last) : last;
-  for (double frame = hasRange ? view.rangeStart : 0.0; frame <= end; frame += 1.0) {
-    request.frames.push_back(frame);
-  }
+  request.frames = filmedFrames(session);
   request.look.skeleton = overlays.skeleton;
   request.look.ghosts = overlays.ghosts ? overlays.ghostsBefore : 0;
   request.look.trails = false;
@@ -91,6 +95,13 @@ Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const Fi
 
 } // namespace
 
+std::string filmedText(const Shell& shell) {
+  const std::vector<double> frames = filmedFrames(*shell.open.character());
+  return frames.empty() ? std::string()
+                        : fmt::format("frames {:g} to {:g}{}", frames.front(), frames.back(),
+                                      shell.ui.overlays.sideBySide ? ", beside the original" : "");
+}
+
 void startFilm(Shell& shell, const std::filesystem::path& path) {
   if (shell.beside.film.job != nullptr) {
     tell(shell, ToastKind::warning, shell.beside.film.path.filename().string() + " is still being drawn");
@@ -102,11 +113,7 @@ void startFilm(Shell& shell, const std::filesystem::path& path) {
   }
   const FilmRequest request = requestOf(shell);
   shell.beside.film.path = path;
-  shell.beside.film.drawn =
-      request.frames.empty()
-          ? std::string()
-          : fmt::format("frames {:g} to {:g}{}", request.frames.front(), request.frames.back(),
-                        request.besideOriginal ? ", beside the original" : "");
+  shell.beside.film.drawn = filmedText(shell);
   shell.beside.film.job = std::make_unique<app::Job<std::filesystem::path>>(
       [path, request](const skinning::Proceed& proceed) { return drawTo(path, request, proceed); });
 }

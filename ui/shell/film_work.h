@@ -17,8 +17,12 @@ struct FilmWork {
   std::string drawn; ///< "frames 21 to 27, beside the original".
 };
 
-/// Draws the working range, or the clip where none is set, as the view shows it now: its camera, skeleton,
-/// ghosts and safe frame, and the original on the left where that stands there.
+/// Returns which frames a film of the open clip holds: the range that was set by hand, else the whole clip.
+/// "frames 21 to 27, beside the original".
+[[nodiscard]] std::string filmedText(const Shell& shell);
+
+/// Draws these frames as the view shows them now: its camera, skeleton, ghosts and safe frame, and the
+/// original on the left where that stands there.
 void startFilm(Shell& shell, const std::filesystem::path& path);
 
 /// Once per frame: tells what became of it.

@@ -100,7 +100,9 @@ Status keepPose(Shell& shell) {
   }
   const std::string name = app::freePoseName(app::posesFolder());
   const std::filesystem::path file = app::fileOfName(app::posesFolder(), name);
-  const app::SeenPose seen = app::seenAtPlayhead(*shell.open.character());
+  app::Session& session = *shell.open.character();
+  // Of selected controllers, and not of a limb's: a whole pose can be put on a limb later.
+  const app::SeenPose seen = app::seenAtPlayhead(session, session.view().selection.controllers());
   if (Status saved = app::savePose({name, app::standardised(seen)}, file); !saved) {
     return saved;
   }

@@ -325,7 +325,9 @@ std::vector<ShellCommand> fileCommands() {
                    exportNeeded, askingFor(FilePurpose::exportClean)),
       shellCommand(
           command::fileFilm, "Playblast",
-          "Draws the range as the view shows it, beside the window, as a video or as numbered pictures.", {},
+          "Draws the clip, or the range that was set, as the view shows it, as a video or as numbered "
+          "pictures; the window goes on meanwhile.",
+          {"Ctrl+Alt+P"},
           {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
       shellCommand(command::recipeSave, "Save a recipe",
                    "Writes the clip's poses, trails and weight, to be replayed on another clip or character.",
@@ -451,7 +453,7 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewSafeFrame, "Safe frame",
                     "Outlines the nine tenths of the picture that every screen shows.", {}),
       switchCommand(command::viewSideBySide, "Side by side",
-                    "Shows the original beside the exaggerated motion.", {}),
+                    "Shows the original beside the exaggerated motion.", {"Shift+O"}),
       shellCommand(command::viewFrameSelection, "Frame the selection",
                    "Moves the camera to the selected limb and trail.", {"F"}, pictureNeeded,
                    doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),

@@ -201,8 +201,9 @@ std::vector<DocumentCommand> copyingCommands() {
       entry(command::poseCopy, "Copy the pose",
             "Copies how the selected controllers or limbs are seen at the playhead, whatever moves them; the "
             "whole character where none is selected.",
-            {}, {canCopyPose, "open a character that has controllers"},
-            doing([](Session& session) { session.view().copiedPose = seenAtPlayhead(session); })),
+            {}, {canCopyPose, "open a character that has controllers"}, doing([](Session& session) {
+              session.view().copiedPose = seenAtPlayhead(session, chosenControllers(session));
+            })),
       entry(command::poseCopyOffsets, "Copy the offsets",
             "Copies what the selected controllers are offset by at the playhead.", {},
             {hasPosable, "select a controller first"}, doing([](Session& session) {

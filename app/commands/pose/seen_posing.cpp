@@ -202,9 +202,8 @@ private:
 
 } // namespace
 
-SeenPose seenAtPlayhead(Session& session) {
+SeenPose seenAtPlayhead(Session& session, std::span<const std::string> ids) {
   const ViewState& view = session.view();
-  const std::vector<std::string> ids = chosenControllers(session);
   SeenPose pose = seenPose({session.document(), view.clip, view.frame, session.controllersAt(view.frame),
                             session.frameAt(view.frame)},
                            ids);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,8 @@
 
 namespace stretch::app {
 
-/// Returns what is seen at the playhead of the selected controllers; of all where none is selected.
-[[nodiscard]] SeenPose seenAtPlayhead(Session& session);
+/// Returns what is seen at the playhead of these controllers; of all where none is named.
+[[nodiscard]] SeenPose seenAtPlayhead(Session& session, std::span<const std::string> ids);
 
 /// Offsets that bring controllers to a pose, and those that they do not bring there.
 struct PosedAsSeen {

@@ -23,7 +23,7 @@ constexpr double frameOfPunch = 27.0;
 
 SeenPose seenAt(Session& session, double frame) {
   session.view().frame = frame;
-  return standardised(seenAtPlayhead(session));
+  return standardised(seenAtPlayhead(session, chosenControllers(session)));
 }
 
 const SeenController& seenOf(const SeenPose& pose, const std::string& id) {
@@ -179,12 +179,12 @@ TEST_CASE("A pose is put on the controllers of the selected limb alone, and copi
     CHECK(id.find("leg") == std::string::npos);
     CHECK(id.find("foot") == std::string::npos);
   }
-  const SeenPose copied = seenAtPlayhead(session);
+  const SeenPose copied = seenAtPlayhead(session, chosenControllers(session));
   CHECK(copied.controllers.size() == 2);
   CHECK(std::ranges::find(copied.controllers, "left-elbow", &SeenController::id) != copied.controllers.end());
   selectController(session, "head", false);
-  REQUIRE(seenAtPlayhead(session).controllers.size() == 1);
-  CHECK(seenAtPlayhead(session).controllers.front().id == "head");
+  REQUIRE(seenAtPlayhead(session, chosenControllers(session)).controllers.size() == 1);
+  CHECK(seenAtPlayhead(session, chosenControllers(session)).controllers.front().id == "head");
 }
 
 TEST_CASE("A pose that cannot be taken says why") {

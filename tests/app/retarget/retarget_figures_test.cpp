@@ -91,6 +91,28 @@ TEST_CASE("A hand within the chest is told with its share and its depth, and one
   CHECK(BodyTouch(skeletonOf(beside)).insideAt(atRest(beside)).share == 0.0);
 }
 
+TEST_CASE("What a hand holds within the chest is told apart from hands and forearms") {
+  MovingBiped moving = test::still(test::namedBody());
+  addBox(moving, "spine0", chest, Vec3(0.2));
+  const Inside without = BodyTouch(skeletonOf(moving)).insideAt(atRest(moving));
+  CHECK_FALSE(without.heldDeepest);
+  MovingBiped beside = moving;
+  addBox(moving, "hand.l", chest, Vec3(0.05));
+  const Inside inside = BodyTouch(skeletonOf(moving)).insideAt(atRest(moving));
+  CHECK(inside.share == Approx(without.share));
+  CHECK(inside.deepest == Approx(without.deepest));
+  REQUIRE(inside.heldDeepest);
+  CHECK(*inside.heldDeepest > 0.1);
+  CHECK(*inside.heldDeepest < 0.3);
+  addBox(beside, "hand.l", chest + Vec3(0.0, 0.0, 1.0), Vec3(0.05));
+  CHECK(BodyTouch(skeletonOf(beside)).insideAt(atRest(beside)).heldDeepest == 0.0);
+  const RetargetReport report = reportOf(beside, moving);
+  REQUIRE((report.source.held && report.result.held));
+  CHECK(*report.source.held == 0.0);
+  CHECK(*report.result.held == Approx(*inside.heldDeepest / skeletonOf(moving).height));
+  CHECK(worseLines(report).front().starts_with("what the hands hold is inside trunk or head by up to"));
+}
+
 TEST_CASE("Feet that stand in the source are looked at in the result, and nothing else of it") {
   const MovingBiped moving = test::still(test::namedBody());
   const rig::Skeleton skeleton = skeletonOf(moving);

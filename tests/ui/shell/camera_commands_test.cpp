@@ -1,7 +1,11 @@
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/ranges.h"
+#include "app/commands/table/selection.h"
 #include "app/files/save.h"
 #include "tests/support/app/camera_file.h"
 #include "tests/support/app/new_trail.h"
@@ -98,4 +102,29 @@ TEST_CASE("The best view looks at the punch from a side, and is told in words") 
   CHECK(shell.viewport.frameSelectionPending);
   CHECK(std::abs(std::sin(shell.viewport.camera.yawRadians)) > 0.7);
   CHECK(shell.ui.toasts.back().text.starts_with("Seen best from "));
+}
+
+TEST_CASE("A playblast holds the whole clip, or the range that was set by hand, and says so where it is saved") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  app::Session& session = *shell.open.character();
+  const auto asked = [&] {
+    runCommand(shell, command::fileFilm);
+    return shell.ui.dialogs.file.remark;
+  };
+  const std::string whole =
+      fmt::format("Draws frames 0 to {:g}", app::lastFrame(session.document(), session.view().clip));
+  CHECK(asked() == whole);
+  app::selectTrail(session, session.document().trails.front().id);
+  REQUIRE(session.view().rangeEnd == 27.0); // the trail's, which nobody set
+  CHECK(asked() == whole);
+  shell.ui.overlays.sideBySide = true;
+  CHECK(asked() == whole + ", beside the original");
+  shell.ui.overlays.sideBySide = false;
+  app::setRangeByHand(session, {4.0, 30.0});
+  CHECK(asked() == "Draws frames 4 to 30");
+  app::selectLimb(session, "right-arm", false);
+  app::selectTrail(session, session.document().trails.front().id);
+  REQUIRE(session.view().rangeEnd == 27.0);
+  CHECK(asked() == "Draws frames 4 to 30");
 }

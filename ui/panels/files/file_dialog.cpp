@@ -464,12 +464,12 @@ void drawFileDialog(PanelContext& context) {
   }
   typedField(context, ImGui::IsWindowAppearing());
   const char* accepts = dialog.confirmOverwrite ? "Replace" : isSaving(dialog.purpose) ? "Save" : "Open";
-  if (!dialog.message.empty()) {
+  if (const std::string& told = dialog.message.empty() ? dialog.remark : dialog.message; !told.empty()) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float right = corner.x + ImGui::GetContentRegionAvail().x - context.theme.px(256.0F);
     drawText(widgetsOf(context), context.theme.fonts.label,
              {{corner.x, corner.y + context.theme.px(4.0F)}, {right, corner.y + context.theme.px(28.0F)}},
-             context.theme.colours.warning, dialog.message);
+             dialog.message.empty() ? context.theme.colours.quietText : context.theme.colours.warning, told);
   }
   const int clicked =
       dialogButtons(context, "files", {{.id = "", .text = "Cancel"}, {.id = "", .text = accepts}});

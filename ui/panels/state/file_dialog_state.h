@@ -45,7 +45,8 @@ struct FileDialogState {
   std::filesystem::path folder;
   std::string typed;    ///< Name, path, or part of a name, as typed.
   int highlighted = -1; ///< Row that the keys are on; -1 none.
-  std::string message;
+  std::string message;  ///< What stands in the way.
+  std::string remark;   ///< What is going to be saved; shown where there is no message.
   bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
   std::filesystem::path listedFolder; ///< Folder that `entries` lists.
   std::vector<FileEntry> entries;
