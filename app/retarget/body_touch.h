@@ -20,9 +20,9 @@ struct HandDistances {
 
 /// How much of a character's forearms, hands, shins and feet is inside its trunk and head.
 struct Inside {
-  double share = 0.0;                ///< Of their vertices.
+  double share = 0.0;                ///< Part of their vertices.
   double deepest = 0.0;              ///< World units.
-  std::optional<double> heldDeepest; ///< The same of what the hands hold; nothing: they hold nothing.
+  std::optional<double> heldDeepest; ///< Depth of what the hands hold; nothing: they hold nothing.
 };
 
 /// The surface of a biped in parts, for what touches what. Vertices of large surfaces are looked at in even

@@ -145,10 +145,12 @@ std::string copiedText(const Shell& shell, std::string_view commandId) {
     return "Copied: the pose of " + app::chosenText(*session);
   }
   if (commandId == command::poseCopyOffsets) {
-    return app::poseLabel(session->document(), "Copied: the offsets of", session->view().selection.controllers());
+    return app::poseLabel(session->document(), "Copied: the offsets of",
+                          session->view().selection.controllers());
   }
   if (commandId == command::copyTrail) {
-    return "Copied: the trail of the " + app::limbTitle(session->document(), session->view().copiedTrail->limb);
+    return "Copied: the trail of the " +
+           app::limbTitle(session->document(), session->view().copiedTrail->limb);
   }
   return {};
 }

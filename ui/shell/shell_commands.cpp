@@ -327,8 +327,8 @@ std::vector<ShellCommand> fileCommands() {
           command::fileFilm, "Playblast",
           "Draws the clip, or the range that was set, as the view shows it, as a video or as numbered "
           "pictures; the window goes on meanwhile.",
-          {"Ctrl+Alt+P"},
-          {viewsClip, "open a character with a clip first"}, askingFor(FilePurpose::saveFilm)),
+          {"Ctrl+Alt+P"}, {viewsClip, "open a character with a clip first"},
+          askingFor(FilePurpose::saveFilm)),
       shellCommand(command::recipeSave, "Save a recipe",
                    "Writes the clip's poses, trails and weight, to be replayed on another clip or character.",
                    {}, {hasWork, "make a trail or pose a controller first"},

@@ -130,9 +130,8 @@ Vec2 shownRange(const Session& session) {
   if (isRangeSet(view)) {
     return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
   }
-  const rig::Limb* const limb = view.selection.limbs().empty()
-                                    ? nullptr
-                                    : findLimb(session.document(), view.selection.limbs().front());
+  const rig::Limb* const limb =
+      view.selection.limbs().empty() ? nullptr : findLimb(session.document(), view.selection.limbs().front());
   return limb == nullptr ? Vec2(0.0, last) : proposedRange(session, *limb);
 }
 

@@ -81,7 +81,8 @@ TEST_CASE("A hand that a trail has moved is pinned where the trail has it") {
   }
 }
 
-TEST_CASE("A pinned hand stays where it was pinned when the hips are lowered afterwards, at the pin's frame too") {
+TEST_CASE(
+    "A pinned hand stays where it was pinned when the hips are lowered afterwards, at the pin's frame too") {
   Session session(test::boxer());
   session.view().rangeStart = 2.0;
   session.view().rangeEnd = 12.0;
@@ -146,7 +147,8 @@ TEST_CASE("A pin over a trail tells that the trail does not show there") {
   CHECK(told().find("trail") == std::string::npos);
 }
 
-TEST_CASE("Without a range a selected hand is pinned over the whole clip, a selected arm over its own stroke") {
+TEST_CASE(
+    "Without a range a selected hand is pinned over the whole clip, a selected arm over its own stroke") {
   Session session(test::boxer());
   const double last = lastFrame(session.document(), 0);
   selectController(session, "left-hand", false);

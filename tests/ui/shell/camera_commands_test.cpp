@@ -104,7 +104,8 @@ TEST_CASE("The best view looks at the punch from a side, and is told in words") 
   CHECK(shell.ui.toasts.back().text.starts_with("Seen best from "));
 }
 
-TEST_CASE("A playblast holds the whole clip, or the range that was set by hand, and says so where it is saved") {
+TEST_CASE(
+    "A playblast holds the whole clip, or the range that was set by hand, and says so where it is saved") {
   Filmed filmed;
   Shell& shell = filmed.shell;
   app::Session& session = *shell.open.character();

@@ -43,10 +43,10 @@ struct FileDialogState {
   bool open = false;
   FilePurpose purpose = FilePurpose::openModel;
   std::filesystem::path folder;
-  std::string typed;    ///< Name, path, or part of a name, as typed.
-  int highlighted = -1; ///< Row that the keys are on; -1 none.
-  std::string message;  ///< What stands in the way.
-  std::string remark;   ///< What is going to be saved; shown where there is no message.
+  std::string typed;                  ///< Name, path, or part of a name, as typed.
+  int highlighted = -1;               ///< Row that the keys are on; -1 none.
+  std::string message;                ///< Problem that stands in the way.
+  std::string remark;                 ///< Tells what is going to be saved, where there is no message.
   bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
   std::filesystem::path listedFolder; ///< Folder that `entries` lists.
   std::vector<FileEntry> entries;
