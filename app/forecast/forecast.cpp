@@ -22,6 +22,12 @@ namespace stretch::app {
 
 namespace {
 
+bool hasAllNormals(const Scene& scene) {
+  return std::ranges::all_of(scene.meshes, [](const Mesh& mesh) {
+    return std::ranges::all_of(mesh.primitives, &Primitive::hasNormals);
+  });
+}
+
 constexpr const char* useVolume =
     "save the stretch with --form volume, or translation; scale of the source's own joints is baked out "
     "where it was made";
@@ -163,6 +169,9 @@ public:
     result_.notJudged = engine_.notJudged;
     if (!engine_.knowsAllInterpolations && hasOtherInterpolations()) {
       result_.notJudged.emplace_back("keys that are not LINEAR");
+    }
+    if (engine_.turnsNormalsPlainly && !hasAllNormals(*document_.scene)) {
+      result_.notJudged.emplace_back("shading of meshes without normals");
     }
     return std::move(result_);
   }

@@ -54,7 +54,7 @@ std::vector<bool> stretchedNodes(const Scene& scene, const FrameState& frame) {
   return stretched;
 }
 
-// One for each drawn vertex, in their order: whether it follows a stretched node.
+// One for each drawn vertex, in their order: whether it follows a stretched node, by normals of the file.
 std::vector<bool> movedVertices(const Scene& scene, const std::vector<bool>& stretched) {
   std::vector<bool> moved;
   for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
@@ -62,8 +62,9 @@ std::vector<bool> movedVertices(const Scene& scene, const std::vector<bool>& str
     for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
       for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
         bool follows = false;
-        for (std::size_t i = 0;
-             holder.skin >= 0 && !primitive.influences.empty() && i < VertexInfluences::capacity; ++i) {
+        for (std::size_t i = 0; holder.skin >= 0 && primitive.hasNormals && !primitive.influences.empty() &&
+                                i < VertexInfluences::capacity;
+             ++i) {
           const VertexInfluences& vertex = primitive.influences[v];
           const std::vector<NodeIndex>& joints = scene.skins[at(holder.skin)].joints;
           follows = follows || (vertex.weights[i] > 0.0F && vertex.joints[i] < joints.size() &&

@@ -12,7 +12,8 @@ namespace stretch::app {
 struct ClipLooks {
   int clip = -1;
   Bounds box = {};       ///< Bounds of all drawn vertices, over the frames looked at.
-  std::size_t moved = 0; ///< Vertices on joints that scale unequally, or below those, at the frame below.
+  std::size_t moved = 0; ///< Vertices on joints that scale unequally, or below those, at the frame below;
+                         ///< without those whose normals the file does not have: programs compute their own.
   std::size_t wronglyShaded = 0; ///< Those of them that by the plain matrix are, more than 20 degrees off.
   double frame = 0.0;            ///< Frame with the most of them.
   double worstDegrees = 0.0;     ///< At any frame.

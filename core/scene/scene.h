@@ -66,6 +66,7 @@ struct MorphTarget {
 struct Primitive {
   std::vector<glm::vec3> positions; ///< Mesh space (bind-pose model space for skinned meshes).
   std::vector<glm::vec3> normals;   ///< One for each vertex; computed where the file has none.
+  bool hasNormals = true;           ///< The file has them: not every program computes the same.
   std::vector<glm::vec2> texCoords; ///< Coordinates of the set that the base colour texture uses; empty when
                                     ///< there is none.
   std::vector<glm::vec2> emissiveTexCoords; ///< Coordinates of the set that the emissive texture uses, where

@@ -8,12 +8,15 @@ three.js's nodes and skinning in JavaScript (readers/forms.mjs), which takes eve
 - `volume` with eight influences against `scale`: 1e-5 of the height, or where a vertex needs more than eight what the program tells;
 - normals of `volume` against `translation`: 1 degree;
 - `volume` with four influences against `scale`: no farther than the program tells, with a tenth more between the moments that it looks at;
+- what `check --engine three` forecasts of `scale` against three.js's own skinning (readers/shading.mjs): as many vertices shaded wrongly as there are, each
+  taken for a degree more or less, and none that is worse by more than a degree;
 - no error or warning of the Khronos validator that the source did not have.
-Prints one row a file: nodes that are new, vertices that are fitted, distances in percent of the height, degrees.
+Prints one row a file: nodes that are new, vertices that are fitted, distances in percent of the height, degrees, vertices shaded wrongly as forecast and as three.js does.
 """
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -35,6 +38,22 @@ def compared(file, other, clip, height, times):
     return json.loads(done.stdout)
 
 
+WRONG = re.compile(r"at frame (?P<frame>[\d.]+) (?P<wrong>\d+) of the .* at worst (?P<worst>\d+) degrees")
+
+
+def forecast_of(program, file, clip):
+    """Frame, vertices shaded wrongly there, and the worst angle at any frame; nothing where none is forecast."""
+    answer = subprocess.run([program, "check", file, "--engine", "three", "--json"], capture_output=True, text=True, check=False).stdout
+    findings = json.loads(answer)["engines"][0]["findings"]
+    told = [WRONG.search(one["what"]) for one in findings if one["id"] == "shading-plain-matrix" and one["clip"] == clip]
+    return (float(told[0]["frame"]), int(told[0]["wrong"]), float(told[0]["worst"])) if told else None
+
+
+def shaded(file, clip, times):
+    done = subprocess.run(["node", READERS / "shading.mjs", file, str(clip), *map(str, times)], capture_output=True, text=True, timeout=600, check=True)
+    return json.loads(done.stdout)
+
+
 class Check:
     def __init__(self, program):
         self.program, self.reader, self.failed, self.four = program, Reader(), 0, []
@@ -47,6 +66,20 @@ class Check:
         command = [self.program, "exaggerate", file, "--clip", f"#{clip}", "--limb", limb, "--scale", "3", "--clean", "--json"]
         return {name: json.loads(run(*command, "-o", folder / f"{name}.glb", *options)) for name, options in FORMS.items()}, clip, limb
 
+    def shading(self, file, info, clip, times):
+        """What is forecast, and three.js's own at its frame and at all the moments."""
+        forecast = forecast_of(self.program, file, info["clips"][clip]["name"])
+        at = [] if forecast is None else [forecast[0] / info["clips"][clip]["fps"]]
+        return forecast, shaded(file, clip, [*at, *times])
+
+    @staticmethod
+    def agree(forecast, seen):
+        worst = max(frame["worst"] for frame in seen)
+        if forecast is None:
+            return worst <= 21
+        fewest, most = seen[0]["over"][2], seen[0]["over"][0]
+        return fewest <= forecast[1] <= most and worst <= forecast[2] + 1.5
+
     def file(self, file, folder):
         info = json.loads(run(self.program, "info", file, "--json"))
         if not info["clips"] or not any(reaches_out(limb) for limb in info["limbs"]):
@@ -57,17 +90,19 @@ class Check:
         times = [str(start + (stop - start) * i / (MOMENTS - 1)) for i in range(MOMENTS)]
         ask = lambda a, b: compared(folder / f"{a}.glb", folder / f"{b}.glb", clip, info["height"], times)
         places, normals, four = ask("volume", "scale")["places"], ask("volume", "translation")["normals"], ask("four", "scale")["places"]
+        forecast, seen = self.shading(folder / "scale.glb", info, clip, times)
         told = {name: reports[name]["form"]["miss_percent_of_height"] for name in ("volume", "four")}
         worse = [line for name in FORMS for line in self.reader.worse(folder / f"{name}.glb", file)]
         fitted = reports["volume"]["form"]["fitted_vertices"]
         good = {"places": places <= PLACES + 1.1 * told["volume"]["worst"] / 100, "normals": fitted > 0 or normals["exact"] <= DEGREES,
-                "four": four <= PLACES + 1.1 * told["four"]["worst"] / 100, "validator": not worse}
+                "four": four <= PLACES + 1.1 * told["four"]["worst"] / 100, "validator": not worse, "shading": self.agree(forecast, seen)}
         self.failed += not all(good.values())
         self.four.append(told["four"]["percentile_99"])
         wrong = " ".join(name for name, holds in good.items() if not holds)
         form = reports["volume"]["form"]
         print(f"{'FAIL ' + wrong + ' ' if wrong else ''}{file.name}: {limb}, {form['corners']} corners, {form['vertices']} vertices, {fitted} beyond 8: {100 * places:.4f} %, "
-              f"{normals['exact']:.2f} degrees; four: 99th {told['four']['percentile_99']:.3f} %, worst {told['four']['worst']:.3f} %, seen {100 * four:.3f} %" + "".join(f"\n  {line}" for line in worse), flush=True)
+              f"{normals['exact']:.2f} degrees; four: 99th {told['four']['percentile_99']:.3f} %, worst {told['four']['worst']:.3f} %, seen {100 * four:.3f} %; "
+              f"shaded wrongly: {0 if forecast is None else forecast[1]}, three.js {seen[0]['over'][1]}" + "".join(f"\n  {line}" for line in worse), flush=True)
 
 
 def main():

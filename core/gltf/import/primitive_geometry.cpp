@@ -45,6 +45,7 @@ void PrimitiveParts::completeNormals(Primitive& made) {
   const bool isComplete = !made.normals.empty() && std::ranges::all_of(made.normals, isNormal);
   const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
   const bool hasOwn = !made.normals.empty();
+  made.hasNormals = hasOwn;
   float worst = 0.0F;
   for (const glm::vec3& normal : made.normals) {
     worst = std::max(worst, lengthError(normal));

@@ -344,6 +344,31 @@ TEST_CASE("Keys that are not lines are left unjudged by the engines that read th
   }
 }
 
+TEST_CASE("Shading of a mesh without normals is left unjudged, since each program computes its own") {
+  const test::TemporaryFolder folder;
+  Result<Document> document = openDocument(punchIn(folder, {}));
+  REQUIRE(document);
+  const std::string subject = "shading of meshes without normals";
+  const auto notJudged = [&](const char* engine) {
+    const std::vector<std::string> subjects = forecast(*document, {engine}).front().notJudged;
+    return std::ranges::find(subjects, subject) != subjects.end();
+  };
+  CHECK_FALSE(notJudged("three"));
+  REQUIRE(findingsOf(*document, "three", "shading-plain-matrix").size() == 1);
+  Scene bare = *document->scene;
+  for (Mesh& mesh : bare.meshes) {
+    for (Primitive& primitive : mesh.primitives) {
+      primitive.hasNormals = false;
+    }
+  }
+  document->scene = std::make_shared<const Scene>(std::move(bare));
+  CHECK(findingsOf(*document, "three", "shading-plain-matrix").empty());
+  for (const char* engine : {"three", "godot", "babylon"}) {
+    CHECK(notJudged(engine));
+  }
+  CHECK_FALSE(notJudged("unreal"));
+}
+
 TEST_CASE("Engines are asked for by their names, some, all, or none") {
   const Result<std::vector<std::string>> two = engineIdsOf("roblox,three");
   REQUIRE(two);

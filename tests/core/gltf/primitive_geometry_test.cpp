@@ -133,6 +133,7 @@ TEST_CASE("Normals that a file lacks are those of the triangles around, larger o
   checkNear(made.normals[0], glm::normalize(4.0F * flat + upright));
   checkNear(made.normals[1], glm::normalize(4.0F * flat + upright));
   checkNear(made.normals[4], glm::vec3(0, 1, 0)); // of no triangle
+  CHECK_FALSE(made.hasNormals);
 }
 
 TEST_CASE("Of normals that a file has only those without length are replaced") {
@@ -142,6 +143,7 @@ TEST_CASE("Of normals that a file has only those without length are replaced") {
   const auto file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
   REQUIRE(file);
   CHECK(primitiveOf(*file).normals == std::vector<glm::vec3>{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}});
+  CHECK(primitiveOf(*file).hasNormals);
 }
 
 TEST_CASE("How far normals are off unit length is told in two steps") {
