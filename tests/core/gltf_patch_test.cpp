@@ -474,6 +474,22 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
   CHECK(result.scene->nodes[firstAdded].isBindLeaf);
 }
 
+TEST_CASE("A file with work of another version opens as an ordinary one, with a warning") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = Json{{"scale", 2}};
+  for (const Json& version : {Json(0), Json(2), Json("1"), Json()}) {
+    gltf::Source changed = patchedOrFail(*file.source, edits);
+    (*changed.json)["extras"]["stretch_engine"]["version"] = version;
+    const gltf::Loaded result = reopened(folder, changed);
+    CHECK(result.savedWork.isNull());
+    CHECK(result.warnings ==
+          std::vector<std::string>{"extras: holds work of another version of this program; "
+                                   "opened as an ordinary file"});
+  }
+}
+
 TEST_CASE("A stretched file whose inverse bind matrices are broken is refused, not folded") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);

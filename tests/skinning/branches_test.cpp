@@ -55,3 +55,55 @@ TEST_CASE("what cannot be reached is no limb") {
   }
   CHECK_FALSE(hasLimb(strips));
 }
+
+namespace {
+
+/// Two strips side by side over the first `slices` twentieths of a body, one over the rest; a vertex in each
+/// half of a slice. The second strip has `share` of the area of the first.
+bool isBranchedOver(std::uint32_t slices, double share, std::uint32_t first = 0) {
+  std::vector<double> along;
+  std::vector<double> areas;
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t strip : {0U, 1U}) {
+    const auto start = static_cast<std::uint32_t>(along.size());
+    for (std::uint32_t i = 0; i < (strip == 0 ? 40U : 2 * slices); ++i) {
+      along.push_back((i + 0.5) / 40.0 + (strip == 0 ? 0.0 : first / 20.0));
+      areas.push_back(strip == 0 ? 1.0 : share);
+      if (i > 0) {
+        triangles.push_back({start + i - 1, start + i, start + i});
+      }
+    }
+  }
+  return isBranched(along, areas, triangles);
+}
+
+} // namespace
+
+TEST_CASE("a body branches where more than a fifth of its slices fall into pieces") {
+  for (const std::uint32_t first : {0U, 7U, 15U}) {
+    CHECK_FALSE(isBranchedOver(4, 1.0, first));
+    CHECK(isBranchedOver(5, 1.0, first));
+  }
+  CHECK(isBranchedOver(20, 1.0));
+  CHECK_FALSE(isBranchedOver(0, 1.0));
+}
+
+TEST_CASE("a piece of a slice counts from a tenth of its area on, be it the first or the second") {
+  CHECK(isBranchedOver(5, 0.12));       // 0.107 of both
+  CHECK_FALSE(isBranchedOver(5, 0.11)); // 0.099
+  CHECK(isBranchedOver(5, 8.0));
+  CHECK_FALSE(isBranchedOver(5, 9.5));
+}
+
+TEST_CASE("what is beyond the ends of a body counts to its first and last slice") {
+  // Five vertices without neighbours in one slice are as many pieces of it.
+  CHECK_FALSE(isBranched({-0.3, -0.2, 0.01, 1.0, 1.5}, {1, 1, 1, 1, 1}, {}));
+  std::vector<double> along;
+  for (int slice = 0; slice < 5; ++slice) {
+    along.insert(along.end(), {slice / 20.0 + 0.01, slice / 20.0 + 0.02});
+  }
+  CHECK(isBranched(along, std::vector<double>(10, 1.0), {}));
+  along[0] = -1.0;
+  along[9] = 0.999;
+  CHECK_FALSE(isBranched(along, std::vector<double>(10, 1.0), {}));
+}

@@ -120,6 +120,7 @@ std::vector<Vec3> posedByHand(const Scene& scene, const std::vector<ClipCourse>&
 
 std::vector<Vec4> valuesOf(const std::vector<ClipCourse>& courses, std::size_t frame) {
   std::vector<Vec4> values;
+  values.reserve(courses.size());
   for (const ClipCourse& course : courses) {
     values.push_back(course.values[frame]);
   }

@@ -129,6 +129,7 @@ TEST_CASE("Each cell belongs to the bone that is nearest inside the body, thick 
     for (const double sections : {0.0, 0.8}) {
       const std::vector<CellOwner> owners = boneRegions(body, lines, seeds, radii, sections);
       std::vector<std::vector<double>> ways;
+      ways.reserve(seeds.size());
       for (const BoneCell& seed : seeds) {
         ways.push_back(test::waysByRounds(body, {static_cast<std::uint32_t>(seed.cell)}));
       }

@@ -363,8 +363,9 @@ TEST_CASE("An arm that hangs on bridges is a piece of its own, up to the first o
   const double size = body.cubes.grid.size;
   // The cells of one layer of the left arm, three cubes from the trunk, become what joins it.
   std::vector<std::uint32_t> cells = body.cubes.cubeOf;
-  std::ranges::stable_partition(cells, [&](std::uint32_t cube) {
-    return std::abs(body.cubes.grid.middleOf(body.cubes.grid.placeOfIndex(cube)).x - 8.5 * size) > 0.1 * size;
+  std::stable_partition(cells.begin(), cells.end(), [&](std::uint32_t index) {
+    const Vec3 middle = body.cubes.grid.middleOf(body.cubes.grid.placeOfIndex(index));
+    return std::abs(middle.x - 8.5 * size) > 0.1 * size;
   });
   body.cubes.cubeOf = cells;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -408,6 +409,7 @@ std::vector<ArmSection> straightByEigenvectors(const StandingBody& body, const A
     tip = std::max(tip, side * glm::dot(place - centroid, axis));
   }
   std::vector<std::pair<Vec3, double>> ways;
+  ways.reserve(places.size());
   for (const Vec3& place : places) {
     ways.emplace_back(place, tip - side * glm::dot(place - centroid, axis));
   }
@@ -428,6 +430,13 @@ TEST_CASE("Straight sections lie across the line along which an arm spreads most
       }
     }
   }
+  // Hands that hang down: the way from the middle to the tip is not that in which the arm spreads.
+  const StandingBody hooked = test::bodyOfCubes(
+      {44, 60, 4}, 1.0 / 64.0, Vec3(-4.0 / 64.0, 0.0, -2.0 / 64.0), [](int x, int y, int z) {
+        return x < 8 || (y >= 48 && y < 52 && x < 40) || (x >= 34 && x < 40 && y >= 43 && y < 52 && z < 2);
+      });
+  const ArmLine hook = armLine(hooked, noLegs(hooked), waysFromMiddle(hooked, noLegs(hooked)), 1.0, far);
+  checkSections(straightSections(hooked, hook, 0.4), straightByEigenvectors(hooked, hook, 0.4));
   const StandingBody body = armed({});
   ArmLine nothing;
   CHECK(straightSections(body, nothing, 1.0).empty());
