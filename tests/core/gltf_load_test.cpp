@@ -54,6 +54,28 @@ TEST_CASE("A skin without inverse bind matrices has identities") {
   CHECK(loaded(glb).scene->skins[0].inverseBind == std::vector<Mat4>(3, Mat4(1.0)));
 }
 
+TEST_CASE("Rounding in the last row of an inverse bind matrix is taken out, more is told") {
+  for (const float rounding : {0.0009F, 0.0011F}) {
+    for (const std::size_t column : {0U, 1U, 2U, 3U}) {
+      GlbBuilder glb = armBuilder();
+      const std::size_t accessor = glb.json["skins"][0]["inverseBindMatrices"];
+      const std::size_t view = glb.json["accessors"][accessor]["bufferView"];
+      const std::size_t first = glb.json["bufferViews"][view]["byteOffset"];
+      const float value = (column == 3 ? 1.0F : 0.0F) + rounding;
+      std::memcpy(glb.binary.data() + first + 16 * column + 12, &value, sizeof value);
+      const auto file = test::loadBytes(glb.bytes());
+      CAPTURE(rounding, column);
+      CHECK(file.ok() == (rounding < 0.001F));
+      if (file) {
+        CHECK(file->scene->skins[0].inverseBind[0][0][3] == 0.0);
+        CHECK(file->scene->skins[0].inverseBind[0][1][3] == 0.0);
+        CHECK(file->scene->skins[0].inverseBind[0][2][3] == 0.0);
+        CHECK(file->scene->skins[0].inverseBind[0][3][3] == 1.0);
+      }
+    }
+  }
+}
+
 TEST_CASE("Strips and fans become triangles that face the same way") {
   GlbBuilder glb = armBuilder();
   SECTION("strip") {

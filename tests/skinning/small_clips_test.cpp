@@ -83,6 +83,23 @@ TEST_CASE("smooth turns keep less than a third of their keys") {
   CHECK(3 * reduced.clip.keys < every.clip.keys);
 }
 
+TEST_CASE("a body that never moves has no keys, whatever their tolerance") {
+  SkinnedSequence still = test::armedBody(6);
+  for (std::size_t k = 1; k < still.frameCount(); ++k) {
+    for (std::size_t b = 0; b < still.bones.size(); ++b) {
+      still.pose(k, b) = still.pose(0, b);
+    }
+  }
+  for (const double tolerance : {0.0, 0.1, 5.0}) {
+    EncodeSettings settings;
+    settings.keyTolerancePercent = tolerance;
+    const WrittenClip clip = written(still, settings);
+    CHECK(clip.clip.keys == 0);
+    CHECK(clip.clip.samplers == 0);
+    CHECK(clip.largestPercent < 1e-3);
+  }
+}
+
 TEST_CASE("a bone that hardly moves stands still, and keeps no key") {
   SkinnedSequence quiet = test::armedBody(24);
   for (std::size_t k = 0; k < quiet.frameCount(); ++k) {

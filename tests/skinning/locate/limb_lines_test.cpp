@@ -305,6 +305,16 @@ TEST_CASE("Ways from the middle of a body go round its legs, and do not begin in
   CHECK(areSame);
 }
 
+TEST_CASE("Ways from the middle begin in every cell of it, the first of the body among them", "[locators]") {
+  for (const int before : {0, 1, 2}) {
+    const StandingBody body = test::bodyOfCubes({9, 4, 3}, 1.0 / 64.0, Vec3(-before / 64.0, 0.0, 0.0),
+                                                [](int, int, int) { return true; });
+    const std::vector<double> ways = waysFromMiddle(body, noLegs(body));
+    const std::vector<double> expected = test::waysByRounds(body.cubes, nearMiddle(body, noLegs(body)));
+    CHECK(std::ranges::equal(ways, expected, [](double a, double b) { return std::abs(a - b) < 1e-9; }));
+  }
+}
+
 TEST_CASE("An arm's line goes from the cell farthest from the middle to the middle, in sections of two cubes",
           "[locators]") {
   const StandingBody body = armed({.right = 20, .left = 26});

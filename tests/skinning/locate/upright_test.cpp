@@ -158,6 +158,15 @@ TEST_CASE("Legs count by how much of the second to sixth fortieth of a body they
   CHECK(uprightOf(figure(3), unmoved, UpAxis::ofScene).legs < 0.7);
 }
 
+TEST_CASE("Heights of legs count by the body's own height, also where it is wider than high", "[locators]") {
+  const test::Shape shape = figure(8);
+  const Move flat = [](const Vec3& place) { return place * Vec3(1.0, 0.5, 1.0); };
+  const Upright upright = uprightOf(shape, flat, UpAxis::ofScene);
+  checkOwnSpace(shape, flat, upright);
+  CHECK(upright.height == Approx(20.0));
+  CHECK(upright.legs == 1.0);
+}
+
 TEST_CASE("What lacks its mirror image makes a body less symmetrical, by its share of cells", "[locators]") {
   const test::Shape whole = figure(20);
   const test::Shape oneArm = figure(20, false);
