@@ -12,6 +12,7 @@
 #include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/starting_settings.h"
 #include "app/standing_floor.h"
+#include "core/math/polyline.h"
 #include "rig/motion/order.h"
 #include "rig/trail/release.h"
 
@@ -25,11 +26,13 @@ constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker 
 constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
                                      // says
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
-constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
-                                      // beside its strike
-constexpr double shortLimb = 0.25;    // of the body: what is shorter goes farther, to be seen as much
-constexpr double mostFarther = 1.5;   // times
-constexpr double longestLimb = 1.0;   // of a body that is no biped: legs and tail, but not wings
+constexpr double nearStrongest = 0.6;   // of the clip's strongest: what is weaker gets less, as a wind-up
+                                        // beside its strike
+constexpr double shortLimb = 0.25;      // of the body: what is shorter goes farther, to be seen as much
+constexpr double mostFarther = 1.5;     // times
+constexpr double longestLimb = 1.0;     // of a body that is no biped: legs and tail, but not wings
+constexpr double nearlyStraight = 0.85; // of all bones: an arm that is bent more at the tip of a stroke
+                                        // is posed so
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
@@ -226,6 +229,9 @@ private:
     planned.trail.clip = ground_.clip;
     planned.trail.exaggerated = true;
     planned.trail.connected = true;
+    const std::vector<Vec3>& tip = ground_.pointsOf(limb.id, range.y);
+    planned.isBent = limb.kind == rig::LimbKind::arm && moment.kind == rig::MomentKind::stroke &&
+                     straightLength(tip) < nearlyStraight * polylineLength(tip);
     rig::TrailSettings& settings = planned.trail.settings;
     settings =
         rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range), settings_.style,

@@ -20,6 +20,8 @@ struct PlannedTrail {
   rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
   bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
                         ///< own.
+  bool isBent = false;  ///< Its bend is part of the pose at the tip: straightened, its end would point
+                        ///< elsewhere.
 };
 
 /// Trails for a clip, and why the other moments have none.

@@ -31,7 +31,7 @@ constexpr double calmRelease = 3.0; // frames, at least
 // Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
 // alone.
 double turnLimitFor(const rig::TrailSettings& settings) {
-  constexpr double most = 15.0;
+  constexpr double most = 8.0;
   constexpr double mostLevel = 25.0;
   return settings.axes[1] ? most : mostLevel;
 }
@@ -98,7 +98,8 @@ private:
   }
 
   // A leg stops at the ground where it can; another limb is stopped only where it would go through it. What
-  // stays wrong is tried without the way up and down, then with its bend kept.
+  // stays wrong is tried without the way up and down, then with its bend kept, or given up where it is bent
+  // at the tip.
   [[nodiscard]] std::vector<Variant> variantsFor(const PlannedTrail& planned,
                                                  const rig::TrailSettings& wanted) const {
     const bool stopsFirst = isLeg(*findLimb(ground_.document, planned.trail.limb));
@@ -110,9 +111,9 @@ private:
     if (wanted.axes == allAxes) {
       axes.push_back(levelAxes);
     }
-    std::vector<rig::Bend> bends{wanted.bend};
+    std::vector<rig::Bend> bends{rig::Bend::keep};
     if (wanted.bend != rig::Bend::keep) {
-      bends.push_back(rig::Bend::keep);
+      bends.insert(planned.isBent ? bends.end() : bends.begin(), wanted.bend);
     }
     std::vector<Variant> variants;
     for (const rig::Bend bend : bends) {
