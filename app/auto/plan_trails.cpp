@@ -25,6 +25,7 @@ constexpr double idleStrength = 1.0; // reaches per second: a breath and a swayi
 constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
 constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
                                      // says
+constexpr double fullChain = 2.0;    // likewise of necks, tails and the like, which are as long as the body
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
 constexpr double nearStrongest = 0.6;   // of the clip's strongest: what is weaker gets less, as a wind-up
                                         // beside its strike
@@ -47,12 +48,13 @@ bool overlap(const rig::Moment& a, const rig::Moment& b) {
 class Planner {
 public:
   Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
-          const std::map<std::size_t, std::string>& refusedPartners)
-      : ground_(ground), moments_(moments), settings_(settings), refusedPartners_(refusedPartners) {
+          const std::map<std::size_t, std::string>& refused)
+      : ground_(ground), moments_(moments), settings_(settings), refused_(refused) {
     for (const std::vector<rig::Moment>* const all : {&moments, &settings.beside}) {
-      for (const rig::Moment& moment : *all) {
-        const bool counts = hasOwnTrail(moment) || refusalOf(moment).empty();
-        strongest_ = counts ? std::max(strongest_, moment.strength) : strongest_;
+      for (std::size_t i = 0; i < all->size(); ++i) {
+        const rig::Moment& moment = (*all)[i];
+        const bool isRefused = (all == &moments && refused.contains(i)) || !refusalOf(moment).empty();
+        strongest_ = hasOwnTrail(moment) || !isRefused ? std::max(strongest_, moment.strength) : strongest_;
       }
     }
   }
@@ -77,13 +79,13 @@ private:
     if (std::string why = refusalOf(moment); !why.empty()) {
       return why;
     }
+    if (const auto refused = refused_.find(place); refused != refused_.end()) {
+      return refused->second;
+    }
     if (strongest_ < idleStrength) {
       return "it is too weak to be an action";
     }
     if (isWeak(moment)) {
-      if (const auto refused = refusedPartners_.find(place); refused != refusedPartners_.end()) {
-        return refused->second;
-      }
       if (std::ranges::none_of(moments_, [&](const rig::Moment& other) {
             return !isWeak(other) && arePartners(ground_, moment, other);
           })) {
@@ -161,10 +163,15 @@ private:
     });
   }
 
+  [[nodiscard]] static bool isChain(const rig::Limb& limb) {
+    return rig::isTrunk(limb) || limb.kind == rig::LimbKind::tail || limb.kind == rig::LimbKind::feeler;
+  }
+
   // Share of the style's exaggeration: of the moment's own strength, less beside the clip's strongest, and
   // beside a stronger limb at the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double own = std::clamp(moment.strength / fullStrength, leastShare, 1.0) *
+    const double full = isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
+    const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
                        std::min(1.0, moment.strength / (nearStrongest * strongest_));
     const bool follows = moment.kind == rig::MomentKind::stroke &&
                          std::ranges::any_of(moments_, [&](const rig::Moment& other) {
@@ -391,7 +398,7 @@ private:
   const ClipGround& ground_;
   const std::vector<rig::Moment>& moments_;
   const AutoSettings& settings_;
-  const std::map<std::size_t, std::string>& refusedPartners_;
+  const std::map<std::size_t, std::string>& refused_;
   double strongest_ = 0.0;
   AutoPlan plan_;
 };
@@ -399,8 +406,8 @@ private:
 } // namespace
 
 AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
-                    const AutoSettings& settings, const std::map<std::size_t, std::string>& refusedPartners) {
-  return Planner(ground, moments, settings, refusedPartners).plan();
+                    const AutoSettings& settings, const std::map<std::size_t, std::string>& refused) {
+  return Planner(ground, moments, settings, refused).plan();
 }
 
 Vec2 windowOf(const rig::TrailSettings& settings) {

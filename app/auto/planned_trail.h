@@ -34,10 +34,10 @@ struct AutoPlan {
 };
 
 /// Chooses range, way back and settings of a trail for each moment that can have one; of one that is weak
-/// where the other side does the same. `refusedPartners`: such ones that have none, by their place, and why.
+/// where the other side does the same. `refused`: moments that cannot have one, by their place, and why.
 [[nodiscard]] AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
                                   const AutoSettings& settings,
-                                  const std::map<std::size_t, std::string>& refusedPartners);
+                                  const std::map<std::size_t, std::string>& refused);
 
 /// Lowers or leaves out what does not look right: first each trail by itself, then all together; a limb that
 /// goes round and round does so only with its counterpart on the other side, and what both do at once is as

@@ -29,11 +29,11 @@ constexpr std::array<bool, 3> levelAxes{true, false, true};
 constexpr double calmRelease = 3.0; // frames, at least
 
 // Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
-// alone.
-double turnLimitFor(const rig::TrailSettings& settings) {
+// alone. What a neck or a spine carries reaches far beyond it, and would be swung.
+double turnLimitFor(const rig::TrailSettings& settings, bool isTrunk) {
   constexpr double most = 8.0;
   constexpr double mostLevel = 25.0;
-  return settings.axes[1] ? most : mostLevel;
+  return !settings.axes[1] ? mostLevel : isTrunk ? 0.0 : most;
 }
 
 // What an animator would stumble over, in a few words; empty where there is nothing.
@@ -59,11 +59,12 @@ public:
   // is as long as it was: better less of it, or along the ground, than that.
   [[nodiscard]] std::string calm(PlannedTrail& planned) {
     const rig::TrailSettings wanted = planned.trail.settings;
+    const bool isTrunk = rig::isTrunk(*findLimb(ground_.document, planned.trail.limb));
     std::string first;
     for (const bool mayBeStopped : {false, true}) {
       for (const double share : shares) {
         for (const Variant& variant : variantsFor(planned, wanted)) {
-          planned.trail.settings = settingsOf(wanted, share, variant);
+          planned.trail.settings = settingsOf(wanted, share, variant, isTrunk);
           const std::string problem = problemWith(planned, mayBeStopped);
           first = first.empty() ? problem : first;
           if (problem.empty()) {
@@ -87,13 +88,13 @@ private:
   };
 
   [[nodiscard]] static rig::TrailSettings settingsOf(const rig::TrailSettings& wanted, double share,
-                                                     const Variant& variant) {
+                                                     const Variant& variant, bool isTrunk) {
     rig::TrailSettings settings = withShare(wanted, share);
     settings.space = variant.space;
     settings.stopAt = variant.stops ? wanted.stopAt : std::nullopt;
     settings.axes = variant.axes;
     settings.bend = variant.bend;
-    settings.turnLimitDegrees = turnLimitFor(settings);
+    settings.turnLimitDegrees = turnLimitFor(settings, isTrunk);
     return settings;
   }
 
@@ -262,6 +263,10 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
     return;
   }
   if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
+    return;
+  }
+  if (fault.kind == FaultKind::seam && settings.bend != rig::Bend::keep) {
+    settings.bend = rig::Bend::keep; // a limb that is nearly straight makes much of a small step at the seam
     return;
   }
   settings = withShare(settings, step);

@@ -108,6 +108,32 @@ TEST_CASE("What is struck at the seam of a loop keeps its exaggeration over it")
   CHECK(back.scale > 1.03);
 }
 
+TEST_CASE("What would open the seam of a loop where it is straightened keeps its bend, and gets longer") {
+  Document before = swinger();
+  std::vector<Track> tracks;
+  for (const auto& track : before.clips->front().tracks) {
+    tracks.push_back(*track);
+  }
+  for (const char* const limb : {"left-arm", "right-arm"}) {
+    Track elbow = turnsOf(before, limb);
+    elbow.node = findLimb(before, limb)->joints[1];
+    for (int frame = 0; frame <= 24; ++frame) {
+      const double bend = 0.3 - 0.28 * std::cos(2.0 * pi * frame / 24.0 - 0.6);
+      const double side = limb == std::string("left-arm") ? -1.0 : 1.0;
+      addKey(elbow, frame, glm::angleAxis(bend, Vec3(0.0, side, 0.0)));
+    }
+    tracks.push_back(elbow);
+  }
+  before = withTracks(before, tracks);
+  const AutoClip made = exaggerated(before, in("Rubber hose"));
+  const AutoMoment& back = momentAt(made, "left-arm", 24.0);
+  REQUIRE(back.trailId > 0);
+  CHECK(findTrail(made.document, back.trailId)->settings.bend == rig::Bend::keep);
+  CHECK(back.scale > 1.1);
+  const int strike = momentAt(made, "left-arm", 8.0).trailId;
+  CHECK(findTrail(made.document, strike)->settings.bend == rig::Bend::straighten);
+}
+
 TEST_CASE("Left and right get the same in a loop, each for what the other does half a turn later") {
   const AutoClip made = exaggerated(swinger(), in("Rubber hose"));
   CHECK(momentAt(made, "left-arm", 7.0).scale == momentAt(made, "right-arm", 19.0).scale);
@@ -222,6 +248,16 @@ TEST_CASE("A moment that can have no trail makes no other one weak, unless it ha
   const Document own = test::withNewTrail(before, {"spine", strong.startFrame, strong.endFrame, 1.1});
   CHECK(exaggerateClip(own, 0, {strong, punch}, in("Opera")).moments.back().why ==
         "it is weak beside the clip's strongest");
+}
+
+TEST_CASE("A moment that turns out to be impossible makes no other one weak") {
+  const rig::Moment punch = momentsOf(test::boxer(), 0).front();
+  rig::Moment strong = punch;
+  strong.strength = 20.0 * punch.strength;
+  strong.limb = "right-arm"; // which rests
+  const AutoClip made = exaggerateClip(test::boxer(), 0, {strong, punch}, in("Opera"));
+  CHECK(made.moments.front().trailId == 0);
+  CHECK(made.moments.back().scale == Approx(1.4));
 }
 
 TEST_CASE(

@@ -173,11 +173,13 @@ TEST_CASE("What is weak beside the strongest is done all the same where the othe
   left.strength = 10.0;
   right.limb = "right-arm";
   right.strength = 8.0;
-  const AutoClip both = exaggerateClip(striking, 0, {strongest, left, right}, in("Opera"));
+  AutoSettings opera = in("Opera");
+  opera.beside = {strongest};
+  const AutoClip both = exaggerateClip(striking, 0, {left, right}, opera);
   CHECK(both.moments.back().scale > 1.05);
-  CHECK(both.moments.back().scale == Approx(both.moments[1].scale));
+  CHECK(both.moments.back().scale == Approx(both.moments.front().scale));
   left.strength = 8.0;
-  const AutoClip none = exaggerateClip(striking, 0, {strongest, left, right}, in("Opera"));
+  const AutoClip none = exaggerateClip(striking, 0, {left, right}, opera);
   CHECK(none.moments.back().why == "it is weak beside the clip's strongest");
 }
 
@@ -277,6 +279,25 @@ TEST_CASE(
   CHECK(scaleIn(0.6 / 0.05, "biped", "Opera") == Approx(1.6));
   CHECK(scaleIn(0.6 / 0.8, "biped", "Opera") == Approx(1.4));
   CHECK(scaleIn(0.6 / 0.8, "quadruped", "Opera") == Approx(1.25));
+}
+
+TEST_CASE(
+    "A chain as long as the body goes all the way with a third of an arm's reaches, and is not turned") {
+  for (const auto& [limb, scale] : {std::pair("spine", 1.4), {"left-arm", 1.0 + 0.4 / 3.0}}) {
+    const Document still = test::boxer();
+    Track track = turnsOf(still, limb);
+    for (const auto& [frame, angle] : {std::pair(0, 0.8), {5, 0.6}, {10, 0.1}, {20, 0.7}}) {
+      addKey(track, frame, glm::angleAxis(angle, Vec3(0.0, 0.0, 1.0)));
+    }
+    rig::Moment moment = momentsOf(still, 0).front();
+    moment.limb = limb;
+    moment.strength = 2.0;
+    const AutoClip made = exaggerateClip(withTracks(still, {track}), 0, {moment}, in("Opera"));
+    REQUIRE(made.trailIds.size() == 1);
+    CAPTURE(limb);
+    CHECK(strongest(made).scale == Approx(scale));
+    CHECK((made.document.trails.front().settings.turnLimitDegrees == 0.0) == (std::string(limb) == "spine"));
+  }
 }
 
 TEST_CASE("A serpent that rears up keeps its belly on the ground, and what has legs may leave it") {
