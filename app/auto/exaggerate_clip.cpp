@@ -115,9 +115,8 @@ void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip
   made = std::move(weighted);
 }
 
-// The settled plan. What could not be done takes no room from others, and makes none of them weak: without
-// those that were weak but for what the other side does, and those stronger than all that was done, all are
-// planned again.
+// The settled plan. What could not be done takes no room from others, and makes none of them weak: all are
+// planned again without it.
 AutoPlan settledPlan(const ClipGround& ground, const std::vector<rig::Moment>& moments,
                      const AutoSettings& settings) {
   std::map<std::size_t, std::string> refused;
@@ -125,16 +124,10 @@ AutoPlan settledPlan(const ClipGround& ground, const std::vector<rig::Moment>& m
     AutoPlan plan = planTrails(ground, moments, settings, refused);
     const std::vector<PlannedTrail> tried = plan.trails;
     settle(ground, moments, settings, plan);
-    double strongest = 0.0;
-    for (const PlannedTrail& planned : plan.trails) {
-      strongest = std::max(strongest, moments[planned.moment].strength);
-    }
     const std::size_t before = refused.size();
     for (const PlannedTrail& planned : tried) {
-      const std::size_t place = planned.moment;
-      const bool isPartner = std::ranges::find(plan.partners, place) != plan.partners.end();
-      if (!plan.leftOut[place].empty() && (isPartner || moments[place].strength > strongest)) {
-        refused.emplace(place, plan.leftOut[place]);
+      if (!plan.leftOut[planned.moment].empty()) {
+        refused.emplace(planned.moment, plan.leftOut[planned.moment]);
       }
     }
     if (refused.size() == before) {

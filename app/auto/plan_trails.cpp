@@ -61,8 +61,14 @@ public:
 
   [[nodiscard]] AutoPlan plan() {
     plan_.leftOut.resize(moments_.size());
+    std::vector<bool> isTried(moments_.size(), false);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
-      plan_.leftOut[i] = tried(i);
+      for (std::size_t k = i; k < moments_.size(); ++k) {
+        if (!isTried[k] && (k == i || (plan_.leftOut[i].empty() && goTogether(moments_[i], moments_[k])))) {
+          plan_.leftOut[k] = tried(k);
+          isTried[k] = true;
+        }
+      }
     }
     plan_.holds.props = propsFor(ground_, plan_);
     swingTogether();
@@ -73,6 +79,11 @@ public:
   }
 
 private:
+  // Both sides choose the same of what has no room beside each other.
+  [[nodiscard]] bool goTogether(const rig::Moment& one, const rig::Moment& other) const {
+    return one.kind == rig::MomentKind::stroke && one.kind == other.kind && arePartners(ground_, one, other);
+  }
+
   // Empty where a trail was made.
   [[nodiscard]] std::string tried(std::size_t place) {
     const rig::Moment& moment = moments_[place];
@@ -91,7 +102,6 @@ private:
           })) {
         return "it is weak beside the clip's strongest";
       }
-      plan_.partners.push_back(place);
     }
     const rig::Limb& limb = *findLimb(ground_.document, moment.limb);
     PlannedTrail planned = trailOf(place, limb, *rangeOf(moment, limb));
@@ -215,8 +225,11 @@ private:
                            ground_.reachOf(trail.limb, from));
     };
     const double added = (settings.scale - 1.0) * way(settings.startFrame, settings.endFrame);
-    return !isStep(planned) &&
-           way(settings.endFrame, settings.endFrame + std::round(room)) >= carriedBack * added;
+    double back = 0.0; // at its farthest: by then it may be on its way out again
+    for (double frame = 1.0; frame <= std::round(room); frame += 1.0) {
+      back = std::max(back, way(settings.endFrame, settings.endFrame + frame));
+    }
+    return !isStep(planned) && back >= carriedBack * added;
   }
 
   [[nodiscard]] bool isStep(const PlannedTrail& planned) const {

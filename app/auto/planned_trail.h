@@ -27,10 +27,9 @@ struct PlannedTrail {
 /// Trails for a clip, and why the other moments have none.
 struct AutoPlan {
   std::vector<PlannedTrail> trails;
-  std::vector<std::string> leftOut;       ///< One for each moment; empty: not left out.
-  rig::Holds holds;                       ///< Grips and props that keep hands on things.
-  bool loops = false;                     ///< The clip is to be played as a loop.
-  std::vector<std::size_t> partners = {}; ///< Moments too weak but for what the other side does.
+  std::vector<std::string> leftOut; ///< One for each moment; empty: not left out.
+  rig::Holds holds;                 ///< Grips and props that keep hands on things.
+  bool loops = false;               ///< The clip is to be played as a loop.
 };
 
 /// Chooses range, way back and settings of a trail for each moment that can have one; of one that is weak

@@ -208,6 +208,39 @@ TEST_CASE("A weak partner that is left out after all takes no room from the way 
   CHECK(wayBack({left, right, back, weakBack}) == wayBack({left, right, back}));
 }
 
+TEST_CASE("Of two strokes that leave each other no time both sides choose the same") {
+  const Document striking = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  const auto strokeOf = [](const char* arm, double start, double tip, double strength) {
+    rig::Moment moment = stepOf(arm, rig::MomentKind::stroke, start, tip);
+    moment.strength = strength;
+    return moment;
+  };
+  const AutoClip made =
+      exaggerateClip(striking, 0,
+                     {strokeOf("left-arm", 4.0, 9.0, 31.0), strokeOf("right-arm", 9.0, 13.0, 30.0),
+                      strokeOf("right-arm", 4.0, 9.0, 29.0), strokeOf("left-arm", 9.0, 13.0, 28.0)},
+                     in("Average"));
+  CHECK(made.moments[0].trailId > 0);
+  CHECK(made.moments[2].trailId > 0);
+  CHECK(made.moments[2].scale == Approx(made.moments[0].scale));
+  CHECK(made.moments[1].trailId == 0);
+}
+
+TEST_CASE("An arm that is shaken comes back by itself, though it is out again at once") {
+  const Document still = test::boxer();
+  Track shaken = turnsOf(still, "left-arm");
+  for (const auto& [frame, angle] : {std::pair(0, 0.0), {4, 1.2}, {7, 0.0}, {10, 1.2}, {20, 0.0}}) {
+    addKey(shaken, frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+  }
+  const AutoClip made = exaggerateClip(withTracks(still, {shaken}), 0,
+                                       {stepOf("left-arm", rig::MomentKind::stroke, 7.0, 10.0),
+                                        stepOf("left-arm", rig::MomentKind::stroke, 0.0, 4.0)},
+                                       in("Average"));
+  CHECK(made.moments.front().scale == Approx(2.008));
+  CHECK(made.moments.back().scale == Approx(2.008));
+}
+
 TEST_CASE("Both sides do the same at once where one of them takes longer, and where the torso turns") {
   const Document still = withTracks(
       test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
