@@ -34,6 +34,7 @@ constexpr double mostFarther = 1.5;     // times
 constexpr double longestLimb = 1.0;     // of a body that is no biped: legs and tail, but not wings
 constexpr double nearlyStraight = 0.85; // of all bones: an arm that is bent more at the tip of a stroke
                                         // is posed so
+constexpr double farthestElbow = 0.7;   // of all bones: from the line between its ends
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
@@ -249,9 +250,6 @@ private:
     planned.trail.clip = ground_.clip;
     planned.trail.exaggerated = true;
     planned.trail.connected = true;
-    const std::vector<Vec3>& tip = ground_.pointsOf(limb.id, range.y);
-    planned.isBent = limb.kind == rig::LimbKind::arm && moment.kind == rig::MomentKind::stroke &&
-                     straightLength(tip) < nearlyStraight * polylineLength(tip);
     rig::TrailSettings& settings = planned.trail.settings;
     settings =
         rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range), settings_.style,
@@ -260,8 +258,18 @@ private:
       settings.scale =
           std::min(settings.scale, std::max(1.0, longestLimb * ground_.document.body.size / limb.restLength));
     }
+    planned.isBent = limb.kind == rig::LimbKind::arm && moment.kind == rig::MomentKind::stroke &&
+                     isPosedBent(ground_.pointsOf(limb.id, range.y), settings.scale);
     stopAtGround(limb, settings);
     return planned;
+  }
+
+  // Bent on purpose, and not so far that its elbow would be thrown out where all of it gets longer.
+  [[nodiscard]] static bool isPosedBent(const std::vector<Vec3>& points, double scale) {
+    const double along = polylineLength(points);
+    const double straight = straightLength(points);
+    const double elbow = 0.5 * std::sqrt(std::max(0.0, along * along - straight * straight));
+    return straight < nearlyStraight * along && scale * elbow < farthestElbow * along;
   }
 
   // The spine goes along with each strike of a limb that hangs on it, where it does nothing of its own.
