@@ -58,10 +58,6 @@ function(stretch_room room)
   endif()
   add_library(stretch_${room} STATIC ${sources})
   target_link_libraries(stretch_${room} PUBLIC stretch_options ${STRETCH_LINKS_${room}})
-  # What reads beside a container ends the program, and with it its test, instead of going unnoticed.
-  if(STRETCH_TESTS)
-    target_compile_definitions(stretch_${room} PRIVATE _GLIBCXX_ASSERTIONS)
-  endif()
   stretch_unity(stretch_${room})
 endfunction()
 
