@@ -98,9 +98,7 @@ private:
       return "it is too weak to be an action";
     }
     if (isWeak(moment)) {
-      if (std::ranges::none_of(moments_, [&](const rig::Moment& other) {
-            return !isWeak(other) && arePartners(ground_, moment, other);
-          })) {
+      if (!hasStrongPartner(moment)) {
         return "it is weak beside the clip's strongest";
       }
     }
@@ -111,6 +109,18 @@ private:
     }
     plan_.trails.push_back(std::move(planned));
     return {};
+  }
+
+  // One that can be done.
+  [[nodiscard]] bool hasStrongPartner(const rig::Moment& weak) const {
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      const rig::Moment& other = moments_[i];
+      if (!isWeak(other) && arePartners(ground_, weak, other) && !refused_.contains(i) &&
+          refusalOf(other).empty()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   [[nodiscard]] bool isWeak(const rig::Moment& moment) const {
