@@ -17,14 +17,18 @@
 #include "core/gltf/load/report.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/plain_source.h"
+#include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {
 
 namespace {
 
+// Of the skinned meshes that are drawn.
 bool hasAllNormals(const Scene& scene) {
-  return std::ranges::all_of(scene.meshes, [](const Mesh& mesh) {
-    return std::ranges::all_of(mesh.primitives, &Primitive::hasNormals);
+  return std::ranges::all_of(skinning::drawnMeshNodes(scene), [&](NodeIndex node) {
+    const Node& holder = scene.nodes[at(node)];
+    return holder.skin < 0 ||
+           std::ranges::all_of(scene.meshes[at(holder.mesh)].primitives, &Primitive::hasNormals);
   });
 }
 

@@ -46,6 +46,8 @@ def forecast_of(program, file, clip):
     answer = subprocess.run([program, "check", file, "--engine", "three", "--json"], capture_output=True, text=True, check=False).stdout
     findings = json.loads(answer)["engines"][0]["findings"]
     told = [WRONG.search(one["what"]) for one in findings if one["id"] == "shading-plain-matrix" and one["clip"] == clip]
+    if None in told:
+        raise RuntimeError("what is told of shading reads otherwise")
     return (float(told[0]["frame"]), int(told[0]["wrong"]), float(told[0]["worst"])) if told else None
 
 
