@@ -1,8 +1,14 @@
 #include "app/recipe/recipe_parts.h"
 
+#include <glm/geometric.hpp>
+
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "app/schema/hold_json.h"
+#include "core/math/rotation.h"
+#include "rig/motion/evaluate.h"
+#include "rig/motion/solved_holds.h"
 
 namespace stretch::app {
 
@@ -13,6 +19,25 @@ using gltf::Json;
 double lengthOfLimb(const Document& document, const std::string& id) {
   const rig::Limb* const limb = findLimb(document, id);
   return limb != nullptr ? limb->restLength : 1.0;
+}
+
+// Where the adjusted clip has the limb at the pin's frame, a pin stands there in another clip, and of another
+// body, too.
+rig::Pin followingItsFrame(const Document& document, rig::Pin pin) {
+  const rig::Limb* const limb = findLimb(document, pin.limb);
+  if (!pin.place || limb == nullptr) {
+    return pin;
+  }
+  constexpr double unseen = 1e-6; // of the height
+  const rig::MotionState motion = prepareMotion(document, pin.clip);
+  const FrameState adjusted = rig::adjustedFrame(*document.scene, clipOf(document, pin.clip), motion,
+                                                 pin.atFrame / motion.framesPerSecond);
+  const rig::HeldPlace there = rig::endPlace(*limb, adjusted);
+  if (glm::length(pin.place->position - there.position) <= unseen * document.body.height &&
+      angleBetween(pin.place->orientation, there.orientation) <= unseen) {
+    pin.place.reset();
+  }
+  return pin;
 }
 
 // A prop that names a file has its node once the file is added (addPropFiles).
@@ -75,7 +100,8 @@ Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& groun
 void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
   const rig::Holds holds = holdsOfClip(document.holds, clip);
   for (const rig::Pin& pin : holds.pins) {
-    recipe["pins"].push_back(pinToJson(pin, unitsOf(lengthOfLimb(document, pin.limb), false)));
+    recipe["pins"].push_back(
+        pinToJson(followingItsFrame(document, pin), unitsOf(lengthOfLimb(document, pin.limb), false)));
   }
   for (const rig::Grip& grip : holds.grips) {
     recipe["grips"].push_back(gripToJson(grip));

@@ -20,7 +20,6 @@
 #include "app/evaluate/planted_feet.h"
 #include "core/anim/frames.h"
 #include "rig/controllers/controller.h"
-#include "rig/motion/evaluate.h"
 #include "rig/motion/solved_holds.h"
 
 namespace stretch::app {
@@ -106,7 +105,7 @@ std::string otherHand(const Document& document, const std::string& limbId) {
   return other != nullptr ? other->id : std::string();
 }
 
-// The grip of this clip by which the first target leads at the playhead's range; where the list has it.
+// The grip of this clip by which the first target leads in the shown range; where the list has it.
 std::optional<std::size_t> presentGrip(const Session& session) {
   const std::vector<std::string> targets = heldTargets(session);
   const std::vector<rig::Grip>& grips = session.document().holds.grips;
@@ -307,17 +306,18 @@ std::vector<std::string> handsForProp(const Session& session) {
 
 std::vector<DocumentCommand> holdCommands() {
   return {
-      entry(command::holdPin, "Pin",
-            "Keeps the selected hands and feet, over the working range, at the place that they have at the "
-            "playhead.",
-            {"Shift+P"}, heldTargetNeeded(), pinTargets),
+      entry(
+          command::holdPin, "Pin",
+          "Keeps the selected hands and feet, over the range that the timeline shows, at the place that they "
+          "have at the playhead.",
+          {"Shift+P"}, heldTargetNeeded(), pinTargets),
       entry(command::holdPinFeet, "Pin planted feet",
             "Finds where each foot stands, in the working range or the whole clip, and pins it there.",
             {"Alt+P"}, {hasClipAndLegs, "open a character with legs and a clip"}, pinPlantedFeet),
       ticked(
           entry(command::holdMatch, "Match the other hand",
-                "Lets the other hand or foot keep its relation to the selected one over the working range, "
-                "or lets it go again.",
+                "Lets the other hand or foot keep its relation to the selected one over the range that the "
+                "timeline shows, or lets it go again.",
                 {"M"}, heldTargetNeeded(), matchOtherHand),
           hasGrip),
       entry(command::holdProp, "Hold the nearest prop",

@@ -9,7 +9,6 @@
 
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
-#include "app/edits/trail/place_trails.h"
 
 namespace stretch::app {
 
@@ -96,13 +95,21 @@ std::string toldRanges(std::vector<std::string> ranges) {
 
 // The trails that new pins outweigh: what is pinned stays, whatever its trail makes of the limb.
 std::string outweighed(const Document& before, const Document& after) {
+  const auto isNew = [&](const rig::Pin& pin) {
+    return std::ranges::none_of(before.holds.pins, [&](const rig::Pin& old) {
+      return old.limb == pin.limb && old.clip == pin.clip && old.time.rangeFrames == pin.time.rangeFrames;
+    });
+  };
   std::vector<std::string> ranges;
-  for (const rig::Pin& pin : after.holds.pins) {
-    const Vec2 range = pin.time.rangeFrames;
-    const bool isNew = std::ranges::find(before.holds.pins, pin) == before.holds.pins.end();
-    const rig::Trail* const trail = overlappingTrail(after, pin.limb, pin.clip, range.x, range.y);
-    if (isNew && trail != nullptr) {
-      ranges.push_back(toldRange({trail->settings.startFrame, trail->settings.endFrame}));
+  for (const rig::Trail& trail : after.trails) {
+    const Vec2 frames(trail.settings.startFrame, trail.settings.endFrame);
+    const bool isPinned = std::ranges::any_of(after.holds.pins, [&](const rig::Pin& pin) {
+      const Vec2 range = pin.time.rangeFrames;
+      return pin.limb == trail.limb && pin.clip == trail.clip && range.x < frames.y && frames.x < range.y &&
+             isNew(pin);
+    });
+    if (isPinned && trail.connected) {
+      ranges.push_back(toldRange(frames));
     }
   }
   return ranges.empty() ? "" : ", instead of the trail of " + toldRanges(std::move(ranges));

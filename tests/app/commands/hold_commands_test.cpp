@@ -14,6 +14,8 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/planted_feet.h"
+#include "app/recipe/recipe.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
@@ -128,6 +130,27 @@ TEST_CASE("What was pinned is told with its frames, and what it took the place o
   CHECK(told() == "Take holds away \xE2\x80\x93 left arm 5 to 10");
 }
 
+TEST_CASE("In a recipe a pin follows its frame where the clip has the hand there, and else keeps its place") {
+  Session session(test::boxer());
+  session.view().rangeStart = 2.0;
+  session.view().rangeEnd = 12.0;
+  session.view().frame = 5.0;
+  selectLimb(session, "left-arm", false);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  const auto pinOf = [&] { return recipeToJson(session.document(), 0)["pins"][0]; };
+  CHECK(pinOf()["at"] == 5.0);
+  CHECK_FALSE(pinOf().contains("place"));
+  rig::Adjustment low;
+  low.controller = "hips";
+  low.keys.resize(1);
+  low.keys[0].frame = 5.0;
+  low.keys[0].move = {0.0, -0.1, 0.0};
+  const Result<Document> lowered = placeAdjustments(session.document(), std::vector{low});
+  REQUIRE(lowered);
+  session.edit(*lowered, "Lower the hips");
+  CHECK(pinOf().contains("place"));
+}
+
 TEST_CASE("A pin over a trail tells that the trail does not show there") {
   Session session(test::withNewTrail(test::boxer(), {}));
   const rig::TrailSettings& trail = session.document().trails.front().settings;
@@ -144,6 +167,13 @@ TEST_CASE("A pin over a trail tells that the trail does not show there") {
   selectLimb(session, "right-arm", false);
   REQUIRE(runHold(session, command::holdPin).empty());
   CHECK(told().starts_with("Pin \xE2\x80\x93 right arm"));
+  CHECK(told().find("trail") == std::string::npos);
+  session.undo();
+  session.undo();
+  session.edit(*setConnected(session.document(), session.document().trails.front().id, false), "Disconnect");
+  selectLimb(session, "left-arm", false);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(told().starts_with("Pin"));
   CHECK(told().find("trail") == std::string::npos);
 }
 
