@@ -197,13 +197,9 @@ void Session::followSelection() {
   const Followed now = trail == nullptr
                            ? Followed{}
                            : Followed{trail->id, trail->settings.startFrame, trail->settings.endFrame};
-  const Vec2 range(view_.rangeStart, view_.rangeEnd);
-  const bool isSet = range.y >= range.x;
   if (trail != nullptr && !(now == followed_)) {
     const Vec2 wanted(now.startFrame, now.endFrame);
-    if (followed_.trail == 0) {
-      rangeBefore_ = isSet ? std::optional(range) : std::nullopt;
-    }
+    rangeBefore_ = rangeByHand();
     view_.rangeStart = wanted.x;
     view_.rangeEnd = wanted.y;
   } else if (trail == nullptr && followed_.trail != 0) {
@@ -231,6 +227,10 @@ void Session::followRate() {
     if (view_.rangeEnd >= view_.rangeStart) {
       view_.rangeStart = std::round(view_.rangeStart * factor);
       view_.rangeEnd = std::max(view_.rangeStart + 1.0, std::round(view_.rangeEnd * factor));
+    }
+    if (rangeBefore_) {
+      rangeBefore_->x = std::round(rangeBefore_->x * factor);
+      rangeBefore_->y = std::max(rangeBefore_->x + 1.0, std::round(rangeBefore_->y * factor));
     }
     if (!view_.selection.spheres().empty()) {
       for (double& frame : view_.selection.editTrails().spheres) {

@@ -30,7 +30,7 @@ std::vector<double> filmedFrames(const app::Session& session) {
   const double last = lastFrame(app::clipOf(session.document(), session.view().clip));
   const Vec2 range = session.rangeByHand().value_or(Vec2(0.0, last));
   std::vector<double> frames;
-  for (double frame = range.x; frame <= std::min(range.y, last); frame += 1.0) {
+  for (double frame = std::min(range.x, last); frame <= std::min(range.y, last); frame += 1.0) {
     frames.push_back(frame);
   }
   return frames;
@@ -53,6 +53,9 @@ FilmRequest requestOf(Shell& shell) {
   request.look.camera = cameraNamed(*request.document.scene, shell.viewport.look.name);
   request.options.safeFrame = overlays.safeFrame;
   request.options.camera = shell.viewport.camera;
+  if (request.besideOriginal) {
+    request.options.widthPixels *= 2; // Each side shows as much as one alone would.
+  }
   return request;
 }
 
@@ -89,6 +92,9 @@ Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const Fi
     }
   }
   film.sides.push_back(sideOf(request.document, request.motion, request));
+  for (PictureFrame& picture : film.sides.back().pictures) {
+    picture.label = request.besideOriginal ? "exaggerated, " + picture.label : picture.label;
+  }
   const Status written = writeFilm(film, request.options, path, proceed);
   return written ? Result<std::filesystem::path>(path) : Result<std::filesystem::path>(written.error());
 }
@@ -97,9 +103,8 @@ Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const Fi
 
 std::string filmedText(const Shell& shell) {
   const std::vector<double> frames = filmedFrames(*shell.open.character());
-  return frames.empty() ? std::string()
-                        : fmt::format("frames {:g} to {:g}{}", frames.front(), frames.back(),
-                                      shell.ui.overlays.sideBySide ? ", beside the original" : "");
+  return fmt::format("frames {:g} to {:g}{}", frames.front(), frames.back(),
+                     shell.ui.overlays.sideBySide ? ", beside the original" : "");
 }
 
 void startFilm(Shell& shell, const std::filesystem::path& path) {

@@ -4,10 +4,14 @@
 #include <string_view>
 
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/ui/editor_stage.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/shell/file_work.h"
+#include "ui/shell/film_work.h"
 
 using namespace stretch;
 using namespace stretch::ui;
@@ -80,4 +84,28 @@ TEST_CASE("Copying tells what was copied: a pose, offsets, a trail") {
   stage.run(command::trailToggle);
   stage.run(command::copyTrail);
   CHECK(stage.isTold("Copied: the trail of the right leg"));
+}
+
+TEST_CASE("A playblast beside the original shows as much of either side as a playblast alone") {
+  const test::TemporaryFolder folder;
+  Told stage;
+  app::setRangeByHand(stage.session(), {26.0, 27.0});
+  const auto filmed = [&](const std::string& name) {
+    startFilm(stage.shell, folder / (name + ".png"));
+    while (stage.shell.beside.film.job != nullptr) {
+      stage.settle();
+      updateFilm(stage.shell);
+    }
+    const Result<Image> picture = readImage(folder / (name + "-0027.png"));
+    REQUIRE(picture);
+    CHECK(readImage(folder / (name + "-0026.png")));
+    CHECK_FALSE(readImage(folder / (name + "-0025.png")));
+    return *picture;
+  };
+  const Image alone = filmed("alone");
+  stage.shell.ui.overlays.sideBySide = true;
+  const Image both = filmed("both");
+  CHECK(both.width == 2 * alone.width);
+  CHECK(both.height == alone.height);
+  CHECK(stage.isTold("Drawn: " + (folder / "both.png").string() + ", frames 26 to 27, beside the original"));
 }
