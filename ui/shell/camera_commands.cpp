@@ -109,10 +109,10 @@ std::vector<ShellCommand> cameraCommands() {
                    {hasSeenTrail, "select a trail first"}, app::doing(showBest))};
   for (std::size_t i = 0; i < command::keepView.size(); ++i) {
     const std::string number = std::to_string(i + 1);
-    all.push_back(
-        shellCommand(command::keepView[i], "Keep the view as " + number,
-                     "Keeps what is looked at, and through which camera, with the settings of this file.",
-                     {"Ctrl+" + number}, viewNeeded, app::doing([i](Shell& shell) { keep(shell, i); })));
+    all.push_back(shellCommand(
+        command::keepView[i], "Keep the view as " + number,
+        "Keeps what is looked at as a bookmark, and through which camera, with the settings of this file.",
+        {"Ctrl+" + number}, viewNeeded, app::doing([i](Shell& shell) { keep(shell, i); })));
     all.push_back(
         shellCommand(command::keptView[i], "Kept view " + number,
                      "Goes to the view that is kept as " + number +

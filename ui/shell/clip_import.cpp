@@ -1,5 +1,6 @@
 #include "ui/shell/clip_import.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "app/commands/keys/clips.h"
 #include "app/files/file_facts.h"
+#include "ui/panels/context/panel_support.h"
 
 namespace stretch::ui {
 
@@ -23,8 +25,12 @@ void tellImported(Shell& shell, const app::Document& document, const app::NewCli
            : fmt::format("{} is imported: its keys are as in its file", name));
   const std::vector<std::string> news = app::newsOf(brought);
   if (!news.empty()) {
-    const std::string more = news.size() > 1 ? fmt::format(" (and {} more)", news.size() - 1) : std::string();
-    tell(shell, ToastKind::warning, news.front() + more);
+    constexpr std::size_t mostTold = 2;
+    const std::vector<std::string> first(
+        news.begin(), news.begin() + static_cast<std::ptrdiff_t>(std::min(news.size(), mostTold)));
+    const std::string more =
+        news.size() > mostTold ? fmt::format(" (and {} more)", news.size() - mostTold) : std::string();
+    tell(shell, ToastKind::warning, capitalised(fmt::format("{}{}", fmt::join(first, "; "), more)));
   }
 }
 

@@ -223,8 +223,12 @@ void acceptPose(Shell& shell) {
   const std::optional<app::PoseBlend> blend = shell.beside.library.blend;
   takeOffPose(shell);
   if (blend) {
-    tellProblem(shell, app::poseAll(*shell.open.character(), app::blended(*blend, state.amount),
-                                    "Take the pose " + name));
+    app::Session& session = *shell.open.character();
+    const Status taken = app::poseAll(session, app::blended(*blend, state.amount), "Take the pose " + name);
+    tellProblem(shell, taken);
+    if (const std::string held = app::heldPoseText(session); taken && !held.empty()) {
+      tell(shell, ToastKind::info, held);
+    }
   }
 }
 

@@ -122,17 +122,7 @@ std::string heldText(const Shell& shell, std::string_view commandId) {
 std::string pastedText(const Shell& shell, std::string_view commandId) {
   const bool pastes = commandId == command::posePaste || commandId == command::posePasteMirrored;
   const app::Session* const session = shell.open.character();
-  if (session == nullptr || !pastes || !session->view().autoKey) {
-    return {};
-  }
-  const app::ViewState& view = session->view();
-  const auto isHeld = [&](const rig::Adjustment& adjustment) {
-    return adjustment.clip == view.clip && !adjustment.rangeFrames && adjustment.keys.size() == 1 &&
-           sameFrame(adjustment.keys.front().frame, view.frame);
-  };
-  return std::ranges::any_of(session->document().adjustments, isHeld)
-             ? "The pose is held over the whole clip: a second key, or a range set before, ends it"
-             : std::string();
+  return session != nullptr && pastes ? app::heldPoseText(*session) : std::string();
 }
 
 /// What was copied; empty for other commands.

@@ -156,9 +156,12 @@ std::vector<std::string> posedIds(const Session& session) {
 
 std::vector<std::string> chosenControllers(const Session& session) {
   const Selection& selection = session.view().selection;
-  std::vector<std::string> ids = selection.controllers();
+  if (selection.limbs().empty()) {
+    return selection.controllers();
+  }
+  std::vector<std::string> ids;
   for (const rig::Controller& controller : controllersOf(session.document()).controllers) {
-    if (selection.controllers().empty() && isSelected(session, controller.limb)) {
+    if (isSelected(session, controller.limb)) {
       ids.push_back(controller.id);
     }
   }
@@ -247,6 +250,36 @@ bool isWholeClip(const Session& session) {
     }
   }
   return !keyRange(session).rangeFrames;
+}
+
+bool endsAtOnce(const Session& session, bool first) {
+  const Document& document = session.document();
+  const ViewState& view = session.view();
+  const rig::ControllerList list = controllersOf(document);
+  const double clipEnd = first ? 0.0 : lastFrame(document, view.clip);
+  const std::vector<std::string> ids = posedIds(session);
+  return !sameFrame(view.frame, clipEnd) && std::ranges::any_of(ids, [&](const std::string& id) {
+    const rig::Adjustment* const present = adjustmentAt(document, view.clip, view.frame, id);
+    const rig::OffsetKey* const key = offsetKeyAt(document, view.clip, view.frame, id);
+    if (present == nullptr || key == nullptr || !present->rangeFrames ||
+        !sameFrame(first ? present->rangeFrames->x : present->rangeFrames->y, view.frame)) {
+      return false;
+    }
+    const rig::Attribute* const attribute = list.attribute(id);
+    return attribute != nullptr ? key->value != attribute->standard
+                                : key->move != Vec3(0.0) || key->turn != Vec3(0.0);
+  });
+}
+
+std::string heldPoseText(const Session& session) {
+  const ViewState& view = session.view();
+  const auto isHeld = [&](const rig::Adjustment& adjustment) {
+    return adjustment.clip == view.clip && !adjustment.rangeFrames && adjustment.keys.size() == 1 &&
+           sameFrame(adjustment.keys.front().frame, view.frame);
+  };
+  return view.autoKey && std::ranges::any_of(session.document().adjustments, isHeld)
+             ? "The pose is held over the whole clip: a second key, or a range set before, ends it"
+             : std::string();
 }
 
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label) {

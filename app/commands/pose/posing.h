@@ -40,7 +40,7 @@ namespace stretch::app {
 /// those of the selected limbs; none: the whole character.
 [[nodiscard]] std::vector<std::string> chosenControllers(const Session& session);
 
-/// "the left hand", "3 controllers", "the whole character": what chosenControllers lists.
+/// "the left hand", "4 controllers", "the whole character": what chosenControllers lists.
 [[nodiscard]] std::string chosenText(const Session& session);
 
 /// Returns the offsets of these at the playhead, keyed or not.
@@ -64,6 +64,13 @@ Status endOffsetsHere(Session& session, bool start);
 /// Whether what posing acts on holds over the whole clip: as it is adjusted at the playhead, else as a first
 /// key would.
 [[nodiscard]] bool isWholeClip(const Session& session);
+
+/// Returns whether what posing acts on comes or goes at once, since a key that is off the clip's pose stands
+/// at the playhead, at the first (`first`) or last frame of its range; never at the ends of the clip.
+[[nodiscard]] bool endsAtOnce(const Session& session, bool first);
+
+/// Tells that what was posed at the playhead is held over the whole clip by its one key; else empty.
+[[nodiscard]] std::string heldPoseText(const Session& session);
 
 /// Keys at the playhead, as one step, whether auto-key is on or not.
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label);

@@ -6,6 +6,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
 #include "app/commands/table/nudges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/adjustment_edits.h"
@@ -188,6 +189,33 @@ TEST_CASE("What is posed is keyed in the working range, else on the whole clip")
     CHECK(isWholeClip(session));
   }
   CHECK(moveOf(session, "hips").y == Approx(-0.1));
+}
+
+TEST_CASE("What is posed at an end of its range is said to go at once there, but for the ends of the clip") {
+  const double last = lastFrame(test::boxer(), 0);
+  const auto endOf = [](const Vec2& range, double frame, const Vec3& move) {
+    Session session(test::boxer());
+    session.view().frame = frame;
+    session.view().rangeStart = range.x;
+    session.view().rangeEnd = range.y;
+    selectController(session, "hips", false);
+    REQUIRE(poseAll(session, moved("hips", move), "Move"));
+    const std::string ends =
+        std::string(endsAtOnce(session, true) ? "first" : "") + (endsAtOnce(session, false) ? "last" : "");
+    session.view().frame = frame + (frame < range.y ? 1.0 : -1.0);
+    CHECK_FALSE((endsAtOnce(session, true) || endsAtOnce(session, false))); // no key there
+    return ends;
+  };
+  const Vec3 down(0.0, -0.1, 0.0);
+  CHECK(endOf({4.0, 8.0}, 8.0, down) == "last");
+  CHECK(endOf({8.0, 12.0}, 8.0, down) == "first");
+  CHECK(endOf({4.0, 12.0}, 8.0, down).empty());
+  CHECK(endOf({0.0, 8.0}, 0.0, down).empty());
+  CHECK(endOf({4.0, last}, last, down).empty());
+  CHECK(endOf({4.0, 8.0}, 8.0, Vec3(0.0)).empty());
+  Session whole = posed("hips", down);
+  CHECK_FALSE((endsAtOnce(whole, true) || endsAtOnce(whole, false)));
+  CHECK(heldPoseText(whole).starts_with("The pose is held over the whole clip"));
 }
 
 TEST_CASE("The range keys end what the selection is offset in") {

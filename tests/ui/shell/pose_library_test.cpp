@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/commands/pose/posing.h"
@@ -101,6 +102,10 @@ TEST_CASE("What is taken from the library is one step that says which pose it wa
   CHECK(glm::length(stage.hand() - tried) < 1e-9);
   CHECK(stage.session().history().undoLabel() == "Take the pose Pose 1");
   CHECK(stage.session().history().position() == 1);
+  const auto isHeld = [](const Toast& toast) {
+    return toast.text.starts_with("The pose is held over the whole clip");
+  };
+  CHECK(std::ranges::any_of(stage.shell.ui.toasts, isHeld));
   stage.session().undo();
   CHECK(glm::length(stage.hand() - before) == 0.0);
 }

@@ -262,6 +262,13 @@ void actsOnRow(PanelContext& context) {
   if (chosen >= 0 && (chosen == 1) != whole) {
     request(context, command::poseWholeClip);
   }
+  for (const bool first : {true, false}) {
+    if (app::endsAtOnce(session, first)) {
+      notice(widgets, NoticeKind::warning,
+             fmt::format("{} frame {} it {} at once. {} farther off gives it time.", first ? "At" : "After",
+                         shortNumber(view.frame, 1), first ? "comes" : "is gone", first ? "[" : "]"));
+    }
+  }
 }
 
 struct InterpolationChoice {

@@ -153,7 +153,7 @@ std::string remarkOf(const PanelContext& context) {
   const PoseLibraryState& state = context.ui.body.library;
   const app::Session& session = context.character();
   const bool isPart = !app::chosenControllers(session).empty();
-  const std::string whom = "For " + app::chosenText(session) + (isPart ? " alone." : ".");
+  const std::string whom = "Put on " + app::chosenText(session) + (isPart ? " alone." : ".");
   return state.remark.empty() ? whom : whom + " " + capitalised(state.remark) + ".";
 }
 
@@ -194,9 +194,9 @@ void drawPoseLibraryDialog(PanelContext& context) {
     note(widgetsOf(context), remarkOf(context));
   }
   const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
-  const int clicked = dialogButtons(
-      context, "pose-library",
-      {{.id = "", .text = "Cancel"}, {.id = "", .text = "Pose", .enabled = isChosen && state.reaches}});
+  const int clicked = dialogButtons(context, "pose-library",
+                                    {{.id = "", .text = isChosen ? "Cancel" : "Close"},
+                                     {.id = "", .text = "Pose", .enabled = isChosen && state.reaches}});
   state.accepted = state.accepted || ((entered || clicked == 1) && isChosen && state.reaches);
   state.open = state.open && clicked != 0 && !state.accepted;
   if (!state.open) {

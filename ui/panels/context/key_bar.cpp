@@ -171,8 +171,8 @@ void retimeRows(PanelContext& context) {
   framesSlider(context, "retime/first", "From frame ", "The first frame of what is made slower or faster.",
                state.firstFrame);
   framesSlider(context, "retime/last", "To frame ", "Its last frame.", state.lastFrame);
-  framesSlider(context, "retime/length", "Frames that it takes: ", "How many frames it is to take.",
-               state.newFrames);
+  framesSlider(context, "retime/length", "Frames that it takes: ",
+               "How many frames it is to take. Left and Right take one away, and add one.", state.newFrames);
   const double length = state.lastFrame - state.firstFrame;
   double percent = length > 0.0 ? 100.0 * length / std::max(state.newFrames, 1e-6) : 100.0;
   const EditPhase sped = slider(widgetsOf(context),
@@ -190,6 +190,13 @@ void retimeRows(PanelContext& context) {
                                 percent);
   if (sped.changed && length > 0.0) {
     state.newFrames = length * 100.0 / percent;
+  }
+  const double frames = ImGui::GetIO().WantTextInput            ? 0.0
+                        : keyPressed(ImGuiKey_RightArrow, true) ? 1.0
+                        : keyPressed(ImGuiKey_LeftArrow, true)  ? -1.0
+                                                                : 0.0;
+  if (frames != 0.0) {
+    state.newFrames = std::max(1.0, std::round(state.newFrames) + frames);
   }
   if (toggle(widgetsOf(context), "retime/after", "What comes after moves along", state.movesAfter,
              {"What comes after", "Off: it stays, and gives way where the range reaches it.", {}})) {
@@ -276,9 +283,10 @@ void drawRetimeDialog(PanelContext& context) {
   retimeRows(context);
   lookAhead(context);
   aheadRows(context);
-  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput;
-  const int clicked =
-      dialogButtons(context, "retime", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Retime"}});
+  const bool changes = state.newFrames != state.lastFrame - state.firstFrame;
+  const bool entered = enterPressed() && !ImGui::GetIO().WantTextInput && changes;
+  const int clicked = dialogButtons(
+      context, "retime", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Retime", .enabled = changes}});
   if (entered || clicked == 1) {
     retime(context);
   }

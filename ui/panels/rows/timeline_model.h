@@ -16,7 +16,7 @@ enum class RowDetail {
 /// The visible frames: as the user left them, else the whole clip.
 [[nodiscard]] Span visibleFrames(const PanelContext& context);
 
-/// The working range as new trails would take it.
+/// app::shownRange as a span.
 [[nodiscard]] Span shownSpan(const app::Session& session);
 
 } // namespace stretch::ui
