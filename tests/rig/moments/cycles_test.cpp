@@ -35,7 +35,7 @@ Course inMirror(const Course& course) {
   return [=](double at) { return course(at) * Vec3(-1.0, 1.0, 1.0); };
 }
 
-Vec3 still(double /*part*/) {
+Vec3 resting(double /*part*/) {
   return {0.1, 0.2, 0.3};
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("a limb goes round with its counterpart, a half later or mirrored a ha
     CHECK(armsOf(once) == Answers{false, false});
     CHECK(armsOf(later(once, 0.25)) == Answers{false, false});
     CHECK(armsOf(inMirror(once)) == Answers{false, false});
-    CHECK(armsOf(still) == Answers{false, false});
+    CHECK(armsOf(resting) == Answers{false, false});
   }
 }
 
@@ -159,13 +159,13 @@ TEST_CASE("legs of one body go together, whichever of them it is that goes round
   const LimbPlace third{LimbKind::leg, LimbSide::middle};
   for (const bool isFirst : {true, false}) {
     const Course twice = circle(2.0);
-    const Course first = isFirst ? twice : still;
-    const Course last = isFirst ? still : twice;
+    const Course first = isFirst ? twice : resting;
+    const Course last = isFirst ? resting : twice;
     CHECK(cyclesOf(
-              {{biped::leftLeg, first}, {biped::leftArm, still}, {biped::rightLeg, still}, {third, last}}) ==
+              {{biped::leftLeg, first}, {biped::leftArm, resting}, {biped::rightLeg, resting}, {third, last}}) ==
           Answers{true, false, true, true});
   }
-  CHECK(cyclesOf({{biped::leftArm, circle(2.0)}, {biped::leftLeg, still}, {biped::rightArm, still}}) ==
+  CHECK(cyclesOf({{biped::leftArm, circle(2.0)}, {biped::leftLeg, resting}, {biped::rightArm, resting}}) ==
         Answers{true, false, false});
 }
 
