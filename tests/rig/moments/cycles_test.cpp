@@ -161,9 +161,10 @@ TEST_CASE("legs of one body go together, whichever of them it is that goes round
     const Course twice = circle(2.0);
     const Course first = isFirst ? twice : resting;
     const Course last = isFirst ? resting : twice;
-    CHECK(cyclesOf(
-              {{biped::leftLeg, first}, {biped::leftArm, resting}, {biped::rightLeg, resting}, {third, last}}) ==
-          Answers{true, false, true, true});
+    CHECK(cyclesOf({{biped::leftLeg, first},
+                    {biped::leftArm, resting},
+                    {biped::rightLeg, resting},
+                    {third, last}}) == Answers{true, false, true, true});
   }
   CHECK(cyclesOf({{biped::leftArm, circle(2.0)}, {biped::leftLeg, resting}, {biped::rightArm, resting}}) ==
         Answers{true, false, false});
