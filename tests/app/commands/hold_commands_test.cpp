@@ -13,6 +13,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/planted_feet.h"
 #include "app/recipe/recipe.h"
 #include "core/gltf/json/json.h"
