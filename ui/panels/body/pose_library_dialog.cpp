@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/core.h>
-
+#include "app/commands/pose/posing.h"
 #include "app/commands/table/command_ids.h"
-#include "app/commands/table/selection.h"
 #include "ui/panels/context/dialog_frame.h"
 #include "ui/widgets/control.h"
 #include "ui/widgets/dropdown.h"
