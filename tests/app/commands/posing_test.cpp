@@ -200,7 +200,7 @@ TEST_CASE("What is posed at an end of its range is said to go at once there, but
     session.view().rangeEnd = range.y;
     selectController(session, "hips", false);
     REQUIRE(poseAll(session, moved("hips", move), "Move"));
-    const std::string ends =
+    std::string ends =
         std::string(endsAtOnce(session, true) ? "first" : "") + (endsAtOnce(session, false) ? "last" : "");
     session.view().frame = frame + (frame < range.y ? 1.0 : -1.0);
     CHECK_FALSE((endsAtOnce(session, true) || endsAtOnce(session, false))); // no key there
