@@ -256,7 +256,11 @@ std::string proposedName(const Shell& shell, FilePurpose purpose) {
 
 void keepView(Shell& shell) {
   const app::Session& session = *shell.open.character();
-  const std::string view = viewText(session.view(), {shell.viewport.camera, shell.viewport.look.name},
+  app::ViewState kept = session.view();
+  const Vec2 range = session.rangeByHand().value_or(Vec2(0.0, -1.0)); // The trail's follows from the trail.
+  kept.rangeStart = range.x;
+  kept.rangeEnd = range.y;
+  const std::string view = viewText(kept, {shell.viewport.camera, shell.viewport.look.name},
                                     shell.viewport.look.kept, app::referencesToJson(session.document()));
   tellProblem(shell, writeText(viewPath(shell.files.path()), view));
   if (!session.savePath().empty() && session.savePath() != shell.files.path()) {

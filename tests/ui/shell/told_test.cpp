@@ -7,11 +7,15 @@
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
+#include "core/base/file.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/json_text.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/ui/editor_stage.h"
 #include "ui/render/picture/image_edits.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/film_work.h"
+#include "ui/shell/user_settings.h"
 
 using namespace stretch;
 using namespace stretch::ui;
@@ -108,4 +112,20 @@ TEST_CASE("A playblast beside the original shows as much of either side as a pla
   CHECK(both.width == 2 * alone.width);
   CHECK(both.height == alone.height);
   CHECK(stage.isTold("Drawn: " + (folder / "both.png").string() + ", frames 26 to 27, beside the original"));
+}
+
+TEST_CASE("A range that was only a trail's is not remembered as one that was set by hand") {
+  Told stage;
+  const auto remembered = [&] {
+    keepView(stage.shell);
+    const auto text = readText(viewPath(stage.folder / "dummy.glb"));
+    REQUIRE(text);
+    return gltf::parseAnyJson(*text)["range"];
+  };
+  app::selectLimb(stage.session(), "left-arm", false);
+  stage.run(command::trailToggle);
+  REQUIRE(app::isRangeSet(stage.session().view()));
+  CHECK(remembered() == gltf::Json{0.0, -1.0});
+  app::setRangeByHand(stage.session(), {4.0, 9.0});
+  CHECK(remembered() == gltf::Json{4.0, 9.0});
 }
