@@ -49,6 +49,18 @@ Vec3 seenEnd(Session& session, const std::string& limb, double frame) {
   return rig::endPosition(*findLimb(session.document(), limb), session.frameAt(frame));
 }
 
+/// Over the whole clip, keyed at a frame.
+void lowerHips(Session& session, double frame) {
+  rig::Adjustment low;
+  low.controller = "hips";
+  low.keys.resize(1);
+  low.keys[0].frame = frame;
+  low.keys[0].move = {0.0, -0.1, 0.0};
+  const Result<Document> lowered = placeAdjustments(session.document(), std::vector{low});
+  REQUIRE(lowered);
+  session.edit(*lowered, "Lower the hips");
+}
+
 } // namespace
 
 TEST_CASE("A hand is pinned where it is seen at the playhead, over the working range") {
@@ -93,14 +105,7 @@ TEST_CASE(
   selectLimb(session, "left-arm", false);
   const Vec3 held = seenEnd(session, "left-arm", 5.0);
   REQUIRE(runHold(session, command::holdPin).empty());
-  rig::Adjustment low;
-  low.controller = "hips";
-  low.keys.resize(1);
-  low.keys[0].frame = 5.0;
-  low.keys[0].move = {0.0, -0.1, 0.0};
-  const Result<Document> lowered = placeAdjustments(session.document(), std::vector{low});
-  REQUIRE(lowered);
-  session.edit(*lowered, "Lower the hips");
+  lowerHips(session, 5.0);
   const Vec3 elbow = seenEnd(session, "spine", 5.0);
   CHECK(glm::length(seenEnd(session, "left-arm", 5.0) - held) < 1e-6);
   session.undo();
@@ -141,14 +146,7 @@ TEST_CASE("In a recipe a pin follows its frame where the clip has the hand there
   const auto pinOf = [&] { return recipeToJson(session.document(), 0)["pins"][0]; };
   CHECK(pinOf()["at"] == 5.0);
   CHECK_FALSE(pinOf().contains("place"));
-  rig::Adjustment low;
-  low.controller = "hips";
-  low.keys.resize(1);
-  low.keys[0].frame = 5.0;
-  low.keys[0].move = {0.0, -0.1, 0.0};
-  const Result<Document> lowered = placeAdjustments(session.document(), std::vector{low});
-  REQUIRE(lowered);
-  session.edit(*lowered, "Lower the hips");
+  lowerHips(session, 5.0);
   CHECK(pinOf().contains("place"));
 }
 
