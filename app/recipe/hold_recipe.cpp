@@ -23,13 +23,12 @@ double lengthOfLimb(const Document& document, const std::string& id) {
 
 // Where the adjusted clip has the limb at the pin's frame, a pin stands there in another clip, and of another
 // body, too.
-rig::Pin followingItsFrame(const Document& document, rig::Pin pin) {
+rig::Pin followingItsFrame(const Document& document, const rig::MotionState& motion, rig::Pin pin) {
   const rig::Limb* const limb = findLimb(document, pin.limb);
   if (!pin.place || limb == nullptr) {
     return pin;
   }
   constexpr double unseen = 1e-6; // of the height
-  const rig::MotionState motion = prepareMotion(document, pin.clip);
   const FrameState adjusted = rig::adjustedFrame(*document.scene, clipOf(document, pin.clip), motion,
                                                  pin.atFrame / motion.framesPerSecond);
   const rig::HeldPlace there = rig::endPlace(*limb, adjusted);
@@ -99,9 +98,10 @@ Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& groun
 
 void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
   const rig::Holds holds = holdsOfClip(document.holds, clip);
+  const rig::MotionState motion = holds.pins.empty() ? rig::MotionState() : prepareMotion(document, clip);
   for (const rig::Pin& pin : holds.pins) {
-    recipe["pins"].push_back(
-        pinToJson(followingItsFrame(document, pin), unitsOf(lengthOfLimb(document, pin.limb), false)));
+    recipe["pins"].push_back(pinToJson(followingItsFrame(document, motion, pin),
+                                       unitsOf(lengthOfLimb(document, pin.limb), false)));
   }
   for (const rig::Grip& grip : holds.grips) {
     recipe["grips"].push_back(gripToJson(grip));

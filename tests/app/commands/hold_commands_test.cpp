@@ -61,14 +61,25 @@ void lowerHips(Session& session, double frame) {
   session.edit(*lowered, "Lower the hips");
 }
 
-} // namespace
-
-TEST_CASE("A hand is pinned where it is seen at the playhead, over the working range") {
+/// The left arm, at frame 5 of the working range 2 to 12.
+Session armSelected() {
   Session session(test::boxer());
   session.view().rangeStart = 2.0;
   session.view().rangeEnd = 12.0;
   session.view().frame = 5.0;
   selectLimb(session, "left-arm", false);
+  return session;
+}
+
+std::string lastStep(const Session& session) {
+  const History<Document>& history = session.history();
+  return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
+}
+
+} // namespace
+
+TEST_CASE("A hand is pinned where it is seen at the playhead, over the working range") {
+  Session session = armSelected();
   const Vec3 held = seenEnd(session, "left-arm", 5.0);
   REQUIRE(runHold(session, command::holdPin).empty());
   REQUIRE(session.document().holds.pins.size() == 1);
@@ -98,11 +109,7 @@ TEST_CASE("A hand that a trail has moved is pinned where the trail has it") {
 
 TEST_CASE(
     "A pinned hand stays where it was pinned when the hips are lowered afterwards, at the pin's frame too") {
-  Session session(test::boxer());
-  session.view().rangeStart = 2.0;
-  session.view().rangeEnd = 12.0;
-  session.view().frame = 5.0;
-  selectLimb(session, "left-arm", false);
+  Session session = armSelected();
   const Vec3 held = seenEnd(session, "left-arm", 5.0);
   REQUIRE(runHold(session, command::holdPin).empty());
   lowerHips(session, 5.0);
@@ -114,10 +121,7 @@ TEST_CASE(
 
 TEST_CASE("What was pinned is told with its frames, and what it took the place of") {
   Session session(test::boxer());
-  const auto told = [&] {
-    const History<Document>& history = session.history();
-    return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
-  };
+  const auto told = [&] { return lastStep(session); };
   selectLimb(session, "left-arm", false);
   session.view().rangeStart = 2.0;
   session.view().rangeEnd = 6.0;
@@ -137,11 +141,7 @@ TEST_CASE("What was pinned is told with its frames, and what it took the place o
 }
 
 TEST_CASE("In a recipe a pin follows its frame where the clip has the hand there, and else keeps its place") {
-  Session session(test::boxer());
-  session.view().rangeStart = 2.0;
-  session.view().rangeEnd = 12.0;
-  session.view().frame = 5.0;
-  selectLimb(session, "left-arm", false);
+  Session session = armSelected();
   REQUIRE(runHold(session, command::holdPin).empty());
   const auto pinOf = [&] { return recipeToJson(session.document(), 0)["pins"][0]; };
   CHECK(pinOf()["at"] == 5.0);
@@ -154,10 +154,7 @@ TEST_CASE("A pin over a trail tells that the trail does not show there") {
   Session session(test::withNewTrail(test::boxer(), {}));
   const rig::TrailSettings& trail = session.document().trails.front().settings;
   selectLimb(session, "left-arm", false);
-  const auto told = [&] {
-    const History<Document>& history = session.history();
-    return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
-  };
+  const auto told = [&] { return lastStep(session); };
   session.view().rangeStart = trail.startFrame;
   session.view().rangeEnd = trail.endFrame;
   REQUIRE(runHold(session, command::holdPin).empty());
