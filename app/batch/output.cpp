@@ -83,7 +83,7 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   if (options->form.form != StretchForm::scale) {
     report["form"] = formJson(*options, saved.fit);
   }
-  if (options->form.keys == rig::KeyPlaces::wholeFrames) {
+  if (saved.missOfHeight > 0.0 || options->form.keys == rig::KeyPlaces::wholeFrames) {
     report["whole_frames"] = {{"miss_percent_of_height", 100.0 * saved.missOfHeight}};
   }
   std::vector<std::pair<int, std::vector<Track>>> edited;

@@ -30,7 +30,9 @@ const Schema<SavedForm>& formSchema() {
           {.name = "key_frames",
            .choices = {{"needed", "On whole frames, and between them where the motion needs it."},
                        {"whole", "On whole frames alone; how far the motion is off between them is told."},
-                       {"every", "On every frame, and between them where the motion needs it."}},
+                       {"every", "On every frame, and between them where the motion needs it."},
+                       {"clip",
+                        "On whole frames alone where all keys of the clip stand on them, else as needed."}},
            .help = "Where the changed motion gets keys.",
            .row = {.section = "file", .label = "Keys stand"}},
           &SavedForm::keys)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anim/frames.h"
 #include "rig/rekey/exact_motion.h"
 #include "rig/rekey/key_times.h"
 #include "rig/rekey/stretch_build.h"
@@ -92,13 +93,29 @@ std::vector<ChannelKeys> keysOfChannels(const std::vector<PartKeys>& parts) {
   return channels;
 }
 
+bool standsOnWholeFrames(const Clip& clip) {
+  return std::ranges::all_of(clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    return std::ranges::all_of(track->times, [&](float time) {
+      const double frame = static_cast<double>(time) * clip.framesPerSecond;
+      return sameFrame(frame, std::round(frame));
+    });
+  });
+}
+
+RekeyOptions placedFor(const Clip& clip, RekeyOptions options) {
+  if (options.places == KeyPlaces::asClip) {
+    options.places = standsOnWholeFrames(clip) ? KeyPlaces::wholeFrames : KeyPlaces::needed;
+  }
+  return options;
+}
+
 } // namespace
 
 RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
                   const RekeyOptions& options) {
   ExactMotion exact(scene, clip, motion);
   const std::vector<KeyedPart> parts = keyedParts(motion);
-  const ChosenKeys chosen = chooseKeys(exact, parts, options);
+  const ChosenKeys chosen = chooseKeys(exact, parts, placedFor(clip, options));
   RekeyedClip rekeyed;
   rekeyed.tracks = buildTracks(exact, keysOfChannels(chosen.parts));
   std::vector<StretchWindows> stretched;

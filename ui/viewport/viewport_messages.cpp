@@ -77,6 +77,21 @@ std::optional<Rect> handlesBox(const ViewportContext& context) {
   return place ? std::optional(around(*place, static_cast<float>(reach))) : std::nullopt;
 }
 
+/// The trails that show, a box for each of their points.
+std::vector<Rect> trailsIn(const ViewportContext& context) {
+  std::vector<Rect> boxes;
+  for (const ShownTrail& trail : context.viewport.shown.trails) {
+    for (const std::vector<Vec3>* path : {&trail.drawn.original, &trail.drawn.exaggerated}) {
+      for (const Vec3& world : *path) {
+        if (const auto place = placeOf(context.viewport, world)) {
+          boxes.push_back(around(*place, context.theme.px(4.0F)));
+        }
+      }
+    }
+  }
+  return boxes;
+}
+
 /// What no message may cover.
 std::vector<Rect> keptFree(const ViewportContext& context) {
   std::vector<Rect> kept;
@@ -103,11 +118,12 @@ std::vector<Rect> keptFree(const ViewportContext& context) {
 void showMessages(ViewportContext& context) {
   MessageView& messages = context.viewport.messages;
   if (context.ui.toasts.empty()) {
-    messages = {figureIn(context), 0};
+    messages = {figureIn(context), 0, false};
     return;
   }
-  drawMessages(context, {context.viewport.box, messages.figure, keptFree(context)}, messages.place,
-               *ImGui::GetWindowDrawList());
+  messages.isUnderMouse =
+      drawMessages(context, {context.viewport.box, messages.figure, keptFree(context), trailsIn(context)},
+                   messages.place, *ImGui::GetWindowDrawList());
 }
 
 } // namespace stretch::ui

@@ -33,6 +33,7 @@ enum class ViewportGesture {
 struct MessageView {
   std::optional<Rect> figure; ///< The character's place when the first of them came.
   std::size_t place = 0;      ///< Index among those that there are (drawMessages).
+  bool isUnderMouse = false;  ///< The mouse is on one of them, and its click takes that away.
 };
 
 /// Memory of the viewport between frames.

@@ -32,6 +32,10 @@ int keysBetween(const Rekeyed& rekeyed) {
   return count;
 }
 
+void pushSecondKey(CopyOnWrite<Track>& track, double frames) {
+  track.edit([&](Track& changed) { changed.times[1] += static_cast<float>(frames / 24.0); });
+}
+
 } // namespace
 
 TEST_CASE("keys on whole frames alone are right there, and what they miss between is told") {
@@ -61,9 +65,27 @@ TEST_CASE("keys on whole frames alone are right there, and what they miss betwee
 TEST_CASE("a clip that is keyed between whole frames keeps its own keys") {
   MovingBiped moving = punchingBiped();
   for (CopyOnWrite<Track>& track : moving.clip.tracks) {
-    track.edit([](Track& changed) { changed.times[1] += static_cast<float>(0.4 / 24.0); });
+    pushSecondKey(track, 0.4);
   }
   const Rekeyed whole =
       rekeyedOf(moving, {connectedTrail("left-arm", 2, 14, 2.0)}, {.places = KeyPlaces::wholeFrames});
   CHECK(keysBetween(whole) >= 1);
+}
+
+TEST_CASE("keys that stand as the clip's do are on whole frames alone where every key of the clip is") {
+  const std::vector<Trail> trails{connectedTrail("left-arm", 4, 14, 3.0)};
+  MovingBiped moving = punchingBiped();
+  const auto keyed = [&](KeyPlaces places) { return rekeyedOf(moving, trails, {.places = places}).keys; };
+  CHECK(keyed(KeyPlaces::asClip).tracks == keyed(KeyPlaces::wholeFrames).tracks);
+  CHECK(keyed(KeyPlaces::asClip).largestMiss == keyed(KeyPlaces::wholeFrames).largestMiss);
+  REQUIRE(keyed(KeyPlaces::wholeFrames).tracks != keyed(KeyPlaces::needed).tracks);
+
+  // One key of one track is enough to say that the clip's maker keys between frames.
+  pushSecondKey(moving.clip.tracks.back(), 0.25);
+  CHECK(keyed(KeyPlaces::asClip).tracks == keyed(KeyPlaces::needed).tracks);
+  CHECK(keyed(KeyPlaces::asClip).largestMiss == 0.0);
+
+  // Single precision is no key between frames.
+  pushSecondKey(moving.clip.tracks.back(), -0.2495);
+  CHECK(keyed(KeyPlaces::asClip).tracks == keyed(KeyPlaces::wholeFrames).tracks);
 }

@@ -136,15 +136,23 @@ void GuiStage::showDialogs() {
   show([&](ui::PanelContext& context) {
     ui::drawDialogs(context);
     std::size_t place = 0;
-    ui::drawMessages(context, {{{0.0F, 0.0F}, {width_, height_}}, {}, {}}, place,
+    ui::drawMessages(context, {{{0.0F, 0.0F}, {width_, height_}}, {}, {}, {}}, place,
                      *ImGui::GetForegroundDrawList());
   });
 }
 
-void GuiStage::showViewport() {
-  show([&](ui::ViewportContext& context) {
+GuiStage::Draw GuiStage::viewportPane() const {
+  return [this](ui::ViewportContext& context) {
     ui::drawViewportPane(context, painter_.viewportGpu(), {{0.0F, 0.0F}, {width_, height_}}, 1.0);
-  });
+  };
+}
+
+void GuiStage::showViewport() {
+  show(viewportPane());
+}
+
+void GuiStage::clickInViewport(const std::string& item) {
+  click(item, viewportPane());
 }
 
 Image GuiStage::picture(float height) {

@@ -57,6 +57,7 @@ public:
   float clickInPanel(const std::string& item, void (*panel)(ui::PanelContext&), float height = 0.0F);
   void showDialogs();
   void showViewport();
+  void clickInViewport(const std::string& item);
   [[nodiscard]] Image picture(float height);
   [[nodiscard]] Image picture() { return picture(height_); }
 
@@ -74,6 +75,7 @@ public:
 
 private:
   void frame(const Draw& draw);
+  [[nodiscard]] Draw viewportPane() const;
   /// Draws a panel in a pane of the stage's width, and tells in `used` how high it is.
   [[nodiscard]] Draw paneOf(void (*panel)(ui::PanelContext&), float height, float& used) const;
 

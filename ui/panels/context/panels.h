@@ -57,13 +57,15 @@ struct MessageRoom {
   Rect picture;
   std::optional<Rect> figure; ///< The character: messages keep beside it where there is room.
   std::vector<Rect> kept;     ///< Covered by no message while there is another place.
+  std::vector<Rect> spared;   ///< The same, where a place that spares what is kept spares these as well.
 };
 
 /// Draws what was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no
 /// bar, ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
 /// takes news away; while a dialog is open only what went wrong is shown, over everything, beside the dialog
 /// where there is room. `place` is the one that was found in the frame before, which messages leave only for
-/// what is kept.
-void drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under);
+/// what is kept or spared. A click takes a message away. Returns whether the mouse is on one, so that the
+/// click does nothing below.
+bool drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under);
 
 } // namespace stretch::ui

@@ -165,15 +165,6 @@ void drawToast(const Theme& theme, const ToastStyle& style, const Toast& message
   drawToastText(style, place, faded(theme.colours.text, opacity), list);
 }
 
-/// The whole text of a message that is cut, while the mouse is on it; answers whether it is.
-bool readsWhole(PanelContext& context, const Toast& message, const ToastPlace& place) {
-  const bool reads = place.isCut && place.box.contains(ImGui::GetMousePos());
-  if (reads) {
-    tooltipNow(widgetsOf(context), {.text = message.text});
-  }
-  return reads;
-}
-
 /// A message with its place.
 struct PlacedToast {
   Toast* message = nullptr;
@@ -203,7 +194,7 @@ std::vector<PlacedToast> placeToasts(const Theme& theme, ToastStyle style, const
   return placed;
 }
 
-/// Whether all of it lies in its place, on nothing that is kept.
+/// Whether all of it lies in its place, on nothing of `kept`.
 bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std::vector<Rect>& kept) {
   return std::ranges::all_of(placed, [&](const PlacedToast& toast) {
     const Rect& box = toast.place.box;
@@ -212,25 +203,46 @@ bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std:
   });
 }
 
-/// In the place of the frame before, else in the first one that is free, else in the first.
+/// In the place of the frame before, else in the first one that is free of what is spared as well, else in
+/// the first that is free of what is kept, else in the first.
 std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style,
                                      const std::vector<Toast*>& shown, const std::vector<StackPlace>& places,
-                                     const std::vector<Rect>& kept, std::size_t& at) {
-  for (std::size_t tried = 0; tried <= places.size(); ++tried) {
-    const std::size_t index = tried == 0 ? std::min(at, places.size() - 1) : tried - 1;
-    std::vector<PlacedToast> placed = placeToasts(theme, style, shown, places[index]);
-    if (isFree(placed, places[index].room, kept)) {
-      at = index;
-      return placed;
+                                     const MessageRoom& room, std::size_t& at) {
+  at = std::min(at, places.size() - 1);
+  for (const bool sparing : {true, false}) {
+    for (std::size_t tried = 0; tried <= places.size(); ++tried) {
+      const std::size_t index = tried == 0 ? at : tried - 1;
+      std::vector<PlacedToast> placed = placeToasts(theme, style, shown, places[index]);
+      if (isFree(placed, places[index].room, room.kept) &&
+          (!sparing || isFree(placed, places[index].room, room.spared))) {
+        at = index;
+        return placed;
+      }
     }
   }
   at = 0;
   return placeToasts(theme, style, shown, places.front());
 }
 
+/// Draws a message and takes its seconds; answers whether the mouse is on it. While a dialog is open, the
+/// mouse is the dialog's.
+bool showToast(PanelContext& context, const ToastStyle& style, const PlacedToast& toast, bool takesMouse,
+               ImDrawList& list) {
+  drawToast(context.theme, style, *toast.message, toast.place, list);
+  const bool isHeld = takesMouse && toast.place.box.contains(ImGui::GetMousePos());
+  if (isHeld && toast.place.isCut) {
+    tooltipNow(widgetsOf(context), {.text = toast.message->text});
+  }
+  toast.message->secondsLeft -= isHeld && toast.place.isCut ? 0.0F : ImGui::GetIO().DeltaTime;
+  if (isHeld && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    toast.message->secondsLeft = 0.0F;
+  }
+  return isHeld;
+}
+
 } // namespace
 
-void drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under) {
+bool drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under) {
   const Theme& theme = context.theme;
   const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
   const bool isAnyOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -247,19 +259,18 @@ void drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& p
   const Rect dialogBox = dialog != nullptr ? Rect{dialog->Rect().Min, dialog->Rect().Max} : Rect{};
   const std::vector<StackPlace> places =
       dialog != nullptr ? placesByDialog(room.picture, dialogBox) : placesInPicture(theme, room);
-  const std::vector<Rect> kept = dialog != nullptr ? std::vector<Rect>{dialogBox} : room.kept;
+  const MessageRoom placed = dialog != nullptr ? MessageRoom{room.picture, {}, {dialogBox}, {}} : room;
   const ToastStyle style = toastStyle(theme, room.picture);
   ImDrawList& list = dialog != nullptr ? *ImGui::GetForegroundDrawList() : under;
   int count = 0;
-  for (const PlacedToast& toast : placeFreely(theme, style, shown, places, kept, place)) {
-    const Rect& box = toast.place.box;
-    drawToast(theme, style, *toast.message, toast.place, list);
-    context.items.add("toast/" + std::to_string(count++), box.min, box.max);
+  bool isUnderMouse = false;
+  for (const PlacedToast& toast : placeFreely(theme, style, shown, places, placed, place)) {
+    isUnderMouse = showToast(context, style, toast, !isAnyOpen, list) || isUnderMouse;
+    context.items.add("toast/" + std::to_string(count++), toast.place.box.min, toast.place.box.max);
     context.items.items.back().explained = true; // By itself.
-    const bool stays = dialog == nullptr && readsWhole(context, *toast.message, toast.place);
-    toast.message->secondsLeft -= stays ? 0.0F : ImGui::GetIO().DeltaTime;
   }
   std::erase_if(context.ui.toasts, [](const Toast& toast) { return toast.secondsLeft <= 0.0F; });
+  return isUnderMouse;
 }
 
 } // namespace stretch::ui

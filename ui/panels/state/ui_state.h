@@ -51,8 +51,8 @@ struct UiState {
   std::vector<Toast> toasts;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   std::vector<std::string> closedSections;       ///< Ids of collapsed sections of panels.
-  app::SavedForm savedForm;                      ///< How stretches are told in files.
-  app::ImportSettings imports;                   ///< How clips of other files come in.
+  app::SavedForm savedForm{.keys = rig::KeyPlaces::asClip}; ///< How stretches are told in files.
+  app::ImportSettings imports;                              ///< How clips of other files come in.
   UiAnswers answers;
   bool panelDrag = false; ///< The session's drag was begun by a panel.
 };
