@@ -124,15 +124,16 @@ Result<ControllerTool> startLocators(app::Session& session, const ControllerStar
 
 // All move as the one that was taken last, whose axes a lock may name.
 Status previewLocators(app::Session& session, const ControllerTool& tool) {
+  const std::vector<std::string> names = idsOf(tool.held);
   const Vec3 change = app::worldChange(tool.modal, tool.held.back().placed.carrierAxesWorld);
   const bool mirror = session.view().mirrorLocators;
   const app::Document& base = session.atBegin();
   if (change == Vec3(0.0)) {
     session.preview(base);
   } else if (tool.modal.motion == app::PullMotion::move) {
-    session.preview(app::moveLocators(base, idsOf(tool.held), change, mirror));
+    session.preview(app::moveLocators(base, names, change, mirror));
   } else {
-    session.preview(app::turnLocators(base, idsOf(tool.held), change, mirror));
+    session.preview(app::turnLocators(base, names, change, mirror));
   }
   return Success{};
 }

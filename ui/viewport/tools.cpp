@@ -25,7 +25,12 @@ Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
   return Success{};
 }
 
-Result<app::Document> pulled(const GrabTool& tool, const Vec3& delta) {
+/// The trail as the pull makes it.
+Result<app::Document> pulled(const GrabTool& tool) {
+  const Vec3 delta = app::worldChange(tool.modal);
+  if (delta == Vec3(0.0)) {
+    return tool.base;
+  }
   if (tool.tangent) {
     const Vec3 turn = app::toTrailAxes(tool.settings, delta) / tool.tangent->frames;
     return app::setSphereTangent(tool.base, tool.trailId, tool.tangent->sphereFrame, tool.slope + turn);
@@ -36,12 +41,7 @@ Result<app::Document> pulled(const GrabTool& tool, const Vec3& delta) {
 }
 
 Status previewGrab(app::Session& session, const GrabTool& tool) {
-  const Vec3 delta = app::worldChange(tool.modal);
-  if (delta == Vec3(0.0)) {
-    session.preview(tool.base);
-    return Success{};
-  }
-  Result<app::Document> changed = pulled(tool, delta);
+  Result<app::Document> changed = pulled(tool);
   if (!changed) {
     return changed.error();
   }
@@ -223,13 +223,14 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
 }
 
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels) {
-  if (auto* controllers = std::get_if<ControllerTool>(&tool)) {
-    followMouse(*controllers, controllers->held.back().placed.carrierAxesWorld, view, mousePixels);
-    return previewControllers(session, *controllers);
+  auto* const grab = std::get_if<GrabTool>(&tool);
+  auto* const controllers = std::get_if<ControllerTool>(&tool);
+  Pull* const pull = grab != nullptr ? static_cast<Pull*>(grab) : controllers;
+  const Mat3 axes = controllers != nullptr ? controllers->held.back().placed.carrierAxesWorld : Mat3(1.0);
+  if (pull == nullptr || !followMouse(*pull, axes, view, mousePixels)) {
+    return Success{};
   }
-  auto* grab = std::get_if<GrabTool>(&tool);
-  return grab != nullptr && followMouse(*grab, Mat3(1.0), view, mousePixels) ? previewGrab(session, *grab)
-                                                                             : Status(Success{});
+  return grab != nullptr ? previewGrab(session, *grab) : previewControllers(session, *controllers);
 }
 
 Status turnFalloff(app::Session& session, Tool& tool, double steps) {

@@ -57,7 +57,7 @@ struct MessageRoom {
   Rect picture;
   std::optional<Rect> figure; ///< The character: messages keep beside it where there is room.
   std::vector<Rect> kept;     ///< Covered by no message while there is another place.
-  std::vector<Rect> spared;   ///< The same, where a place that spares what is kept spares these as well.
+  std::vector<Rect> spared;   ///< Left free as well, where there is room for that.
 };
 
 /// Draws what was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no
