@@ -1,9 +1,11 @@
 #include "core/interchange/figure_clips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -156,7 +158,7 @@ public:
       start_ = std::min({start_, driven.translation.times.front(), driven.rotation.times.front(),
                          driven.scale.times.front()});
     }
-    animation_ = {{"name", from.mName.C_Str()}, {"channels", Json::array()}, {"samplers", Json::array()}};
+    animation_ = {{"channels", Json::array()}, {"samplers", Json::array()}};
     // Collada counts in thousandths of a second, which are no frames.
     if (const double rate = std::round(1e3 / secondsOfTick_) / 1e3; rate < 1000.0) {
       const double whole = std::round(rate);
@@ -164,6 +166,8 @@ public:
           {"stretch_engine", {{"frames_per_second", std::abs(rate - whole) < 1e-4 * rate ? whole : rate}}}};
     }
   }
+
+  void name(const std::string& name) { animation_["name"] = name; }
 
   void addMotion() {
     const std::vector<Mat4> worlds = restWorlds(figure_);
@@ -480,13 +484,24 @@ private:
   Json animation_;
 };
 
+/// The name that the clip has in its file; where a program gave it to a file's only clip since nobody had,
+/// the file's, which tells more of one clip among others.
+std::string clipName(const aiAnimation& clip, unsigned clips, const std::string& fileName) {
+  constexpr std::array<std::string_view, 8> givenByPrograms{
+      "", "Motion", "mixamo.com", "Take 001", "Take 01", "Default Take", "Unreal Take", "Animation"};
+  const std::string_view name = clip.mName.C_Str();
+  const bool isGiven = std::ranges::find(givenByPrograms, name) != givenByPrograms.end();
+  return isGiven && clips == 1 ? fileName : std::string(name);
+}
+
 } // namespace
 
 ClipNotes addClips(const aiScene& scene, const Figure& figure, const std::vector<int>& meshNodes,
-                   GlbParts& parts) {
+                   const std::string& fileName, GlbParts& parts) {
   ClipNotes notes;
   for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
     ClipMaker clip(*scene.mAnimations[a], scene, figure, parts, notes);
+    clip.name(clipName(*scene.mAnimations[a], scene.mNumAnimations, fileName));
     clip.addMotion();
     clip.addWeights(meshNodes);
     clip.finish();

@@ -20,8 +20,10 @@ struct ClipNotes {
 /// turn); where pivots bend it, keys are added until no node is farther than 1e-4 of the figure's height from
 /// its place. Tracks that
 /// do not move are one key. `meshNodes`: the node that shows each
-/// mesh of the scene, -1 without.
+/// mesh of the scene, -1 without. `fileName`: name of a file's only clip where a program named it, and
+/// nobody.
 [[nodiscard]] ClipNotes addClips(const aiScene& scene, const Figure& figure,
-                                 const std::vector<int>& meshNodes, GlbParts& parts);
+                                 const std::vector<int>& meshNodes, const std::string& fileName,
+                                 GlbParts& parts);
 
 } // namespace stretch::interchange

@@ -235,7 +235,7 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   }
   const std::vector<int> materials = addMaterials(scene, file, parts, made.warnings);
   const MeshNotes meshes = addMeshes(scene, figure, materials, nodes, parts);
-  const ClipNotes clips = addClips(scene, figure, meshes.nodeOfMesh, parts);
+  const ClipNotes clips = addClips(scene, figure, meshes.nodeOfMesh, file.stem().string(), parts);
   addNodes(nodes, figure, parts);
   for (std::string& told : warningsOfBytes(names.bytes, format, clips, head)) {
     made.warnings.push_back(std::move(told));

@@ -45,6 +45,26 @@ Vec3 worldAt(const MadeOfForeign& made, std::size_t node, double seconds) {
 
 } // namespace
 
+TEST_CASE("A clip that a program named bears the file's name where it is the only one") {
+  Legs legs;
+  const auto moving = [&](aiAnimation& clip, const char* name) {
+    clip.mName = aiString(name);
+    test::setPlaces(legs.scene.addChannel(clip, "hip"), {{0.0, Vec3(0.0)}, {10.0, Vec3(1.0)}});
+  };
+  const auto names = [&] {
+    std::vector<std::string> all;
+    for (const Clip& clip : test::madeOfForeign(legs.scene).file.clips) {
+      all.push_back(clip.name);
+    }
+    return all;
+  };
+  moving(legs.clip, "Take 001");
+  CHECK(names() == std::vector<std::string>{"figure"});
+  moving(legs.scene.addClip("", 10.0), "Motion");
+  CHECK(names() == std::vector<std::string>{"Take 001", "Motion"}); // The file's name would tell neither from
+                                                                    // the other.
+}
+
 TEST_CASE("Keys of a foreign clip are kept at their times, in seconds") {
   Legs legs;
   aiNodeAnim& hip = legs.scene.addChannel(legs.clip, "hip");

@@ -145,6 +145,20 @@ TEST_CASE("A file without a byte is called empty") {
   }
 }
 
+TEST_CASE("A file's only clip bears the file's name where a program named it, and its own else") {
+  const auto nameOf = [](const std::string& called) {
+    std::string text = test::twoBonesFbx();
+    const std::string stack = "AnimStack::";
+    text.replace(text.find(stack + "bend"), stack.size() + 4, stack + called);
+    return loadedText("left jab.fbx", text).clips.front().name;
+  };
+  CHECK(nameOf("mixamo.com") == "left jab");
+  CHECK(nameOf("Take 001") == "left jab");
+  CHECK(nameOf("") == "left jab");
+  CHECK(nameOf("Take 1 of the jab") == "Take 1 of the jab");
+  CHECK(loadedText("walk.bvh", test::personBvh()).clips.front().name == "walk");
+}
+
 TEST_CASE("Pivots of an FBX are collapsed: the motion is the file's within 1e-4 of the height, at and "
           "between keys") {
   const gltf::Loaded loaded = loadedText("bones.fbx", test::twoBonesFbx());

@@ -190,7 +190,7 @@ MadeOfForeign madeOfForeign(const ForeignScene& from, interchange::Format format
   }
   const std::vector<int> materials = interchange::addMaterials(scene, file, parts, made.warnings);
   made.meshes = interchange::addMeshes(scene, figure, materials, nodes, parts);
-  made.clips = interchange::addClips(scene, figure, made.meshes.nodeOfMesh, parts);
+  made.clips = interchange::addClips(scene, figure, made.meshes.nodeOfMesh, "figure", parts);
   for (const gltf::JsonDocument& node : nodes) {
     parts.add("nodes", *node);
   }
