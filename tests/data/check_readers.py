@@ -30,6 +30,15 @@ TIMES = 9
 BLENDER_SCRIPT = pathlib.Path(__file__).resolve().parent / "readers" / "blender_positions.py"
 
 
+def glb_of(gltf, binary):
+    """The bytes of a GLB."""
+    text = json.dumps(gltf).encode()
+    text += b" " * (-len(text) % 4)
+    binary += b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
 def with_one_clip(file, clip, output):
     """The same GLB with one of its clips alone, and each node with a mesh marked by its index."""
     gltf, buffers = read_gltf(file)
@@ -37,11 +46,7 @@ def with_one_clip(file, clip, output):
     for index, node in enumerate(gltf["nodes"]):
         if "mesh" in node:
             node["extras"] = {"check_node": index}
-    text = json.dumps(gltf).encode()
-    text += b" " * (-len(text) % 4)
-    binary = buffers[0] + b"\0" * (-len(buffers[0]) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-    output.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+    output.write_bytes(glb_of(gltf, buffers[0]))
     return gltf, buffers
 
 
