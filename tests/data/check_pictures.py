@@ -35,6 +35,7 @@ FORMS = {"scale": ["--form", "scale"], "translation": ["--form", "translation"],
 FRAME, FPS = 27, 24
 EYE, TARGET, FIELD = (-4.0, 2.2, 2.0), (0.0, 0.92, 0.72), 0.5
 WIDTH, HEIGHT = 640, 400
+SHOWN = (160, 40, 430, 310)  # on the sheet: left, top, width, height
 KEY = (-0.55, 1.15, 0.75)  # where the key light of `render` is
 LIT = 0.3  # cosine from which a surface casts no shadow on itself
 OVERLAP = 0.98
@@ -189,27 +190,18 @@ def on_grey(picture):
     return png.Picture(picture.width, picture.height, tuple(bytes(v for i in range(0, len(row), 3) for v in (row[i:i + 3] if any(row[i:i + 3]) else (40, 40, 46))) for row in picture.rows))
 
 
-def halved(picture):
-    rows = []
-    for y in range(0, picture.height - 1, 2):
-        above, below = picture.rows[y], picture.rows[y + 1]
-        rows.append(bytes((above[i + c] + above[i + 3 + c] + below[i + c] + below[i + 3 + c]) // 4 for i in range(0, len(above) - 5, 6) for c in range(3)))
-    return png.Picture(picture.width // 2, len(rows), tuple(rows))
-
-
 def sheet(pictures, three, output):
     rows = ()
     for line in ([pictures.ours(form, "own", "exact") for form in FORMS], [on_grey(three[form, False]) for form in FORMS]):
-        parts = [halved(png.cropped(picture, 0, 0, WIDTH, HEIGHT)) for picture in line]
+        parts = [png.cropped(picture, *SHOWN) for picture in line]
         rows += png.beside(png.beside(parts[0], parts[1]), parts[2]).rows
-    output.write_bytes(png.still(png.Picture(3 * (WIDTH // 2), len(rows), rows)))
+    output.write_bytes(png.still(png.Picture(3 * SHOWN[2], len(rows), rows)))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--sheet", type=pathlib.Path)
-    parser.add_argument("data", nargs="?", help="not needed")
     arguments = parser.parse_args()
     browser = shutil.which("chromium") or shutil.which("chromium-browser")
     if browser is None:
