@@ -179,4 +179,4 @@ same slurm
 failures_of slurm.logs
 scontrol show job "${job}_$killed" | grep -q Restarts=1 || fail "the killed node's task was not started again"
 [ "$(cat slurm.logs/*.jsonl | grep -c '"exit":0')" = $((count - 3)) ] || fail "a command that was done is done again"
-echo "task $killed was killed after $before of its commands with all of its node, and went on on another or the same"
+echo "task $killed was killed after $before of its commands, with all that ran on its node, and went on behind them"
