@@ -1,9 +1,12 @@
 #include "app/standing_floor.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/matrix.hpp>
 
+#include "core/anim/frames.h"
+#include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/floor.h"
 #include "rig/motion/part_motion.h"
@@ -99,7 +102,43 @@ std::optional<double> soleHeight(const Document& document, const rig::BindPlaces
   return lowest;
 }
 
+bool fliesThroughout(const Document& document, int clip) {
+  constexpr double clearly = 0.1; // of the height
+  const std::vector<rig::Limb> limbs = allLimbs(document);
+  const bool hasWings =
+      std::ranges::any_of(limbs, [](const rig::Limb& limb) { return limb.kind == rig::LimbKind::wing; });
+  if (!hasWings) {
+    return false;
+  }
+  const Scene& scene = *document.scene;
+  const Clip& motion = clipOf(document, clip);
+  const rig::BindPlaces places = rig::bindPlaces(scene);
+  FrameState bind;
+  bind.worlds = places.worlds;
+  const auto lowestIn = [&](const FrameState& frame) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const rig::Limb& limb : limbs) {
+      lowest = std::min(lowest, std::ranges::min(rig::limbPoints(limb, frame), {}, &Vec3::y).y);
+    }
+    return lowest;
+  };
+  double standing = lowestIn(bind);
+  for (const Bounds& mesh : places.meshes) {
+    standing = mesh.empty() ? standing : std::min(standing, mesh.low.y);
+  }
+  standing -= clearly * document.body.height;
+  for (double frame = 0.0; frame <= endInFrames(motion); frame += 1.0) {
+    if (lowestIn(rig::sampledFrame(scene, motion, frame / motion.framesPerSecond)) < standing) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::optional<double> standingAnkles(const Document& document, int clip) {
+  if (fliesThroughout(document, clip)) {
+    return std::nullopt; // feet that hang still in the air
+  }
   std::optional<double> lowest;
   for (const rig::Limb& limb : document.body.limbs) {
     const std::optional<double> height =

@@ -32,4 +32,8 @@ namespace stretch::app {
 /// The floor itself: what stands on it is as far below the ankle as in the bind pose.
 [[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
 
+/// Whether a body with wings is in the air all through a clip: limbs go clearly below where the body stands
+/// in the bind pose. No floor is known for it then, and no leg stands.
+[[nodiscard]] bool fliesThroughout(const Document& document, int clip);
+
 } // namespace stretch::app

@@ -229,6 +229,12 @@ ClipGround clipGround(const Document& document, int clip) {
     ground.places.push_back(placesOf(ground.limbs, shown));
     lowerTo(shown, ground.places.back(), ground);
   }
+  if (fliesThroughout(document, clip)) {
+    ground.lowest = -std::numeric_limits<double>::infinity();
+    ground.lowestVertex = ground.lowest;
+    std::ranges::fill(ground.lowestVertices, ground.lowest);
+    return ground;
+  }
   for (const rig::Pin& pin : plantedFeet(document, clip, {0.0, ground.lastFrame}).pins) {
     ground.stands[pin.limb].push_back(pin.time.rangeFrames);
   }

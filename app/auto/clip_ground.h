@@ -15,7 +15,8 @@ namespace stretch::app {
 /// Limbs at one frame, in the order of allLimbs: where each of their points is, the place that stays first.
 using LimbPlaces = std::vector<std::vector<Vec3>>;
 
-/// Facts about a clip without new trails that every choice for it is measured against.
+/// Facts about a clip without new trails that every choice for it is measured against. Of a clip that flies
+/// (fliesThroughout) all heights that nothing may go below are minus infinity.
 struct ClipGround {
   const Document& document; ///< Has to outlive it.
   int clip = 0;

@@ -65,7 +65,8 @@ public:
     std::vector<bool> isTried(moments_.size(), false);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       for (std::size_t k = i; k < moments_.size(); ++k) {
-        if (!isTried[k] && (k == i || (plan_.leftOut[i].empty() && goTogether(moments_[i], moments_[k])))) {
+        if (!isTried[k] && (k == i || (plan_.leftOut[i].empty() && goTogether(moments_[i], moments_[k]) &&
+                                       !hasStrongerAlone(k, i)))) {
           plan_.leftOut[k] = tried(k);
           isTried[k] = true;
         }
@@ -83,6 +84,23 @@ private:
   // Both sides choose the same of what has no room beside each other.
   [[nodiscard]] bool goTogether(const rig::Moment& one, const rig::Moment& other) const {
     return one.kind == rig::MomentKind::stroke && one.kind == other.kind && arePartners(ground_, one, other);
+  }
+
+  // Whether the limb has a clearly stronger stroke that leads as `first` does, and in which the other side
+  // has no part: it goes before what goes along with that.
+  [[nodiscard]] bool hasStrongerAlone(std::size_t place, std::size_t first) const {
+    for (std::size_t i = first + 1; i < place; ++i) {
+      const rig::Moment& own = moments_[i];
+      if (own.limb == moments_[place].limb && own.kind == rig::MomentKind::stroke &&
+          moments_[place].strength < asStrong * own.strength &&
+          own.strength >= asStrong * moments_[first].strength && !refused_.contains(i) &&
+          refusalOf(own).empty() && std::ranges::none_of(moments_, [&](const rig::Moment& other) {
+            return arePartners(ground_, own, other);
+          })) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // Empty where a trail was made.
@@ -162,10 +180,15 @@ private:
   }
 
   // A leg that stands has no stroke; one that is put down comes back to its place before.
+  // Over the seam of a loop too.
   [[nodiscard]] std::optional<Vec2> rangeOf(const rig::Moment& moment, const rig::Limb& limb) const {
     Vec2 range(moment.startFrame, endOf(moment));
     const bool isStroke = moment.kind == rig::MomentKind::stroke;
-    for (const Vec2& stand : isLeg(limb) ? ground_.standsOf(limb.id, isStroke) : std::vector<Vec2>{}) {
+    std::vector<Vec2> stands = isLeg(limb) ? ground_.standsOf(limb.id, isStroke) : std::vector<Vec2>{};
+    if (ground_.wraps && !stands.empty()) {
+      stands.push_back(stands.front() + ground_.lastFrame);
+    }
+    for (const Vec2& stand : stands) {
       if (stand.x <= range.x) {
         range.x = std::max(range.x, std::min(stand.y - 1.0, range.y));
       } else if (stand.x < range.y + shortestRelease) {
@@ -382,7 +405,7 @@ private:
     if (isLeg(limb) && !settings.stopAt) {
       settings.stopAt = floorForLeg(ground_.document, ground_.clip, limb, settings.endFrame);
     }
-    if (!settings.stopAt) {
+    if (!settings.stopAt && std::isfinite(ground_.lowest)) {
       const double ground = std::max(ground_.lowest, ground_.floor.value_or(ground_.lowest));
       settings.stopAt = rig::StopPlane{{0.0, ground, 0.0}, {0.0, -1.0, 0.0}};
     }

@@ -27,6 +27,7 @@ constexpr double leastExcess = 0.05;                               // of a scale
 constexpr std::array<bool, 3> allAxes{true, true, true};
 constexpr std::array<bool, 3> levelAxes{true, false, true};
 constexpr double calmRelease = 3.0; // frames, at least
+constexpr double step = 0.7;        // of the exaggeration, where there has to be less of it
 
 // Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
 // alone. What a neck or a spine carries reaches far beyond it, and would be swung.
@@ -252,14 +253,27 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
   return !(settings == before);
 }
 
+// The world's axis that lies along the line between the bases of a limb and of that on the other side.
+int axisAcross(const ClipGround& ground, const PlannedTrail& planned) {
+  const rig::Limb& limb = *findLimb(ground.document, planned.trail.limb);
+  const rig::Limb& other = *rig::limbAt(ground.limbs, rig::mirrored(limb));
+  const double tip = planned.trail.settings.endFrame;
+  const Vec3 across =
+      glm::abs(ground.pointsOf(limb.id, tip).front() - ground.pointsOf(other.id, tip).front());
+  return across.x >= std::max(across.y, across.z) ? 0 : across.y >= across.z ? 1 : 2;
+}
+
 // Less of the trail; left out where nothing is to be seen of it any more.
 void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
-  constexpr double step = 0.7;
   const std::string why = textOf(fault.kind);
   PlannedTrail& planned = plan.trails[fault.trail];
   rig::TrailSettings& settings = planned.trail.settings;
   if ((fault.kind == FaultKind::floor || fault.kind == FaultKind::lifted) && settings.axes == allAxes) {
     settings.axes = levelAxes;
+    return;
+  }
+  if (fault.kind == FaultKind::sides && settings.axes == allAxes) {
+    settings.axes.at(static_cast<std::size_t>(axisAcross(ground, planned))) = false;
     return;
   }
   if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
@@ -346,6 +360,11 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
   }
 }
 
+// As Trial::calm; what is too little to be seen cannot be done.
+std::string calmed(const ClipGround& ground, Trial& trial, PlannedTrail& planned) {
+  return excessOf(ground, planned) >= leastExcess ? trial.calm(planned) : "the style hardly stretches it";
+}
+
 // Each trail that is not as it was looked at last, by itself; answers whether any is another one then.
 bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
   bool isChanged = false;
@@ -354,9 +373,12 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
       continue; // it went along with one that was left out, or nothing is new
     }
     const rig::TrailSettings before = plan.trails[i].trail.settings;
-    const std::string problem = excessOf(ground, plan.trails[i]) >= leastExcess
-                                    ? trial.calm(plan.trails[i])
-                                    : std::string("the style hardly stretches it");
+    const rig::TrailSettings looked = plan.trails[i].looked;
+    std::string problem = calmed(ground, trial, plan.trails[i]);
+    if (!problem.empty() && looked.axes == allAxes && before.axes == levelAxes) {
+      plan.trails[i].trail.settings = withShare(looked, step); // not along the ground: less of it, then
+      problem = calmed(ground, trial, plan.trails[i]).empty() ? "" : problem;
+    }
     isChanged = isChanged || !problem.empty() || !(plan.trails[i].trail.settings == before);
     if (!problem.empty()) {
       leaveOut(plan, i, problem);

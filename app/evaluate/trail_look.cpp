@@ -119,10 +119,11 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
     findHead();
   }
   findFloor(trail.limb);
-  if (!lowestEnd_) {
+  const bool flies = fliesThroughout(document, clip);
+  if (!lowestEnd_ && !flies) {
     findLowestPlace();
   }
-  if (surface_.movedCount() > 0) {
+  if (surface_.movedCount() > 0 && !flies) {
     findGround();
   }
 }
@@ -425,6 +426,9 @@ private:
   }
 
   void lookAtGround(double frame) {
+    if (!look_.ground_) {
+      return;
+    }
     const auto lowestOf = [&](const std::vector<glm::vec3>& places) {
       const auto end = places.begin() + static_cast<std::ptrdiff_t>(look_.surface_.movedCount());
       return static_cast<double>(
@@ -457,16 +461,29 @@ private:
 
   void lookAtVertices(double frame) {
     const std::vector<glm::vec3>& source = from();
-    float farthestSquared = 0.0F;
+    double farthest = 0.0; // in lengths of its lever
+    double carried = 0.0;
     for (std::size_t i = 0; i < look_.surface_.movedCount(); ++i) {
-      farthestSquared = std::max(farthestSquared, squaredDistance(to_[i], source[i]));
+      const double distance = std::sqrt(static_cast<double>(squaredDistance(to_[i], source[i])));
+      const double beside = distance / leverOf(source[i]);
+      carried = beside > farthest ? distance : carried;
+      farthest = std::max(farthest, beside);
     }
-    const double farthest = std::sqrt(static_cast<double>(farthestSquared));
     if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
       const double end =
           glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
-      (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, farthest, farthest);
+      (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, carried, farthest);
     }
+  }
+
+  // A head reaches out beyond the end of its neck, and goes as much farther as it is away from the neck's
+  // base: by a stretch, which takes it along, as by a turn. 1 on other limbs.
+  [[nodiscard]] double leverOf(const glm::vec3& place) const {
+    const Vec3 base = positionOf(before_.worlds[at(trail_.limb.joints.front())]);
+    const double length = glm::distance(base, rig::leadingPosition(trail_.limb, before_));
+    return trail_.limb.kind == rig::LimbKind::neck && length > 0.0
+               ? std::max(1.0, glm::distance(base, Vec3(place)) / length)
+               : 1.0;
   }
 
   void lookAtEdges(double frame) {

@@ -100,7 +100,7 @@ private:
   std::optional<Head> head_;
   std::optional<double> lowestEnd_;
   std::optional<double> lowestPlace_;
-  std::optional<double> ground_; // that no vertex may go below
+  std::optional<double> ground_; // that no vertex may go below; none in flight
   bool knowsFloor_ = false;
 };
 

@@ -226,6 +226,20 @@ TEST_CASE("a vertex that is thrown farther than the tip is told, where the mesh 
   CHECK(motionWarnings(document, motion, motion.trails.front(), LookAt::limb).empty());
 }
 
+TEST_CASE("a head may go as much farther than its neck's end as it is away from the neck's base, no more") {
+  const auto warningsOfNeck = [](float beyondEnd, const Vec3& pulledOnTheWay) {
+    Document document = punching(10.0, 1.2);
+    document.trails.front().settings.spheres = {{5.0, pulledOnTheWay}, {10.0, Vec3(0.0, 0.15, 0.0)}};
+    rig::Limb& limb = *std::ranges::find(document.body.limbs, "left-arm", &rig::Limb::id);
+    static_cast<rig::LimbPlace&>(limb) = rig::biped::neck;
+    addStaff(document, beyondEnd);
+    return warningsOf(document);
+  };
+  CHECK(warningsOfNeck(1.2F, Vec3(0.0)).empty());
+  CHECK_FALSE(warningsOfNeck(1.2F, Vec3(0.0, 0.4, 0.0)).empty());
+  CHECK_FALSE(warningsOfNeck(0.0F, Vec3(0.0, 0.4, 0.0)).empty());
+}
+
 TEST_CASE("a mesh that is torn is told with the frame, where the mesh is looked at") {
   Document document = punching(10.0, 2.0);
   addSleeve(document);

@@ -4,7 +4,8 @@
     check_auto.py [--all-styles] PROGRAM DATA_FOLDER [FILE...]
 
 For each file the two clips with the strongest moments, each in the styles in turn (--all-styles: in each of them):
-- no limb's end and no vertex lower than the lowest of the source in the clip (FLOOR of the height), on every frame;
+- no limb's end and no vertex lower than the lowest of the source in the clip (FLOOR of the height), on every frame, where the
+  source's wings do not beat far below the ground (FLIGHT of the height below y = 0): it is in the air then;
 - no limb longer than the style's largest scale of its own length, or of the source's where that is more;
 - a clip whose last pose is its first still closes (1 cm and 0.1 m/s of a person more than in the source);
 - trails of one limb share no time, and each moment has a trail or says why not;
@@ -27,6 +28,7 @@ FOLDERS = ("biped/*.glb", "quadruped/*.glb", "bodies/*-animations.glb", "hard/*.
 STYLES = ("Duck Amuck", "Fast and Furry-ous", "Tortoise Wins", "Piggy Bank", "Stop! Look!", "Opera", "Average", "Rubber hose", "Snappy", "Subtle", "Heavy")
 CLIPS_A_FILE = 2
 FLOOR = 0.01  # of the height: joints are looked at by the program, a vertex below them is not
+FLIGHT = 0.1  # likewise
 LENGTH_SLACK = 1.02
 SEAM_METRES = 0.01
 SEAM_SPEED = 0.1
@@ -123,7 +125,8 @@ class Case:
         for node in before["nodes"]:
             lowest = min([lowest] + [point[1] for point in before["nodes"][node]])
             found = min([found] + [point[1] for point in after["nodes"][node]])
-        if found < lowest - FLOOR * self.height:
+        flies = lowest < -FLIGHT * self.height and any("wing" in limb["limb"] for limb in self.info["limbs"])
+        if not flies and found < lowest - FLOOR * self.height:
             self.problems.append(f"{(lowest - found) / self.height:.1%} of the height below the source's lowest place")
 
     def check_lengths(self, before, after, frames):

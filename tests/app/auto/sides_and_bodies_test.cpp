@@ -12,6 +12,8 @@
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
 #include "app/evaluate/clip_moments.h"
+#include "app/evaluate/evaluate.h"
+#include "app/standing_floor.h"
 #include "rig/trail/release.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
@@ -91,6 +93,38 @@ Document treadmill() {
     tracks.push_back(steps);
   }
   return withTracks(document, tracks);
+}
+
+// The boxer with wings for arms, in the air: they beat down until frame 12, past the plumb line, where longer
+// ones would meet below the body.
+Document beater() {
+  Document document = test::boxer();
+  for (rig::Limb& limb : document.body.limbs) {
+    if (isArm(limb)) {
+      limb.kind = rig::LimbKind::wing;
+      limb.id = rig::limbName(limb);
+    }
+  }
+  std::vector<Track> tracks;
+  for (const double side : {1.0, -1.0}) {
+    tracks.push_back(turnsOf(document, side > 0.0 ? "left-wing" : "right-wing"));
+    for (int frame = 0; frame <= 30; ++frame) {
+      const double down = rig::smoothstep((frame - 6.0) / 6.0) - rig::smoothstep((frame - 16.0) / 14.0);
+      addKey(tracks.back(), frame, glm::angleAxis(side * (0.8 - 2.55 * down), Vec3(0.0, 0.0, 1.0)));
+    }
+  }
+  return withTracks(document, tracks);
+}
+
+// A leg that steps in a loop of 24 frames: down at its seam, it stands until frame 6.
+Document seamStepper() {
+  Document document = stepper();
+  Track steps = turnsOf(document, "left-leg");
+  for (int frame = 0; frame <= 24; ++frame) {
+    const double back = rig::smoothstep((frame - 6.0) / 8.0) - rig::smoothstep((frame - 14.0) / 10.0);
+    addKey(steps, frame, glm::angleAxis(0.4 - 0.8 * back, Vec3(-1.0, 0.0, 0.0)));
+  }
+  return withTracks(document, {steps});
 }
 
 rig::Moment stepOf(const char* leg, rig::MomentKind kind, double start, double tip) {
@@ -225,6 +259,78 @@ TEST_CASE("Of two strokes that leave each other no time both sides choose the sa
   CHECK(made.moments[2].trailId > 0);
   CHECK(made.moments[2].scale == Approx(made.moments[0].scale));
   CHECK(made.moments[1].trailId == 0);
+}
+
+TEST_CASE("What goes along with the other side waits for a stronger stroke of its limb that is its own") {
+  const Document striking = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  const auto strokeOf = [](const char* arm, double start, double tip, double strength) {
+    rig::Moment moment = stepOf(arm, rig::MomentKind::stroke, start, tip);
+    moment.strength = strength;
+    return moment;
+  };
+  const auto outcome = [&](double own) {
+    const AutoClip made =
+        exaggerateClip(striking, 0,
+                       {strokeOf("left-arm", 4.0, 9.0, 50.0), strokeOf("right-arm", 9.0, 13.0, own),
+                        strokeOf("right-arm", 4.0, 9.0, 30.0)},
+                       in("Average"));
+    return std::pair(made.moments[1].trailId > 0, made.moments[2].trailId > 0);
+  };
+  CHECK(outcome(45.0) == std::pair(true, false));
+  CHECK(outcome(38.0) == std::pair(false, true)); // does not lead as the left arm does
+}
+
+TEST_CASE("A step that is put down at the seam of a loop is back in its place by then") {
+  const Document document = seamStepper();
+  const ClipGround ground = clipGround(document, 0);
+  REQUIRE(ground.wraps);
+  REQUIRE_FALSE(ground.standsOf("left-leg").empty());
+  REQUIRE(ground.standsOf("left-leg").front().x <= 1.0);
+  const AutoClip made =
+      exaggerateClip(document, 0, {stepOf("left-leg", rig::MomentKind::cycle, 14.0, 24.0)}, in("Opera"));
+  REQUIRE(made.document.trails.size() == 1);
+  const rig::TrailSettings& settings = made.document.trails.front().settings;
+  CHECK(settings.endFrame <= 22.0);
+  CHECK(settings.endFrame + *settings.releaseFrames <= 25.0);
+}
+
+TEST_CASE(
+    "Wings that beat far below a body in the air know no floor, and get longer without passing each other") {
+  const Document before = beater();
+  CHECK(fliesThroughout(before, 0));
+  CHECK_FALSE(fliesThroughout(withTracks(before, {*swinger().clips->front().tracks.front()}), 0));
+  const AutoClip made = exaggerated(before, in("Duck Amuck"));
+  CHECK(momentAt(made, "left-wing", 12.0).scale == Approx(2.0));
+  CHECK(momentAt(made, "right-wing", 12.0).scale == Approx(2.0));
+  const rig::MotionState motion = prepareMotion(made.document, 0);
+  const auto endOf = [&](const char* wing, double frame) {
+    return rig::endPosition(*findLimb(before, wing), evaluate(made.document, motion, frame / 30.0));
+  };
+  double nearest = 1.0;
+  for (double frame = 0.0; frame <= 30.0; frame += 1.0) {
+    nearest = std::min(nearest, endOf("left-wing", frame).x - endOf("right-wing", frame).x);
+  }
+  CHECK(nearest >= 0.0);
+  CHECK(endOf("left-wing", 12.0).y < 0.5); // 0.9 in the clip
+}
+
+TEST_CASE("What goes too low and has no way along the ground gets less, and is not left out") {
+  const Document still = test::boxer();
+  Track strikes = turnsOf(still, "left-arm"); // straight down, less low than the other arm hangs
+  for (int frame = 0; frame <= 30; ++frame) {
+    const double down = rig::smoothstep((frame - 6.0) / 6.0) - rig::smoothstep((frame - 16.0) / 14.0);
+    addKey(strikes, frame, glm::angleAxis(-0.9 * down, Vec3(0.0, 0.0, 1.0)));
+  }
+  Track hangs = turnsOf(still, "right-arm");
+  addKey(hangs, 0, glm::angleAxis(0.5 * pi, Vec3(0.0, 0.0, 1.0)));
+  addKey(hangs, 30, glm::angleAxis(0.5 * pi, Vec3(0.0, 0.0, 1.0)));
+  const AutoClip made = exaggerateClip(withTracks(still, {strikes, hangs}), 0,
+                                       {stepOf("left-arm", rig::MomentKind::stroke, 6.0, 12.0)}, in("Opera"));
+  CHECK(strongest(made).trailId > 0);
+  CHECK(strongest(made).scale > 1.05);
+  CHECK(strongest(made).scale < 1.2);
+  CHECK(strongest(made).why == "it would go through the floor");
 }
 
 TEST_CASE("An arm that is shaken comes back by itself, though it is out again at once") {
