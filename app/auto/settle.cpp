@@ -375,8 +375,12 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
     const rig::TrailSettings before = plan.trails[i].trail.settings;
     const rig::TrailSettings looked = plan.trails[i].looked;
     std::string problem = calmed(ground, trial, plan.trails[i]);
-    if (!problem.empty() && looked.axes == allAxes && before.axes == levelAxes) {
-      plan.trails[i].trail.settings = withShare(looked, step); // not along the ground: less of it, then
+    PlannedTrail less = plan.trails[i];
+    less.trail.settings = withShare(looked, step);
+    if (looked.axes == allAxes && before.axes != allAxes &&
+        (!problem.empty() || (before.axes[1] && excessOf(ground, plan.trails[i]) < excessOf(ground, less)))) {
+      less.why = less.why.empty() && before.axes[1] ? textOf(FaultKind::sides) : less.why;
+      plan.trails[i] = less; // without that axis it cannot be done, or much less of it
       problem = calmed(ground, trial, plan.trails[i]).empty() ? "" : problem;
     }
     isChanged = isChanged || !problem.empty() || !(plan.trails[i].trail.settings == before);

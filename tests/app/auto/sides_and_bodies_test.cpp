@@ -315,6 +315,23 @@ TEST_CASE(
   CHECK(endOf("left-wing", 12.0).y < 0.5); // 0.9 in the clip
 }
 
+TEST_CASE("Arms that close straight across, with no way forwards, get less and are not left out") {
+  std::vector<Track> tracks;
+  for (const double side : {1.0, -1.0}) {
+    tracks.push_back(turnsOf(test::boxer(), side > 0.0 ? "left-arm" : "right-arm"));
+    for (const auto& [frame, angle] : {std::pair(0, 1.42), {6, 1.42}, {12, 1.72}, {18, 1.7}, {30, 1.42}}) {
+      addKey(tracks.back(), frame, glm::angleAxis(angle, Vec3(0.0, -side, 0.0)));
+    }
+  }
+  const AutoClip made = exaggerateClip(withTracks(test::boxer(), tracks), 0,
+                                       {stepOf("left-arm", rig::MomentKind::stroke, 6.0, 12.0),
+                                        stepOf("right-arm", rig::MomentKind::stroke, 6.0, 12.0)},
+                                       in("Rubber hose"));
+  CHECK(strongest(made).trailId > 0);
+  CHECK(strongest(made).scale > 1.05);
+  CHECK(strongest(made).why == "it would pass through the limb on the other side");
+}
+
 TEST_CASE("What goes too low and has no way along the ground gets less, and is not left out") {
   const Document still = test::boxer();
   Track strikes = turnsOf(still, "left-arm"); // straight down, less low than the other arm hangs
