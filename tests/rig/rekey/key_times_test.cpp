@@ -124,6 +124,8 @@ TEST_CASE("where every frame is to be keyed all whole frames of a window are, be
         Frames{{6.25, 7, 8, 9, 9.5, 10, 11, 12}});
   CHECK(chosenFor(moving, partOf(moving, {{7, 9.75}}), KeyPlaces::everyFrame).frames ==
         Frames{{7, 8, 9, 9.5, 9.75}});
+  CHECK(chosenFor(moving, partOf(moving, {{7, 9.125}}), KeyPlaces::everyFrame).frames ==
+        Frames{{7, 8, 9, 9.125}});
   CHECK(chosenFor(moving, partOf(moving, {{7, 9.75}}), KeyPlaces::wholeFrames).frames ==
         Frames{{7, 9.5, 9.75}});
 }
@@ -172,6 +174,9 @@ TEST_CASE("only what a motion changes is keyed, with its source where the clip h
     CHECK_FALSE(channel.isCubic);
   }
   CHECK(chosenFor(moving, part, KeyPlaces::needed, 0.0).channels.empty());
+  // Of a part whose first node has no keys those of the second count all the same.
+  CHECK(chosenFor(moving, partOf(moving, {{5, 20}}, {"finger1b.l", "finger1a.l"})).frames ==
+        Frames{{5, 9, 20}});
 }
 
 TEST_CASE("a channel that the clip does not have gets tangents where another one of its part has them") {
