@@ -1,0 +1,384 @@
+// What a plan gives each moment of a clip, on a boxer whose clip is long and of which all that a plan asks is
+// told.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/auto/planned_trail.h"
+#include "app/evaluate/evaluate.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr double lastFrame = 90.0;
+
+/// The left arm strikes from frame 0 to 10 and is back at 20, and strikes again from 40 to 50.
+Document striking() {
+  const Document start = test::boxer();
+  Track left = test::turnsOf(start, "left-arm");
+  for (const auto& [frame, angle] :
+       {std::pair(0, 0.0), {10, 1.4}, {20, 0.0}, {40, 0.0}, {50, 1.4}, {60, 0.0}, {90, 0.0}}) {
+    test::addKey(left, frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+  }
+  Document document = test::withTracks(start, {left});
+  document.body.size = 1.8;
+  return document;
+}
+
+ClipGround groundOf(const Document& document) {
+  ClipGround ground{document, 0};
+  ground.framesPerSecond = 30.0;
+  ground.lastFrame = lastFrame;
+  ground.limbs = allLimbs(document);
+  for (double frame = 0.0; frame <= lastFrame; frame += 1.0) {
+    ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));
+  }
+  return ground;
+}
+
+/// Limbs twice as long, ways back of a fifth of the range; no spine goes along.
+AutoSettings twiceAsLong() {
+  AutoSettings settings;
+  for (rig::ScaleRange* range :
+       {&settings.style.arm, &settings.style.leg, &settings.style.torso, &settings.style.other}) {
+    *range = {1.0, 2.0, 5.0};
+  }
+  settings.style.release = 0.2;
+  return settings;
+}
+
+rig::Moment stroke(const std::string& limb, double startFrame, double endFrame, double strength) {
+  return {limb, rig::MomentKind::stroke, startFrame, endFrame, endFrame, strength};
+}
+
+AutoPlan planned(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+                 const AutoSettings& settings = twiceAsLong()) {
+  return planTrails(ground, moments, settings, {});
+}
+
+/// The share of the style's exaggeration that a moment gets; 0 where it gets no trail.
+double shareOf(const AutoPlan& plan, std::size_t moment) {
+  for (const PlannedTrail& trail : plan.trails) {
+    if (trail.moment == moment && !trail.follows) {
+      return trail.trail.settings.scale - 1.0;
+    }
+  }
+  return 0.0;
+}
+
+std::string refusalOf(const ClipGround& ground, const rig::Moment& moment) {
+  return planned(ground, {moment}).leftOut[0];
+}
+
+const rig::TrailSettings& settingsOf(const AutoPlan& plan, std::size_t place = 0) {
+  REQUIRE(plan.trails.size() > place);
+  return plan.trails[place].trail.settings;
+}
+
+constexpr const char* noWayBack = "there is no room for the way back";
+constexpr const char* isWeak = "it is weak beside the clip's strongest";
+
+} // namespace
+
+TEST_CASE("A moment gets all of a style from six reaches a second on, a fifth of it at least", "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  for (const auto& [strength, share] : {std::pair(12.0, 1.0),
+                                        {6.0, 1.0},
+                                        {5.9, 5.9 / 6.0},
+                                        {3.0, 0.5},
+                                        {1.3, 1.3 / 6.0},
+                                        {1.1, 0.2},
+                                        {1.0, 0.2}}) {
+    CAPTURE(strength);
+    CHECK(shareOf(planned(ground, {stroke("left-arm", 0, 10, strength)}), 0) == Approx(share));
+  }
+  AutoSettings half = twiceAsLong();
+  half.strength = 0.5;
+  CHECK(shareOf(planned(ground, {stroke("left-arm", 0, 10, 3.0)}, half), 0) == Approx(0.25));
+  // Of a spine, which is as long as the body, from two on.
+  CHECK(shareOf(planned(ground, {stroke("spine", 0, 10, 2.0)}), 0) == Approx(1.0));
+  CHECK(shareOf(planned(ground, {stroke("spine", 0, 10, 1.5)}), 0) == Approx(0.75));
+  CHECK(refusalOf(ground, stroke("left-arm", 0, 10, 0.99)) == "it is too weak to be an action");
+}
+
+TEST_CASE("A limb that is short for its body is exaggerated as much more, up to half", "[plan]") {
+  const auto [length, more] =
+      GENERATE(table<double, double>({{0.6, 1.0}, {0.45, 1.0}, {0.4, 1.125}, {0.3, 1.5}, {0.1, 1.5}}));
+  Document document = striking();
+  document.body.limbs[0].restLength = length; // A quarter of the body is 0.45.
+  CHECK(shareOf(planned(groundOf(document), {stroke("left-arm", 0, 10, 6.0)}), 0) == Approx(more));
+}
+
+TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.15 of it nothing", "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  const auto second = [&](double strength, const AutoSettings& settings = twiceAsLong()) {
+    return planned(ground, {stroke("left-arm", 0, 10, 20.0), stroke("left-arm", 40, 50, strength)}, settings);
+  };
+  CHECK(shareOf(second(13.0), 1) == Approx(1.0));
+  CHECK(shareOf(second(12.0), 1) == Approx(1.0));
+  CHECK(shareOf(second(9.0), 1) == Approx(0.75));
+  CHECK(shareOf(second(3.1), 1) == Approx(3.1 / 6.0 * 3.1 / 12.0));
+  CHECK(second(2.9).leftOut[1] == isWeak);
+  CHECK(second(2.9).leftOut[0].empty());
+  // Strong ones beside those that are asked for count, as far as they can be done or were.
+  AutoSettings settings = twiceAsLong();
+  settings.beside = {stroke("left-arm", 70, 80, 40.0)};
+  CHECK(second(5.9, settings).leftOut[1] == isWeak);
+  CHECK(second(6.1, settings).leftOut[1].empty());
+  settings.beside[0].limb = "right-leg"; // The boxer has none.
+  CHECK(second(5.9, settings).leftOut[1].empty());
+  settings.beside = {stroke("left-arm", 70, 71, 40.0)}; // Too short for a trail.
+  CHECK(second(5.9, settings).leftOut[1].empty());
+}
+
+TEST_CASE("A moment that is refused makes no other one weak, and tells why it is", "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  const std::vector<rig::Moment> moments{stroke("left-arm", 40, 50, 40.0), stroke("left-arm", 0, 10, 5.0)};
+  CHECK(planned(ground, moments).leftOut[1] == isWeak);
+  const AutoPlan plan = planTrails(ground, moments, twiceAsLong(), {{0, "it cannot be"}});
+  CHECK(plan.leftOut == std::vector<std::string>{"it cannot be", ""});
+  CHECK(shareOf(plan, 1) == Approx(5.0 / 6.0));
+}
+
+TEST_CASE("A limb beside a stronger one takes the style's share of it, one that is nearly as strong all",
+          "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  AutoSettings settings = twiceAsLong();
+  settings.style.spread.limbs = 0.25;
+  const auto shareBeside = [&](const rig::Moment& second) {
+    return shareOf(planned(ground, {stroke("left-arm", 0, 10, 20.0), second}, settings), 1);
+  };
+  CHECK(shareBeside(stroke("right-arm", 5, 15, 15.9)) == Approx(0.25));
+  CHECK(shareBeside(stroke("right-arm", 5, 15, 16.1)) == Approx(1.0));
+  CHECK(shareBeside(stroke("right-arm", 10, 20, 15.0)) == Approx(1.0)); // One after the other.
+  CHECK(shareBeside(stroke("left-arm", 40, 50, 15.0)) == Approx(1.0));
+  rig::Moment round = stroke("right-arm", 5, 15, 15.0);
+  round.kind = rig::MomentKind::cycle;
+  CHECK(shareBeside(round) == Approx(1.0));
+}
+
+TEST_CASE("Moments that can have no trail tell why, however strong they are", "[plan]") {
+  Document document = striking();
+  const ClipGround ground = groundOf(document);
+  rig::Moment landing = stroke("left-arm", 0, 10, 9.0);
+  landing.kind = rig::MomentKind::landing;
+  const char* const ofBody = "a landing is of the whole body, whose feet stay where they are";
+  CHECK(refusalOf(ground, landing) == ofBody);
+  CHECK(refusalOf(ground, stroke(rig::wholeBody, 0, 10, 9.0)) == ofBody);
+  CHECK(refusalOf(ground, stroke("tail", 0, 10, 9.0)) == "the character has no such limb");
+  CHECK(refusalOf(ground, stroke("left-arm", 0, 1, 9.0)) == noWayBack);
+  CHECK(refusalOf(ground, stroke("left-arm", 0, 2, 9.0)).empty());
+
+  rig::Trail own;
+  own.id = 1;
+  own.limb = "left-arm";
+  own.settings.startFrame = 8.0;
+  own.settings.endFrame = 30.0;
+  document.trails = {own};
+  const char* const isThere = "a trail is there already";
+  CHECK(refusalOf(ground, stroke("left-arm", 0, 10, 9.0)) == isThere);
+  CHECK(refusalOf(ground, stroke("left-arm", 40, 50, 9.0)).empty());
+  CHECK(refusalOf(ground, stroke("right-arm", 0, 10, 9.0)).empty());
+  // What the user did already counts as an action, so that others are weak beside it.
+  const AutoPlan plan = planned(ground, {stroke("left-arm", 0, 10, 60.0), stroke("left-arm", 40, 50, 8.9)});
+  CHECK(plan.leftOut == std::vector<std::string>{isThere, isWeak});
+}
+
+TEST_CASE("A stroke that the end of a clip cuts off comes back before it, in a loop it goes on", "[plan]") {
+  const Document document = striking();
+  ClipGround ground = groundOf(document);
+  const auto endOf = [&](double startFrame, double endFrame) {
+    return settingsOf(planned(ground, {stroke("left-arm", startFrame, endFrame, 9.0)})).endFrame;
+  };
+  CHECK(endOf(70, 90) == 84.0); // 0.3 of the range
+  CHECK(endOf(70, 89) == 84.0); // of 19: 5.7
+  CHECK(endOf(70, 88) == 88.0);
+  CHECK(endOf(85, 90) == 88.0); // two frames at least
+  CHECK(refusalOf(ground, stroke("left-arm", 87, 90, 9.0)) == noWayBack);
+  ground.wraps = true;
+  CHECK(endOf(70, 90) == 90.0);
+}
+
+TEST_CASE("A way back is as long as the style asks, a sixth of a second at least, and ends with the clip",
+          "[plan]") {
+  const Document document = striking();
+  ClipGround ground = groundOf(document);
+  const auto releaseOf = [&](double startFrame, double endFrame, double release = 0.2) {
+    AutoSettings settings = twiceAsLong();
+    settings.style.release = release;
+    return *settingsOf(planned(ground, {stroke("left-arm", startFrame, endFrame, 9.0)}, settings))
+                .releaseFrames;
+  };
+  CHECK(releaseOf(0, 40) == Approx(8.0));
+  CHECK(releaseOf(0, 40, 0.5) == Approx(20.0));
+  CHECK(releaseOf(0, 10) == Approx(5.0));
+  CHECK(releaseOf(40, 80) == Approx(8.0));
+  CHECK(releaseOf(40, 84) == Approx(6.0));
+  ground.framesPerSecond = 60.0;
+  CHECK(releaseOf(0, 10) == Approx(10.0));
+  ground.framesPerSecond = 6.0;
+  CHECK(releaseOf(0, 5) == Approx(2.0)); // Never less than two frames.
+}
+
+TEST_CASE("A way back ends before the next stroke of its limb has gone half of its way", "[plan]") {
+  const Document document = striking();
+  ClipGround ground = groundOf(document);
+  AutoSettings settings = twiceAsLong();
+  settings.style.release = 5.0;
+  const std::vector<rig::Moment> moments{stroke("left-arm", 0, 10, 9.0), stroke("left-arm", 40, 50, 9.0),
+                                         stroke("right-arm", 12, 20, 8.9)};
+  const AutoPlan plan = planned(ground, moments, settings);
+  CHECK(*settingsOf(plan, 0).releaseFrames == Approx(35.0)); // to frame 45
+  CHECK(*settingsOf(plan, 1).releaseFrames == Approx(40.0)); // to the clip's end
+  ground.wraps = true;
+  const AutoPlan loop = planned(ground, moments, settings);
+  CHECK(*settingsOf(loop, 0).releaseFrames == Approx(35.0));
+  CHECK(*settingsOf(loop, 1).releaseFrames == Approx(45.0)); // round to frame 5
+  CHECK(loop.loops);
+  CHECK_FALSE(plan.loops);
+}
+
+TEST_CASE("An overshoot is left by the square of what a way back has of a third of a second", "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  AutoSettings settings = twiceAsLong();
+  settings.style.overshoot = 0.8;
+  for (const auto& [release, left] : {std::pair(1.0, 0.8), {0.5, 0.8}, {0.25, 0.8 * 0.25}}) {
+    settings.style.release = release; // of 20 frames; a third of a second are ten
+    CHECK(settingsOf(planned(ground, {stroke("left-arm", 0, 20, 9.0)}, settings)).overshoot == Approx(left));
+  }
+}
+
+TEST_CASE("A stroke right after a stronger one of its limb is left out unless the limb itself comes back",
+          "[plan]") {
+  Document document = striking();
+  const ClipGround ground = groundOf(document);
+  const auto second = [&](const std::string& limb, double startFrame, double endFrame) {
+    return planned(ground, {stroke("left-arm", 0, 10, 9.0), stroke(limb, startFrame, endFrame, 8.5)})
+        .leftOut[1];
+  };
+  // From frame 10 on the arm itself goes all of its way back by 20: by 14 two fifths of it and a little more.
+  CHECK(second("left-arm", 12, 20).empty()); // half of it is frame 16, six frames away
+  CHECK(second("left-arm", 10, 14) == noWayBack);
+  CHECK(second("right-arm", 10, 14).empty());
+}
+
+TEST_CASE("The spine goes along with a strike of a limb on it, pulled the limb's way, a little later",
+          "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = groundOf(document);
+  AutoSettings settings = twiceAsLong();
+  settings.style.spread.trunk = 0.5;
+  settings.style.spread.lateFrames = 2.0; // of 1/24 s: 2.5 frames, which are 3
+  const AutoPlan plan = planned(ground, {stroke("left-arm", 0, 10, 9.0)}, settings);
+  REQUIRE(plan.trails.size() == 2);
+  const PlannedTrail& spine = plan.trails[1];
+  CHECK(spine.follows);
+  CHECK(spine.moment == 0);
+  CHECK(spine.trail.limb == "spine");
+  CHECK(spine.trail.settings.startFrame == 3.0);
+  CHECK(spine.trail.settings.endFrame == 13.0);
+  CHECK(spine.trail.settings.scale == 1.0);
+  const Vec3 way = ground.reachOf("left-arm", 10.0) - ground.reachOf("left-arm", 0.0);
+  const double pull = 0.5 * findLimb(document, "spine")->restLength; // Half of what a spine twice as long
+                                                                     // gets.
+  REQUIRE(spine.trail.settings.spheres.size() == 5);
+  CHECK(spine.trail.controlFrames.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double part = static_cast<double>(i) / 4.0;
+    const rig::SphereOffset& sphere = spine.trail.settings.spheres[i];
+    CHECK(sphere.frame == Approx(3.0 + 10.0 * part));
+    const double share = part * part * (3.0 - 2.0 * part);
+    CHECK(glm::length(sphere.offset - share * pull * glm::normalize(way)) < 1e-9);
+  }
+
+  const auto trails = [&](const std::vector<rig::Moment>& moments) {
+    return planned(ground, moments, settings).trails.size();
+  };
+  CHECK(trails({stroke("left-arm", 0, 10, 3.0)}) == 2); // Half of a full stroke is one.
+  CHECK(trails({stroke("left-arm", 0, 10, 2.9)}) == 1);
+  rig::Moment round = stroke("left-arm", 0, 10, 9.0);
+  round.kind = rig::MomentKind::cycle;
+  CHECK(trails({round}) == 1);
+  CHECK(trails({stroke("spine", 0, 10, 9.0)}) == 1);
+  CHECK(trails({stroke("left-arm", 0, 10, 9.0), stroke("spine", 5, 15, 9.0)}) == 2);  // It has its own there,
+  CHECK(trails({stroke("left-arm", 0, 10, 9.0), stroke("spine", 30, 40, 9.0)}) == 3); // and not there.
+  CHECK(trails({stroke("left-arm", 70, 85, 9.0)}) == 2);
+  CHECK(trails({stroke("left-arm", 70, 86, 9.0)}) == 1); // Past the clip's end but two frames.
+}
+
+TEST_CASE("A share of a trail's exaggeration is that of its scale and of its spheres' pull", "[plan]") {
+  rig::TrailSettings settings;
+  settings.scale = 1.8;
+  settings.spheres = {{2.0, Vec3(1.0, 2.0, 3.0), {}}, {4.0, Vec3(-1.0, 0.0, 0.0), {}}};
+  const rig::TrailSettings quarter = withShare(settings, 0.25);
+  CHECK(quarter.scale == Approx(1.2));
+  CHECK(quarter.spheres[0].offset == Vec3(0.25, 0.5, 0.75));
+  CHECK(quarter.spheres[1].offset == Vec3(-0.25, 0.0, 0.0));
+  CHECK(withShare(settings, 1.0) == settings);
+  CHECK(withShare(settings, 0.0).scale == 1.0);
+}
+
+TEST_CASE("A trail acts until the end of its way back, which is as long as its range where none is told",
+          "[plan]") {
+  rig::TrailSettings settings;
+  settings.startFrame = 4.0;
+  settings.endFrame = 10.0;
+  CHECK(windowOf(settings) == Vec2(4.0, 16.0));
+  settings.releaseFrames = 2.5;
+  CHECK(windowOf(settings) == Vec2(4.0, 12.5));
+}
+
+TEST_CASE("A trail that is left out takes along what follows it and the grips that it leads", "[plan]") {
+  const auto planOf = [] {
+    AutoPlan plan;
+    plan.leftOut.resize(3);
+    for (const auto& [moment, limb, follows] : {std::tuple(0U, "left-arm", false),
+                                                {1U, "right-arm", false},
+                                                {0U, "spine", true},
+                                                {2U, "left-arm", false}}) {
+      PlannedTrail trail;
+      trail.moment = moment;
+      trail.trail.limb = limb;
+      trail.follows = follows;
+      trail.trail.settings.startFrame = 10.0 * moment;
+      plan.trails.push_back(trail);
+      rig::Grip grip;
+      grip.leader = limb;
+      grip.time.rangeFrames = Vec2(10.0 * moment, 100.0);
+      plan.holds.grips.push_back(grip);
+    }
+    return plan;
+  };
+  AutoPlan plan = planOf();
+  leaveOut(plan, 0, "why");
+  CHECK(plan.leftOut == std::vector<std::string>{"why", "", ""});
+  REQUIRE(plan.trails.size() == 2);
+  CHECK(plan.trails[0].trail.limb == "right-arm");
+  CHECK(plan.trails[1].moment == 2);
+  REQUIRE(plan.holds.grips.size() == 3);
+  CHECK(plan.holds.grips[0].leader == "right-arm");
+  CHECK(plan.holds.grips[2].time.rangeFrames.x == 20.0); // Another one of the same limb stays.
+
+  plan = planOf();
+  leaveOut(plan, 2, "why"); // One that follows goes alone.
+  CHECK(plan.leftOut[0].empty());
+  CHECK(plan.trails.size() == 3);
+  CHECK(plan.holds.grips.size() == 4);
+}
