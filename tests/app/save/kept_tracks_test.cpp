@@ -1,4 +1,5 @@
 // Which numbers of edited tracks a file keeps, and which of those it does not take back.
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -170,6 +171,12 @@ TEST_CASE("A new track needs both times and values, and none stands twice", "[ke
     Json entries = kept;
     entries[0].erase(missing);
     CHECK_THAT(restored(entries), Catch::Contains("clip_keys"));
+  }
+  const auto nodes = static_cast<int>(start.scene->nodes.size());
+  for (const auto& [node, isThere] : {std::pair(nodes - 1, true), {nodes, false}}) {
+    Json entries = kept;
+    entries[0]["node"] = node;
+    CHECK((restored(entries) == "accepted") == isThere);
   }
   Json twice = kept;
   twice.push_back(kept[0]);
