@@ -153,6 +153,10 @@ TEST_CASE("A moment that is refused makes no other one weak, and tells why it is
   const AutoPlan plan = planTrails(ground, moments, twiceAsLong(), {{0, "it cannot be"}});
   CHECK(plan.leftOut == std::vector<std::string>{"it cannot be", ""});
   CHECK(shareOf(plan, 1) == Approx(5.0 / 6.0));
+  // What is refused is told by its place among those that are asked for, not among those beside them.
+  AutoSettings settings = twiceAsLong();
+  settings.beside = {stroke("left-arm", 70, 80, 60.0)};
+  CHECK(planTrails(ground, moments, settings, {{0, "it cannot be"}}).leftOut[1] == isWeak);
 }
 
 TEST_CASE("A limb beside a stronger one takes the style's share of it, one that is nearly as strong all",
@@ -168,6 +172,7 @@ TEST_CASE("A limb beside a stronger one takes the style's share of it, one that 
   CHECK(shareBeside(stroke("right-arm", 5, 15, 16.1)) == Approx(1.0));
   CHECK(shareBeside(stroke("right-arm", 10, 20, 15.0)) == Approx(1.0)); // One after the other.
   CHECK(shareBeside(stroke("left-arm", 40, 50, 15.0)) == Approx(1.0));
+  CHECK(shareBeside(stroke("left-arm", 9, 19, 15.0)) != Approx(0.25)); // Of its own limb none is beside it.
   rig::Moment round = stroke("right-arm", 5, 15, 15.0);
   round.kind = rig::MomentKind::cycle;
   CHECK(shareBeside(round) == Approx(1.0));
@@ -375,6 +380,11 @@ TEST_CASE("A trail that is left out takes along what follows it and the grips th
   REQUIRE(plan.holds.grips.size() == 3);
   CHECK(plan.holds.grips[0].leader == "right-arm");
   CHECK(plan.holds.grips[2].time.rangeFrames.x == 20.0); // Another one of the same limb stays.
+
+  plan = planOf();
+  leaveOut(plan, 3, "later"); // Told where its moment is.
+  CHECK(plan.leftOut == std::vector<std::string>{"", "", "later"});
+  CHECK(plan.trails.size() == 3);
 
   plan = planOf();
   leaveOut(plan, 2, "why"); // One that follows goes alone.
