@@ -15,7 +15,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double arm = 0.6; // Length of the boxer's arms; their shoulders are 0.4 apart.
+constexpr double armReach = 0.6; // Length of the boxer's arms; their shoulders are 0.4 apart.
 
 /// How two hands go together: both arms turn inwards, and the chest takes them round.
 struct TwoHands {
@@ -39,15 +39,15 @@ Document swinging(const TwoHands& hands) {
   return test::withTracks(start, {chest, left, right});
 }
 
-ClipGround groundOf(const Document& document, double lastFrame = 20.0) {
+ClipGround joinedGround(const Document& document, double lastFrame = 20.0) {
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
   ground.lastFrame = lastFrame;
   return ground;
 }
 
-PlannedTrail planned(std::size_t moment, const std::string& limb, double startFrame, double endFrame,
-                     double release = 0.0) {
+PlannedTrail plannedTrail(std::size_t moment, const std::string& limb, double startFrame, double endFrame,
+                          double release = 0.0) {
   PlannedTrail trail;
   trail.moment = moment;
   trail.trail.limb = limb;
@@ -66,8 +66,8 @@ AutoPlan planOf(const std::vector<PlannedTrail>& trails) {
 
 std::size_t gripsOver(const Document& document, double startFrame, double endFrame,
                       const std::string& limb = "left-arm") {
-  AutoPlan plan = planOf({planned(0, limb, startFrame, endFrame)});
-  const std::size_t count = gripsFor(groundOf(document), plan).size();
+  AutoPlan plan = planOf({plannedTrail(0, limb, startFrame, endFrame)});
+  const std::size_t count = gripsFor(joinedGround(document), plan).size();
   CHECK(plan.trails.size() == 1);
   return count;
 }
@@ -78,8 +78,8 @@ TEST_CASE("A hand that keeps its place in the other one follows it while the tra
   const Document document = swinging({});
   const auto [limb, other] =
       GENERATE(table<std::string, std::string>({{"left-arm", "right-arm"}, {"right-arm", "left-arm"}}));
-  AutoPlan plan = planOf({planned(0, limb, 2.0, 12.0, 4.0)});
-  const std::vector<rig::Grip> grips = gripsFor(groundOf(document), plan);
+  AutoPlan plan = planOf({plannedTrail(0, limb, 2.0, 12.0, 4.0)});
+  const std::vector<rig::Grip> grips = gripsFor(joinedGround(document), plan);
   REQUIRE(grips.size() == 1);
   rig::Grip wanted;
   wanted.follower = other;
@@ -87,15 +87,15 @@ TEST_CASE("A hand that keeps its place in the other one follows it while the tra
   wanted.clip = 0;
   wanted.time = {{2.0, 16.0}, {0.0, 0.0}};
   CHECK(grips[0] == wanted);
-  CHECK(gripsFor(groundOf(document, 14.0), plan)[0].time.rangeFrames == Vec2(2.0, 14.0)); // Within the clip.
+  CHECK(gripsFor(joinedGround(document, 14.0), plan)[0].time.rangeFrames == Vec2(2.0, 14.0));
 }
 
 TEST_CASE("Hands that are apart, wander or rest hold nothing together") {
   CHECK(gripsOver(swinging({}), 0.0, 20.0) == 1);
   // The farthest that hands may be apart is 0.6 of an arm: 0.4 less what both come inwards.
-  const auto inwardsFor = [](double apart) { return 0.5 * pi + std::asin(0.5 * (0.4 - apart) / arm); };
-  CHECK(gripsOver(swinging({.inwards = inwardsFor(0.59 * arm)}), 0.0, 20.0) == 1);
-  CHECK(gripsOver(swinging({.inwards = inwardsFor(0.61 * arm)}), 0.0, 20.0) == 0);
+  const auto inwardsFor = [](double apart) { return 0.5 * pi + std::asin(0.5 * (0.4 - apart) / armReach); };
+  CHECK(gripsOver(swinging({.inwards = inwardsFor(0.59 * armReach)}), 0.0, 20.0) == 1);
+  CHECK(gripsOver(swinging({.inwards = inwardsFor(0.61 * armReach)}), 0.0, 20.0) == 0);
   // One that wanders by 0.04 of an arm, seen from the other.
   CHECK(gripsOver(swinging({.wanders = {0, 0, 0.036, 0, 0}}), 0.0, 20.0) == 1);
   CHECK(gripsOver(swinging({.wanders = {0, 0, 0.044, 0, 0}}), 0.0, 20.0) == 0);
@@ -104,10 +104,10 @@ TEST_CASE("Hands that are apart, wander or rest hold nothing together") {
   CHECK(gripsOver(swinging({.wanders = {0, 0, 0, 0, 0.044}}), 0.0, 20.0) == 0);
   CHECK(gripsOver(swinging({.wanders = {0.044, 0, 0, 0, 0}}), 0.0, 20.0) == 0);
   // Hands before the chest go round it by the angle: 0.3 of an arm at least.
-  const double radius = arm * std::sin(1.95);
+  const double radius = armReach * std::sin(1.95);
   const auto roundFor = [&](double way) { return 2.0 * std::asin(0.5 * way / radius); };
-  CHECK(gripsOver(swinging({.round = roundFor(0.31 * arm)}), 0.0, 20.0) == 1);
-  CHECK(gripsOver(swinging({.round = roundFor(0.29 * arm)}), 0.0, 20.0) == 0);
+  CHECK(gripsOver(swinging({.round = roundFor(0.31 * armReach)}), 0.0, 20.0) == 1);
+  CHECK(gripsOver(swinging({.round = roundFor(0.29 * armReach)}), 0.0, 20.0) == 0);
 }
 
 TEST_CASE("Hands count as joined by what they do over the trail alone") {
@@ -122,8 +122,9 @@ TEST_CASE("Of two trails of hands that hold on to each other the weaker one is l
   const auto [start, end, isLeftOut] = GENERATE(table<double, double, bool>(
       {{4.0, 8.0, true}, {1.0, 3.0, true}, {11.0, 19.0, true}, {12.0, 19.0, false}, {0.0, 2.0, false}}));
   CAPTURE(start, end);
-  AutoPlan plan = planOf({planned(0, "left-arm", 2.0, 10.0, 2.0), planned(1, "right-arm", start, end)});
-  const std::vector<rig::Grip> grips = gripsFor(groundOf(document), plan);
+  AutoPlan plan =
+      planOf({plannedTrail(0, "left-arm", 2.0, 10.0, 2.0), plannedTrail(1, "right-arm", start, end)});
+  const std::vector<rig::Grip> grips = gripsFor(joinedGround(document), plan);
   CHECK(plan.leftOut[0].empty());
   CHECK(plan.leftOut[1] == (isLeftOut ? "its hand holds what left-arm holds, and follows it" : ""));
   REQUIRE(plan.trails.size() == (isLeftOut ? 1U : 2U));
@@ -134,9 +135,9 @@ TEST_CASE("Of two trails of hands that hold on to each other the weaker one is l
 
 TEST_CASE("Of the other hand's trails all that act at once are left out, and other limbs keep theirs") {
   const Document document = swinging({});
-  AutoPlan plan = planOf({planned(0, "left-arm", 2.0, 10.0), planned(1, "right-arm", 3.0, 5.0),
-                          planned(2, "spine", 2.0, 10.0), planned(3, "right-arm", 6.0, 9.0)});
-  CHECK(gripsFor(groundOf(document), plan).size() == 1);
+  AutoPlan plan = planOf({plannedTrail(0, "left-arm", 2.0, 10.0), plannedTrail(1, "right-arm", 3.0, 5.0),
+                          plannedTrail(2, "spine", 2.0, 10.0), plannedTrail(3, "right-arm", 6.0, 9.0)});
+  CHECK(gripsFor(joinedGround(document), plan).size() == 1);
   REQUIRE(plan.trails.size() == 2);
   CHECK(plan.trails[1].trail.limb == "spine");
   CHECK(plan.leftOut[1] == plan.leftOut[3]);
@@ -150,12 +151,12 @@ TEST_CASE("Hands that are on one prop keep to that, and not to each other") {
     return rig::PropHand{limb, {{.frame = 0.0, .value = 1.0}}};
   };
   const auto gripsWith = [&](const std::vector<std::vector<rig::PropHand>>& props) {
-    AutoPlan plan = planOf({planned(0, "left-arm", 2.0, 10.0)});
+    AutoPlan plan = planOf({plannedTrail(0, "left-arm", 2.0, 10.0)});
     for (const std::vector<rig::PropHand>& hands : props) {
       plan.holds.props.emplace_back();
       plan.holds.props.back().hands = hands;
     }
-    return gripsFor(groundOf(document), plan).size();
+    return gripsFor(joinedGround(document), plan).size();
   };
   CHECK(gripsWith({{handOn("left-arm"), handOn("right-arm")}}) == 0);
   CHECK(gripsWith({{handOn("left-arm")}}) == 1);

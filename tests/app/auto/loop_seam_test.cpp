@@ -17,7 +17,7 @@ namespace {
 
 constexpr double metre = 2.0; // World units of a metre of a person.
 
-Document twiceAsLarge() {
+Document largeBoxer() {
   Document document = test::boxer();
   document.body.size = metre * characterSizeMetres;
   return document;
@@ -30,7 +30,7 @@ ClipGround groundAt(const Document& document, double framesPerSecond) {
 }
 
 /// Two limbs of three points that stand still.
-LoopSeam standing() {
+LoopSeam standingSeam() {
   const LimbPlaces places(2, std::vector<Vec3>{Vec3(1.0), Vec3(2.0), Vec3(3.0)});
   return {places, places, places, places};
 }
@@ -65,13 +65,13 @@ double largestDifference(const LimbPlaces& a, const LimbPlaces& b) {
 } // namespace
 
 TEST_CASE("A seam closes worse where a limb is more than 8 mm farther from its first place than it was") {
-  const Document document = twiceAsLarge();
+  const Document document = largeBoxer();
   const ClipGround ground = groundAt(document, 30.0);
   const std::size_t point = GENERATE(0U, 1U, 2U);
   const double own = GENERATE(0.0, 0.5); // Gap of the source.
-  const LoopSeam source = withGap(standing(), own, point);
+  const LoopSeam source = withGap(standingSeam(), own, point);
   const auto worse = [&](double gap, std::size_t limb) {
-    return closesWorse(ground, withGap(standing(), gap, point), source, limb);
+    return closesWorse(ground, withGap(standingSeam(), gap, point), source, limb);
   };
   CHECK_FALSE(worse(own, 1));
   CHECK_FALSE(worse(own + 0.0079 * metre, 1));
@@ -86,12 +86,12 @@ TEST_CASE("A seam closes worse where a limb turns more sharply by more than 0.06
   const double own = GENERATE(0.0, 3.0);
   const std::size_t point = GENERATE(0U, 2U);
   CAPTURE(rate, own);
-  const Document document = twiceAsLarge();
+  const Document document = largeBoxer();
   const ClipGround ground = groundAt(document, rate);
   const double length = seconds;
-  const LoopSeam source = withTurn(standing(), own, length, point);
+  const LoopSeam source = withTurn(standingSeam(), own, length, point);
   const auto worse = [&](double speed, std::size_t limb) {
-    return closesWorse(ground, withTurn(standing(), speed, length, point), source, limb);
+    return closesWorse(ground, withTurn(standingSeam(), speed, length, point), source, limb);
   };
   CHECK_FALSE(worse(own, 1));
   CHECK_FALSE(worse(own + 0.059 * metre, 1));
@@ -100,18 +100,18 @@ TEST_CASE("A seam closes worse where a limb turns more sharply by more than 0.06
 }
 
 TEST_CASE("A limb that goes on across the seam as fast as it comes to it does not turn there") {
-  const Document document = twiceAsLarge();
+  const Document document = largeBoxer();
   const ClipGround ground = groundAt(document, 30.0);
   const auto moving = [](double before, double after) {
-    LoopSeam seam = standing();
+    LoopSeam seam = standingSeam();
     seam.beforeLast[1][0] -= before * away;
     seam.afterFirst[1][0] += after * away;
     return seam;
   };
-  CHECK_FALSE(closesWorse(ground, moving(0.4, 0.4), standing(), 1));
-  CHECK(closesWorse(ground, moving(0.4, -0.4), standing(), 1));
-  CHECK(closesWorse(ground, moving(0.4, 0.0), standing(), 1));
-  CHECK(closesWorse(ground, moving(0.0, 0.4), standing(), 1));
+  CHECK_FALSE(closesWorse(ground, moving(0.4, 0.4), standingSeam(), 1));
+  CHECK(closesWorse(ground, moving(0.4, -0.4), standingSeam(), 1));
+  CHECK(closesWorse(ground, moving(0.4, 0.0), standingSeam(), 1));
+  CHECK(closesWorse(ground, moving(0.0, 0.4), standingSeam(), 1));
 }
 
 TEST_CASE(

@@ -22,7 +22,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double lastFrame = 90.0;
+constexpr double planEnd = 90.0;
 
 /// The left arm strikes from frame 0 to 10 and is back at 20, and strikes again from 40 to 50.
 Document striking() {
@@ -37,12 +37,12 @@ Document striking() {
   return document;
 }
 
-ClipGround groundOf(const Document& document) {
+ClipGround plannedGround(const Document& document) {
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
-  ground.lastFrame = lastFrame;
+  ground.lastFrame = planEnd;
   ground.limbs = allLimbs(document);
-  for (double frame = 0.0; frame <= lastFrame; frame += 1.0) {
+  for (double frame = 0.0; frame <= planEnd; frame += 1.0) {
     ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));
   }
   return ground;
@@ -63,7 +63,7 @@ rig::Moment stroke(const std::string& limb, double startFrame, double endFrame, 
   return {limb, rig::MomentKind::stroke, startFrame, endFrame, endFrame, strength};
 }
 
-AutoPlan planned(const ClipGround& ground, const std::vector<rig::Moment>& moments,
+AutoPlan planFor(const ClipGround& ground, const std::vector<rig::Moment>& moments,
                  const AutoSettings& settings = twiceAsLong()) {
   return planTrails(ground, moments, settings, {});
 }
@@ -78,11 +78,11 @@ double shareOf(const AutoPlan& plan, std::size_t moment) {
   return 0.0;
 }
 
-std::string refusalOf(const ClipGround& ground, const rig::Moment& moment) {
-  return planned(ground, {moment}).leftOut[0];
+std::string whyNot(const ClipGround& ground, const rig::Moment& moment) {
+  return planFor(ground, {moment}).leftOut[0];
 }
 
-const rig::TrailSettings& settingsOf(const AutoPlan& plan, std::size_t place = 0) {
+const rig::TrailSettings& plannedSettings(const AutoPlan& plan, std::size_t place = 0) {
   REQUIRE(plan.trails.size() > place);
   return plan.trails[place].trail.settings;
 }
@@ -94,7 +94,7 @@ constexpr const char* isWeak = "it is weak beside the clip's strongest";
 
 TEST_CASE("A moment gets all of a style from six reaches a second on, a fifth of it at least", "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   for (const auto& [strength, share] : {std::pair(12.0, 1.0),
                                         {6.0, 1.0},
                                         {5.9, 5.9 / 6.0},
@@ -103,15 +103,15 @@ TEST_CASE("A moment gets all of a style from six reaches a second on, a fifth of
                                         {1.1, 0.2},
                                         {1.0, 0.2}}) {
     CAPTURE(strength);
-    CHECK(shareOf(planned(ground, {stroke("left-arm", 0, 10, strength)}), 0) == Approx(share));
+    CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, strength)}), 0) == Approx(share));
   }
   AutoSettings half = twiceAsLong();
   half.strength = 0.5;
-  CHECK(shareOf(planned(ground, {stroke("left-arm", 0, 10, 3.0)}, half), 0) == Approx(0.25));
+  CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, 3.0)}, half), 0) == Approx(0.25));
   // Of a spine, which is as long as the body, from two on.
-  CHECK(shareOf(planned(ground, {stroke("spine", 0, 10, 2.0)}), 0) == Approx(1.0));
-  CHECK(shareOf(planned(ground, {stroke("spine", 0, 10, 1.5)}), 0) == Approx(0.75));
-  CHECK(refusalOf(ground, stroke("left-arm", 0, 10, 0.99)) == "it is too weak to be an action");
+  CHECK(shareOf(planFor(ground, {stroke("spine", 0, 10, 2.0)}), 0) == Approx(1.0));
+  CHECK(shareOf(planFor(ground, {stroke("spine", 0, 10, 1.5)}), 0) == Approx(0.75));
+  CHECK(whyNot(ground, stroke("left-arm", 0, 10, 0.99)) == "it is too weak to be an action");
 }
 
 TEST_CASE("A limb that is short for its body is exaggerated as much more, up to half", "[plan]") {
@@ -119,14 +119,14 @@ TEST_CASE("A limb that is short for its body is exaggerated as much more, up to 
       GENERATE(table<double, double>({{0.6, 1.0}, {0.45, 1.0}, {0.4, 1.125}, {0.3, 1.5}, {0.1, 1.5}}));
   Document document = striking();
   document.body.limbs[0].restLength = length; // A quarter of the body is 0.45.
-  CHECK(shareOf(planned(groundOf(document), {stroke("left-arm", 0, 10, 6.0)}), 0) == Approx(more));
+  CHECK(shareOf(planFor(plannedGround(document), {stroke("left-arm", 0, 10, 6.0)}), 0) == Approx(more));
 }
 
 TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.15 of it nothing", "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   const auto second = [&](double strength, const AutoSettings& settings = twiceAsLong()) {
-    return planned(ground, {stroke("left-arm", 0, 10, 20.0), stroke("left-arm", 40, 50, strength)}, settings);
+    return planFor(ground, {stroke("left-arm", 0, 10, 20.0), stroke("left-arm", 40, 50, strength)}, settings);
   };
   CHECK(shareOf(second(13.0), 1) == Approx(1.0));
   CHECK(shareOf(second(12.0), 1) == Approx(1.0));
@@ -147,9 +147,9 @@ TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.1
 
 TEST_CASE("A moment that is refused makes no other one weak, and tells why it is", "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   const std::vector<rig::Moment> moments{stroke("left-arm", 40, 50, 40.0), stroke("left-arm", 0, 10, 5.0)};
-  CHECK(planned(ground, moments).leftOut[1] == isWeak);
+  CHECK(planFor(ground, moments).leftOut[1] == isWeak);
   const AutoPlan plan = planTrails(ground, moments, twiceAsLong(), {{0, "it cannot be"}});
   CHECK(plan.leftOut == std::vector<std::string>{"it cannot be", ""});
   CHECK(shareOf(plan, 1) == Approx(5.0 / 6.0));
@@ -162,11 +162,11 @@ TEST_CASE("A moment that is refused makes no other one weak, and tells why it is
 TEST_CASE("A limb beside a stronger one takes the style's share of it, one that is nearly as strong all",
           "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   AutoSettings settings = twiceAsLong();
   settings.style.spread.limbs = 0.25;
   const auto shareBeside = [&](const rig::Moment& second) {
-    return shareOf(planned(ground, {stroke("left-arm", 0, 10, 20.0), second}, settings), 1);
+    return shareOf(planFor(ground, {stroke("left-arm", 0, 10, 20.0), second}, settings), 1);
   };
   CHECK(shareBeside(stroke("right-arm", 5, 15, 15.9)) == Approx(0.25));
   CHECK(shareBeside(stroke("right-arm", 5, 15, 16.1)) == Approx(1.0));
@@ -180,15 +180,15 @@ TEST_CASE("A limb beside a stronger one takes the style's share of it, one that 
 
 TEST_CASE("Moments that can have no trail tell why, however strong they are", "[plan]") {
   Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   rig::Moment landing = stroke("left-arm", 0, 10, 9.0);
   landing.kind = rig::MomentKind::landing;
   const char* const ofBody = "a landing is of the whole body, whose feet stay where they are";
-  CHECK(refusalOf(ground, landing) == ofBody);
-  CHECK(refusalOf(ground, stroke(rig::wholeBody, 0, 10, 9.0)) == ofBody);
-  CHECK(refusalOf(ground, stroke("tail", 0, 10, 9.0)) == "the character has no such limb");
-  CHECK(refusalOf(ground, stroke("left-arm", 0, 1, 9.0)) == noWayBack);
-  CHECK(refusalOf(ground, stroke("left-arm", 0, 2, 9.0)).empty());
+  CHECK(whyNot(ground, landing) == ofBody);
+  CHECK(whyNot(ground, stroke(rig::wholeBody, 0, 10, 9.0)) == ofBody);
+  CHECK(whyNot(ground, stroke("tail", 0, 10, 9.0)) == "the character has no such limb");
+  CHECK(whyNot(ground, stroke("left-arm", 0, 1, 9.0)) == noWayBack);
+  CHECK(whyNot(ground, stroke("left-arm", 0, 2, 9.0)).empty());
 
   rig::Trail own;
   own.id = 1;
@@ -197,25 +197,25 @@ TEST_CASE("Moments that can have no trail tell why, however strong they are", "[
   own.settings.endFrame = 30.0;
   document.trails = {own};
   const char* const isThere = "a trail is there already";
-  CHECK(refusalOf(ground, stroke("left-arm", 0, 10, 9.0)) == isThere);
-  CHECK(refusalOf(ground, stroke("left-arm", 40, 50, 9.0)).empty());
-  CHECK(refusalOf(ground, stroke("right-arm", 0, 10, 9.0)).empty());
+  CHECK(whyNot(ground, stroke("left-arm", 0, 10, 9.0)) == isThere);
+  CHECK(whyNot(ground, stroke("left-arm", 40, 50, 9.0)).empty());
+  CHECK(whyNot(ground, stroke("right-arm", 0, 10, 9.0)).empty());
   // What the user did already counts as an action, so that others are weak beside it.
-  const AutoPlan plan = planned(ground, {stroke("left-arm", 0, 10, 60.0), stroke("left-arm", 40, 50, 8.9)});
+  const AutoPlan plan = planFor(ground, {stroke("left-arm", 0, 10, 60.0), stroke("left-arm", 40, 50, 8.9)});
   CHECK(plan.leftOut == std::vector<std::string>{isThere, isWeak});
 }
 
 TEST_CASE("A stroke that the end of a clip cuts off comes back before it, in a loop it goes on", "[plan]") {
   const Document document = striking();
-  ClipGround ground = groundOf(document);
+  ClipGround ground = plannedGround(document);
   const auto endOf = [&](double startFrame, double endFrame) {
-    return settingsOf(planned(ground, {stroke("left-arm", startFrame, endFrame, 9.0)})).endFrame;
+    return plannedSettings(planFor(ground, {stroke("left-arm", startFrame, endFrame, 9.0)})).endFrame;
   };
   CHECK(endOf(70, 90) == 84.0); // 0.3 of the range
   CHECK(endOf(70, 89) == 84.0); // of 19: 5.7
   CHECK(endOf(70, 88) == 88.0);
   CHECK(endOf(85, 90) == 88.0); // two frames at least
-  CHECK(refusalOf(ground, stroke("left-arm", 87, 90, 9.0)) == noWayBack);
+  CHECK(whyNot(ground, stroke("left-arm", 87, 90, 9.0)) == noWayBack);
   ground.wraps = true;
   CHECK(endOf(70, 90) == 90.0);
 }
@@ -223,11 +223,11 @@ TEST_CASE("A stroke that the end of a clip cuts off comes back before it, in a l
 TEST_CASE("A way back is as long as the style asks, a sixth of a second at least, and ends with the clip",
           "[plan]") {
   const Document document = striking();
-  ClipGround ground = groundOf(document);
+  ClipGround ground = plannedGround(document);
   const auto releaseOf = [&](double startFrame, double endFrame, double release = 0.2) {
     AutoSettings settings = twiceAsLong();
     settings.style.release = release;
-    return *settingsOf(planned(ground, {stroke("left-arm", startFrame, endFrame, 9.0)}, settings))
+    return *plannedSettings(planFor(ground, {stroke("left-arm", startFrame, endFrame, 9.0)}, settings))
                 .releaseFrames;
   };
   CHECK(releaseOf(0, 40) == Approx(8.0));
@@ -243,39 +243,40 @@ TEST_CASE("A way back is as long as the style asks, a sixth of a second at least
 
 TEST_CASE("A way back ends before the next stroke of its limb has gone half of its way", "[plan]") {
   const Document document = striking();
-  ClipGround ground = groundOf(document);
+  ClipGround ground = plannedGround(document);
   AutoSettings settings = twiceAsLong();
   settings.style.release = 5.0;
   const std::vector<rig::Moment> moments{stroke("left-arm", 0, 10, 9.0), stroke("left-arm", 40, 50, 9.0),
                                          stroke("right-arm", 12, 20, 8.9)};
-  const AutoPlan plan = planned(ground, moments, settings);
-  CHECK(*settingsOf(plan, 0).releaseFrames == Approx(35.0)); // to frame 45
-  CHECK(*settingsOf(plan, 1).releaseFrames == Approx(40.0)); // to the clip's end
+  const AutoPlan plan = planFor(ground, moments, settings);
+  CHECK(*plannedSettings(plan, 0).releaseFrames == Approx(35.0)); // to frame 45
+  CHECK(*plannedSettings(plan, 1).releaseFrames == Approx(40.0)); // to the clip's end
   ground.wraps = true;
-  const AutoPlan loop = planned(ground, moments, settings);
-  CHECK(*settingsOf(loop, 0).releaseFrames == Approx(35.0));
-  CHECK(*settingsOf(loop, 1).releaseFrames == Approx(45.0)); // round to frame 5
+  const AutoPlan loop = planFor(ground, moments, settings);
+  CHECK(*plannedSettings(loop, 0).releaseFrames == Approx(35.0));
+  CHECK(*plannedSettings(loop, 1).releaseFrames == Approx(45.0)); // round to frame 5
   CHECK(loop.loops);
   CHECK_FALSE(plan.loops);
 }
 
 TEST_CASE("An overshoot is left by the square of what a way back has of a third of a second", "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   AutoSettings settings = twiceAsLong();
   settings.style.overshoot = 0.8;
   for (const auto& [release, left] : {std::pair(1.0, 0.8), {0.5, 0.8}, {0.25, 0.8 * 0.25}}) {
     settings.style.release = release; // of 20 frames; a third of a second are ten
-    CHECK(settingsOf(planned(ground, {stroke("left-arm", 0, 20, 9.0)}, settings)).overshoot == Approx(left));
+    CHECK(plannedSettings(planFor(ground, {stroke("left-arm", 0, 20, 9.0)}, settings)).overshoot ==
+          Approx(left));
   }
 }
 
 TEST_CASE("A stroke right after a stronger one of its limb is left out unless the limb itself comes back",
           "[plan]") {
   Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   const auto second = [&](const std::string& limb, double startFrame, double endFrame) {
-    return planned(ground, {stroke("left-arm", 0, 10, 9.0), stroke(limb, startFrame, endFrame, 8.5)})
+    return planFor(ground, {stroke("left-arm", 0, 10, 9.0), stroke(limb, startFrame, endFrame, 8.5)})
         .leftOut[1];
   };
   // From frame 10 on the arm itself goes all of its way back by 20: by 14 two fifths of it and a little more.
@@ -287,11 +288,11 @@ TEST_CASE("A stroke right after a stronger one of its limb is left out unless th
 TEST_CASE("The spine goes along with a strike of a limb on it, pulled the limb's way, a little later",
           "[plan]") {
   const Document document = striking();
-  const ClipGround ground = groundOf(document);
+  const ClipGround ground = plannedGround(document);
   AutoSettings settings = twiceAsLong();
   settings.style.spread.trunk = 0.5;
   settings.style.spread.lateFrames = 2.0; // of 1/24 s: 2.5 frames, which are 3
-  const AutoPlan plan = planned(ground, {stroke("left-arm", 0, 10, 9.0)}, settings);
+  const AutoPlan plan = planFor(ground, {stroke("left-arm", 0, 10, 9.0)}, settings);
   REQUIRE(plan.trails.size() == 2);
   const PlannedTrail& spine = plan.trails[1];
   CHECK(spine.follows);
@@ -314,7 +315,7 @@ TEST_CASE("The spine goes along with a strike of a limb on it, pulled the limb's
   }
 
   const auto trails = [&](const std::vector<rig::Moment>& moments) {
-    return planned(ground, moments, settings).trails.size();
+    return planFor(ground, moments, settings).trails.size();
   };
   CHECK(trails({stroke("left-arm", 0, 10, 3.0)}) == 2); // Half of a full stroke is one.
   CHECK(trails({stroke("left-arm", 0, 10, 2.9)}) == 1);

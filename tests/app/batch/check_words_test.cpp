@@ -16,10 +16,10 @@ using gltf::Json;
 
 namespace {
 
-constexpr const char* dummyPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+constexpr const char* checkedDummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
 std::string stretchedPunchIn(const test::TemporaryFolder& folder) {
-  const Result<Document> source = openDocument(dummyPath);
+  const Result<Document> source = openDocument(checkedDummy);
   REQUIRE(source);
   const Document document =
       test::withNewTrail(*source, {.limb = "left-arm", .startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
@@ -28,7 +28,7 @@ std::string stretchedPunchIn(const test::TemporaryFolder& folder) {
   return file;
 }
 
-std::string wordsOf(std::vector<std::string> words) {
+std::string checkWords(std::vector<std::string> words) {
   words.insert(words.begin(), "check");
   const test::VerbAnswer answer = test::runVerb(words);
   REQUIRE(answer.exitCode == 0);
@@ -37,7 +37,7 @@ std::string wordsOf(std::vector<std::string> words) {
 
 Json numbersOf(std::vector<std::string> words) {
   words.emplace_back("--json");
-  return Json::parse(wordsOf(words));
+  return Json::parse(checkWords(words));
 }
 
 /// One line for each finding, then one that counts them and names what is left open.
@@ -76,24 +76,25 @@ TEST_CASE("Each finding of an engine is a line, and then how many there are and 
     CHECK_FALSE(engine["not_judged"].empty());
   }
   CHECK(findings > 2);
-  const std::string words = wordsOf({file, "--engine", "all"});
+  const std::string words = checkWords({file, "--engine", "all"});
   CHECK_THAT(words, Catch::EndsWith(linesOf(report["engines"])));
   // Of some that are asked for there are these alone, in the order of all.
   const Json two = numbersOf({file, "--engine", "godot,three"});
   REQUIRE(two["engines"].size() == 2);
   CHECK(two["engines"][0]["engine"] == "three");
-  CHECK_THAT(wordsOf({file, "--engine", "godot,three"}), Catch::EndsWith(linesOf(two["engines"])));
+  CHECK_THAT(checkWords({file, "--engine", "godot,three"}), Catch::EndsWith(linesOf(two["engines"])));
 }
 
 TEST_CASE("Without engines and a file from before neither is told of, with them each once", "[check]") {
   const test::TemporaryFolder folder;
   const std::string file = stretchedPunchIn(folder);
-  CHECK_THAT(wordsOf({file}), !Catch::Contains("not judged"));
+  CHECK_THAT(checkWords({file}), !Catch::Contains("not judged"));
   CHECK_FALSE(numbersOf({file}).contains("engines"));
   CHECK_FALSE(numbersOf({file}).contains("worse"));
-  const Json report = numbersOf({file, "--engine", "godot", "--before", dummyPath});
+  const Json report = numbersOf({file, "--engine", "godot", "--before", checkedDummy});
   CHECK(report.contains("worse"));
   CHECK(report["engines"].size() == 1);
   CHECK(report["problems"].size() == numbersOf({file})["problems"].size());
-  CHECK_THAT(wordsOf({file}), Catch::Contains(std::to_string(report["problems"].size()) + " problems found"));
+  CHECK_THAT(checkWords({file}),
+             Catch::Contains(std::to_string(report["problems"].size()) + " problems found"));
 }

@@ -11,7 +11,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double rate = 10.0;
+constexpr double keyRate = 10.0;
 constexpr float drawn = 7.0F; // Of every tangent: no slope that neighbours would give.
 
 /// Translations at frames 0, 4, 6 and 9: x as told, y half and z none of it.
@@ -21,7 +21,7 @@ Track cubicTrack(const std::vector<double>& xs) {
   track.node = NodeIndex(3);
   track.interpolation = Interpolation::cubicSpline;
   for (std::size_t i = 0; i < xs.size(); ++i) {
-    track.times.push_back(static_cast<float>(frames[i] / rate));
+    track.times.push_back(static_cast<float>(frames[i] / keyRate));
     for (const double value : {7.0, 7.0, 7.0, xs[i], 0.5 * xs[i], 0.0, 7.0, 7.0, 7.0}) {
       track.values.push_back(static_cast<float>(value));
     }
@@ -29,8 +29,8 @@ Track cubicTrack(const std::vector<double>& xs) {
   return track;
 }
 
-KeyedRow rowOf(const Track& track, const std::vector<unsigned>& following) {
-  KeyedRow row = readTrack(track, rate, RowDetail::values);
+KeyedRow followingRow(const Track& track, const std::vector<unsigned>& following) {
+  KeyedRow row = readTrack(track, keyRate, RowDetail::values);
   for (std::size_t i = 0; i < following.size(); ++i) {
     row.keys[i].following = following[i];
   }
@@ -40,7 +40,7 @@ KeyedRow rowOf(const Track& track, const std::vector<unsigned>& following) {
 /// In-tangent and out-tangent of a component of a key, for each frame.
 Vec2 slopesOf(const Track& track, std::size_t key, std::size_t component) {
   const auto at = [&](std::size_t part) {
-    return static_cast<double>(track.values[9 * key + 3 * part + component]) / rate;
+    return static_cast<double>(track.values[9 * key + 3 * part + component]) / keyRate;
   };
   return {at(0), at(2)};
 }
@@ -52,7 +52,7 @@ void checkSlope(const WrittenTrack& written, std::size_t key, std::size_t compon
   CHECK(slopes.y == Approx(wanted).margin(1e-6));
 }
 
-constexpr double asDrawn = static_cast<double>(drawn) / rate;
+constexpr double asDrawn = static_cast<double>(drawn) / keyRate;
 
 /// Fritsch and Butland's mean of the two secants' slopes.
 double meanSlope(double framesBefore, double slopeBefore, double framesAfter, double slopeAfter) {
@@ -70,7 +70,7 @@ void moveX(KeyedRow& row, std::size_t key, double x) {
 
 TEST_CASE("A key that follows is level at the ends and at extremes, else the mean of both secants",
           "[keys]") {
-  const KeyedRow row = rowOf(cubicTrack({0.0, 1.0, 5.0, 4.0}), {});
+  const KeyedRow row = followingRow(cubicTrack({0.0, 1.0, 5.0, 4.0}), {});
   CHECK(followingSlope(nullptr, row.keys[0], &row.keys[1], 0) == 0.0);
   CHECK(followingSlope(&row.keys[2], row.keys[3], nullptr, 0) == 0.0);
   CHECK(followingSlope(nullptr, row.keys[0], nullptr, 0) == 0.0);
@@ -83,9 +83,9 @@ TEST_CASE("A key that follows is level at the ends and at extremes, else the mea
 TEST_CASE("Where a value moves, following components of the key and of its neighbours follow, no others",
           "[keys]") {
   const Track before = cubicTrack({0.0, 1.0, 3.0, 3.5});
-  KeyedRow row = rowOf(before, {7U, 1U, 0U, 2U});
+  KeyedRow row = followingRow(before, {7U, 1U, 0U, 2U});
   moveX(row, 2, 5.0);
-  const WrittenTrack written = writeFollowing(before, row, rate);
+  const WrittenTrack written = writeFollowing(before, row, keyRate);
   checkSlope(written, 0, 0, asDrawn); // No neighbour of what moved.
   checkSlope(written, 1, 0, meanSlope(4, 0.25, 2, 2.0));
   checkSlope(written, 1, 1, asDrawn); // Does not follow.
@@ -94,24 +94,24 @@ TEST_CASE("Where a value moves, following components of the key and of its neigh
   checkSlope(written, 3, 1, 0.0);
   checkSlope(written, 3, 2, asDrawn);
 
-  KeyedRow own = rowOf(before, {0U, 0U, 3U, 0U});
+  KeyedRow own = followingRow(before, {0U, 0U, 3U, 0U});
   moveX(own, 2, 3.2);
-  const WrittenTrack moved = writeFollowing(before, own, rate);
+  const WrittenTrack moved = writeFollowing(before, own, keyRate);
   checkSlope(moved, 2, 0, meanSlope(2, 1.1, 3, 0.1));
   checkSlope(moved, 2, 1, meanSlope(2, 0.55, 3, 0.05));
 }
 
 TEST_CASE("A key that moves in time or goes bends those beside it that follow", "[keys]") {
   const Track before = cubicTrack({0.0, 1.0, 3.0, 3.5});
-  KeyedRow later = rowOf(before, {0U, 1U, 1U, 0U});
+  KeyedRow later = followingRow(before, {0U, 1U, 1U, 0U});
   later.keys[2].frame = 8.0;
-  const WrittenTrack moved = writeFollowing(before, later, rate);
+  const WrittenTrack moved = writeFollowing(before, later, keyRate);
   checkSlope(moved, 1, 0, meanSlope(4, 0.25, 4, 0.5));
   checkSlope(moved, 2, 0, meanSlope(4, 0.5, 1, 0.5));
 
-  KeyedRow fewer = rowOf(before, {1U, 1U, 1U, 1U});
+  KeyedRow fewer = followingRow(before, {1U, 1U, 1U, 1U});
   fewer.keys.erase(fewer.keys.begin() + 1);
-  const WrittenTrack without = writeFollowing(before, fewer, rate);
+  const WrittenTrack without = writeFollowing(before, fewer, keyRate);
   checkSlope(without, 0, 0, 0.0);
   checkSlope(without, 1, 0, meanSlope(6, 0.5, 3, 0.5 / 3.0));
   checkSlope(without, 2, 0, asDrawn); // Its neighbour stands where it stood.
@@ -120,7 +120,7 @@ TEST_CASE("A key that moves in time or goes bends those beside it that follow", 
 TEST_CASE("A key that is put onto the curve bends none beside it, one that leaves the curve does", "[keys]") {
   const Track before = cubicTrack({0.0, 1.0, 3.0, 3.5});
   const bool onCurve = GENERATE(true, false);
-  KeyedRow row = rowOf(before, {1U, 1U, 1U, 1U});
+  KeyedRow row = followingRow(before, {1U, 1U, 1U, 1U});
   RowKey inserted = row.keys[1];
   inserted.frame = 5.0;
   inserted.values[0] = 2.5;
@@ -128,7 +128,7 @@ TEST_CASE("A key that is put onto the curve bends none beside it, one that leave
   inserted.following = 0;
   inserted.onCurve = onCurve;
   row.keys.insert(row.keys.begin() + 2, inserted);
-  const WrittenTrack written = writeFollowing(before, row, rate);
+  const WrittenTrack written = writeFollowing(before, row, keyRate);
   REQUIRE(written.track.times.size() == 5);
   checkSlope(written, 0, 0, asDrawn);
   checkSlope(written, 1, 0, onCurve ? asDrawn : meanSlope(4, 0.25, 1, 1.5));
@@ -138,13 +138,13 @@ TEST_CASE("A key that is put onto the curve bends none beside it, one that leave
 
 TEST_CASE("Nothing that stands still is bent, and linear keys have no slopes to follow", "[keys]") {
   const Track before = cubicTrack({0.0, 1.0, 3.0, 3.5});
-  KeyedRow row = rowOf(before, {7U, 7U, 7U, 7U});
+  KeyedRow row = followingRow(before, {7U, 7U, 7U, 7U});
   for (RowKey& key : row.keys) {
     key.valuesChanged = key.slopesChanged = false;
   }
-  CHECK(writeFollowing(before, row, rate).track == before);
+  CHECK(writeFollowing(before, row, keyRate).track == before);
   row.interpolation = Interpolation::linear;
-  CHECK(writeFollowing(before, row, rate).track == writeTrack(before, row, rate).track);
+  CHECK(writeFollowing(before, row, keyRate).track == writeTrack(before, row, keyRate).track);
 }
 
 TEST_CASE("Keys that follow are remembered by clip, node, channel, time and component", "[keys]") {
@@ -155,11 +155,11 @@ TEST_CASE("Keys that follow are remembered by clip, node, channel, time and comp
   Track other = track;
   other.node = NodeIndex(4);
   const auto remember = [&](int clip, const Track& of, const std::vector<unsigned>& following) {
-    const KeyedRow row = rowOf(of, following);
-    rememberFollowing(clip, writeFollowing(of, row, rate), row, document);
+    const KeyedRow row = followingRow(of, following);
+    rememberFollowing(clip, writeFollowing(of, row, keyRate), row, document);
   };
   const auto marked = [&](int clip, const Track& of) {
-    KeyedRow row = rowOf(of, {});
+    KeyedRow row = followingRow(of, {});
     markFollowing(document, clip, of, row);
     std::vector<unsigned> following;
     for (const RowKey& key : row.keys) {

@@ -13,7 +13,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double arm = 0.6;
+constexpr double boxerArm = 0.6;
 const Vec3 leftShoulder(0.2, 1.5, 0.0);
 const Vec3 rightShoulder(-0.2, 1.5, 0.0);
 
@@ -61,7 +61,7 @@ TEST_CASE("Holds are looked at on the frames and half frames of the whole clip, 
 TEST_CASE("A pin out of reach falls short by what is missing, wherever it holds fully") {
   Document document = test::twoPunches();
   const double missing = GENERATE(0.05, 0.3);
-  document.holds.pins = {pinAway("left-arm", arm + missing)};
+  document.holds.pins = {pinAway("left-arm", boxerArm + missing)};
   const std::vector<HoldReport> reports = reportsOf(document);
   REQUIRE(reports.size() == 1);
   CHECK(reports[0].kind == rig::HoldKind::pin);
@@ -81,15 +81,15 @@ TEST_CASE("A thousandth of the height is no falling short, and what is reached i
     REQUIRE(reports.size() == 1);
     return reports[0].framesFallShort.size();
   };
-  CHECK(framesAt(0.5 * arm) == 0);
-  CHECK(framesAt(arm + 0.9 * seen) == 0);
-  CHECK(framesAt(arm + 1.1 * seen) == 11);
+  CHECK(framesAt(0.5 * boxerArm) == 0);
+  CHECK(framesAt(boxerArm + 0.9 * seen) == 0);
+  CHECK(framesAt(boxerArm + 1.1 * seen) == 11);
 }
 
 TEST_CASE("Each hold is told by its place in its list and by its limb, those of other clips left out") {
   Document document = test::twoPunches();
-  document.holds.pins = {pinAway("left-arm", arm + 0.4, 1), pinAway("right-arm", arm + 0.1),
-                         pinAway("left-arm", arm + 0.2)};
+  document.holds.pins = {pinAway("left-arm", boxerArm + 0.4, 1), pinAway("right-arm", boxerArm + 0.1),
+                         pinAway("left-arm", boxerArm + 0.2)};
   const std::vector<HoldReport> first = reportsOf(document, 0);
   REQUIRE(first.size() == 2);
   for (const HoldReport& report : first) {
@@ -112,7 +112,7 @@ TEST_CASE("A grip is told beside a pin, and a prop in two hands for each of them
   grip.leader = "left-arm";
   grip.time = {{12.0, 14.0}, {0.0, 0.0}};
   document.holds.grips = {grip};
-  document.holds.pins = {pinAway("left-arm", arm + 0.1)};
+  document.holds.pins = {pinAway("left-arm", boxerArm + 0.1)};
   std::vector<HoldReport> reports = reportsOf(document);
   REQUIRE(reports.size() == 2);
   CHECK(reports[0].kind == rig::HoldKind::pin);

@@ -62,7 +62,7 @@ struct Boxed {
   }
 };
 
-std::string lineOf(const std::string& part, const std::string& hangsOn, const std::string& end) {
+std::string leftBehindLine(const std::string& part, const std::string& hangsOn, const std::string& end) {
   return "the mesh \"" + part + "\" stands at the limb's end but hangs on \"" + hangsOn +
          "\", so it stays where it is; hang it on \"" + end + "\" where the file was made";
 }
@@ -85,7 +85,7 @@ TEST_CASE("What stands at a hand and hangs on the trunk is told with what it han
   Boxed boxed;
   const std::string trunk = GENERATE("Hips", "Spine");
   boxed.addBox("Glove", boxed.named(trunk), leftHand);
-  CHECK(boxed.told() == Lines{lineOf("Glove", trunk, "LeftHand")});
+  CHECK(boxed.told() == Lines{leftBehindLine("Glove", trunk, "LeftHand")});
   CHECK(boxed.told("right-arm").empty());
   CHECK(boxed.told("spine").empty()); // Not a limb that reaches out.
 }
@@ -113,7 +113,7 @@ TEST_CASE("A part hangs on the trunk through nodes without a mesh, not through a
                                  : test::addNode(boxed.scene, "Cape", boxed.named("Spine"),
                                                  between - boxed.placeOf(boxed.named("Spine")));
   boxed.addBox("Glove", cape, leftHand);
-  CHECK(boxed.told() == (isCloth ? Lines{} : Lines{lineOf("Glove", "Spine", "LeftHand")}));
+  CHECK(boxed.told() == (isCloth ? Lines{} : Lines{leftBehindLine("Glove", "Spine", "LeftHand")}));
 }
 
 TEST_CASE("Only what is near the end, small, and nearer to it than to any other end is left behind") {
@@ -170,7 +170,7 @@ TEST_CASE("Nodes without a name are told by their number, and an end that is non
   rig::Limb& limb = boxed.document.body.limbs[0];
   limb.endNode = NodeIndex::none;
   limb.endOffset = Vec3(0.3, 0.0, 0.0);
-  CHECK(boxed.told() == Lines{lineOf("Glove", "#" + std::to_string(hips.value), "LeftForeArm")});
+  CHECK(boxed.told() == Lines{leftBehindLine("Glove", "#" + std::to_string(hips.value), "LeftForeArm")});
 }
 
 TEST_CASE(
@@ -199,8 +199,8 @@ TEST_CASE(
   };
   const std::string holder = GENERATE("Glove", "");
   const std::string name = holder.empty() ? "GloveMesh" : holder;
-  CHECK(told(1, 1, holder) == Lines{lineOf(name, "Spine", "LeftHand")});
-  CHECK(told(0, 0, holder) == Lines{lineOf(name, "Hips", "LeftHand")});
+  CHECK(told(1, 1, holder) == Lines{leftBehindLine(name, "Spine", "LeftHand")});
+  CHECK(told(0, 0, holder) == Lines{leftBehindLine(name, "Hips", "LeftHand")});
   CHECK(told(2, 2, holder).empty()); // Of the hand itself.
   CHECK(told(1, 1, holder, {"Spine"}).empty());
   CHECK(told(0, 1, holder).empty());

@@ -62,13 +62,13 @@ std::vector<PropFlip> flipsOf(const Document& document, int clip = 0) {
   return propFlips(document, prepareMotion(document, clip));
 }
 
-constexpr double degree = pi / 180.0;
+constexpr double oneDegree = pi / 180.0;
 
 } // namespace
 
 TEST_CASE("A prop between hands that are turned by half a turn against each other turns over there") {
   // Each hand turns by 8.5 degrees in a frame and is turned by 90 after 10.59 of them.
-  const std::vector<PropFlip> flips = flipsOf(wringing(evenly(170.0 * degree)));
+  const std::vector<PropFlip> flips = flipsOf(wringing(evenly(170.0 * oneDegree)));
   REQUIRE(flips.size() == 1);
   CHECK(flips[0].prop == "Stick");
   CHECK(flips[0].frame == 11.0);
@@ -76,7 +76,7 @@ TEST_CASE("A prop between hands that are turned by half a turn against each othe
 }
 
 TEST_CASE("A prop between hands that come to less than half a turn does not turn over") {
-  CHECK(flipsOf(wringing(evenly(85.0 * degree))).empty());
+  CHECK(flipsOf(wringing(evenly(85.0 * oneDegree))).empty());
   CHECK(flipsOf(wringing({{0.0, 0.0}, {20.0, 0.0}})).empty());
 }
 
@@ -86,10 +86,10 @@ TEST_CASE("Hands that turn by a third of it as fast explain how a prop turns") {
   const auto flipsBy = [](double degrees) {
     const double half = 0.5 * degrees;
     return flipsOf(wringing({{0.0, 0.0},
-                             {5.0, 45.0 * degree},
-                             {9.5, (90.0 - half) * degree},
-                             {10.0, (90.0 + half) * degree},
-                             {20.0, (91.0 + half) * degree}}))
+                             {5.0, 45.0 * oneDegree},
+                             {9.5, (90.0 - half) * oneDegree},
+                             {10.0, (90.0 + half) * oneDegree},
+                             {20.0, (91.0 + half) * oneDegree}}))
         .size();
   };
   CHECK(flipsBy(40.0) == 1);
@@ -97,7 +97,7 @@ TEST_CASE("Hands that turn by a third of it as fast explain how a prop turns") {
 }
 
 TEST_CASE("The worst turn of a prop is told, and that of each prop") {
-  Document document = wringing(evenly(170.0 * degree));
+  Document document = wringing(evenly(170.0 * oneDegree));
   Scene scene = *document.scene;
   test::addNode(scene, "", NodeIndex::none, {0.1, 0.5, 0.5});
   document.scene = std::make_shared<const Scene>(std::move(scene));
@@ -113,7 +113,7 @@ TEST_CASE("The worst turn of a prop is told, and that of each prop") {
 }
 
 TEST_CASE("A prop of another clip is looked at in that clip alone") {
-  Document document = wringing(evenly(170.0 * degree));
+  Document document = wringing(evenly(170.0 * oneDegree));
   std::vector<Clip> clips = *document.clips;
   clips.insert(clips.begin(), clips[0]);
   clips[0].tracks.resize(1);

@@ -13,7 +13,7 @@ using namespace stretch::app;
 
 namespace {
 
-constexpr double rate = 20.0;
+constexpr double wayRate = 20.0;
 
 /// Frames of a way back, as it is, as it is wanted, and as it would be calm.
 struct WayBack {
@@ -26,25 +26,25 @@ struct WayBack {
   bool active = true;
 };
 
-std::optional<WayBackProblem> problemOf(const WayBack& way) {
+std::optional<WayBackProblem> wayProblem(const WayBack& way) {
   // The boxer's punch ends elsewhere than it begins, the swings do not.
   const Document document = way.endsMeet ? test::swinger() : test::boxer();
   REQUIRE(endsMeet(document, 0) == way.endsMeet);
   rig::MotionState motion;
   motion.clip = 0;
-  motion.framesPerSecond = rate;
+  motion.framesPerSecond = wayRate;
   motion.loops = way.loops;
   rig::SolvedTrail trail;
   trail.active = way.active;
   trail.settings.pivot = way.pivot;
-  trail.release = rig::Release(way.used / rate, 0.0);
-  trail.wantedReleaseSeconds = way.wanted / rate;
-  trail.calmReleaseSeconds = way.calm / rate;
+  trail.release = rig::Release(way.used / wayRate, 0.0);
+  trail.wantedReleaseSeconds = way.wanted / wayRate;
+  trail.calmReleaseSeconds = way.calm / wayRate;
   return wayBackProblem(document, motion, trail);
 }
 
 std::string toldOf(const WayBack& way) {
-  const std::optional<WayBackProblem> problem = problemOf(way);
+  const std::optional<WayBackProblem> problem = wayProblem(way);
   return problem ? problem->what : "";
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("A way back that the clip cuts off is told with its frames and what to
         "clip begins there; start the range later");
   CHECK_THAT(toldOf({.used = 1.0}), Catch::Contains("snaps back in 1 frame, faster"));
   CHECK_THAT(toldOf({.used = 2.5}), Catch::Contains("snaps back in 2.5 frames, faster"));
-  CHECK_FALSE(problemOf({})->loopHelps);
+  CHECK_FALSE(wayProblem({})->loopHelps);
 }
 
 TEST_CASE("A clip that ends with a stretch holds it, which is no problem") {
@@ -87,12 +87,12 @@ TEST_CASE("On a loop the range that begins again cuts a way back off") {
              Catch::StartsWith("the limb leaps out in 4 frames"));
   CHECK_THAT(toldOf({.used = 0.04, .loops = true, .endsMeet = meet}),
              Catch::StartsWith("the limb snaps back at once, faster"));
-  CHECK_FALSE(problemOf({.loops = true, .endsMeet = meet})->loopHelps);
+  CHECK_FALSE(wayProblem({.loops = true, .endsMeet = meet})->loopHelps);
 }
 
 TEST_CASE("A clip whose ends meet and that is no loop is told that it would snap back at its seam") {
   for (const double used : {0.0, 3.0}) {
-    const std::optional<WayBackProblem> problem = problemOf({.used = used, .endsMeet = true});
+    const std::optional<WayBackProblem> problem = wayProblem({.used = used, .endsMeet = true});
     REQUIRE(problem);
     CHECK(problem->loopHelps);
     CHECK(problem->what == "the clip's last pose is its first, and played as a loop the limb snaps back " +

@@ -25,7 +25,7 @@ Json keptOf(const Document& start, const Track& track, int clip = 1) {
   return keptTracks(setTracks(start, clip, {track}));
 }
 
-void setKey(Track& track, std::size_t key, const std::vector<float>& value) {
+void setTrackKey(Track& track, std::size_t key, const std::vector<float>& value) {
   std::copy(value.begin(), value.end(), track.values.begin() + static_cast<std::ptrdiff_t>(4 * key));
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("Of a track of which few values changed the file keeps these keys alon
   const Document start = test::twoPunches();
   CHECK(keptTracks(start) == Json::array());
   Track track = punchTrack(start);
-  setKey(track, 2, halfTurn);
+  setTrackKey(track, 2, halfTurn);
   const Json one = keptOf(start, track);
   const Json wanted = {{{"clip", 1},
                         {"node", track.node.value},
@@ -62,7 +62,7 @@ TEST_CASE("Of a track of which few values changed the file keeps these keys alon
                         {"interpolation", "LINEAR"},
                         {"changed", {{2, halfTurn}}}}};
   CHECK(one == wanted);
-  setKey(track, 0, halfTurn); // Half of the keys: all of their values are as short.
+  setTrackKey(track, 0, halfTurn); // Half of the keys: all of their values are as short.
   const Json two = keptOf(start, track);
   CHECK_FALSE(two[0].contains("changed"));
   CHECK(two[0]["values"] == Json(track.values));
@@ -105,11 +105,11 @@ TEST_CASE("A track that the source does not have is kept whole", "[keys]") {
 TEST_CASE("Whatever tracks are edited to, in whichever clips, they come back", "[keys]") {
   const Document start = test::twoPunches();
   std::vector<Track> edited(5, punchTrack(start));
-  setKey(edited[0], 3, halfTurn);
-  setKey(edited[1], 0, halfTurn);
-  setKey(edited[1], 1, halfTurn);
+  setTrackKey(edited[0], 3, halfTurn);
+  setTrackKey(edited[1], 0, halfTurn);
+  setTrackKey(edited[1], 1, halfTurn);
   edited[2].times[1] = 0.2F;
-  setKey(edited[2], 1, halfTurn);
+  setTrackKey(edited[2], 1, halfTurn);
   edited[3].times = {0.1F};
   edited[3].values.resize(4);
   edited[4].interpolation = Interpolation::cubicSpline;
@@ -127,7 +127,7 @@ TEST_CASE("Whatever tracks are edited to, in whichever clips, they come back", "
 TEST_CASE("Kept tracks are taken up to the edges of what is sound, and not beyond", "[keys]") {
   const Document start = test::twoPunches();
   Track changed = punchTrack(start);
-  setKey(changed, 2, halfTurn);
+  setTrackKey(changed, 2, halfTurn);
   const Json kept = keptOf(start, changed);
   const auto with = [&](const char* key, const Json& value) {
     Json entries = kept;

@@ -17,7 +17,7 @@ using namespace stretch::test;
 namespace {
 
 const Vec3 ankle(0.3, 0.1, 0.2);
-const Vec3 y(0, 1, 0);
+const Vec3 upright(0, 1, 0);
 
 /// A leg that ends at an ankle, and what is added to it.
 struct Foot {
@@ -81,7 +81,7 @@ TEST_CASE("a foot rolls about its toes wherever it points, and about the back of
   const NodeIndex toe = foot.addToe(0.15 * forward + Vec3(0, -0.07, 0));
   foot.addBox(foot.leg.endNode, Vec3(-0.04, -0.09, -0.06), Vec3(0.05, 0.0, 0.03));
   CHECK(foot.roll().toes == toe);
-  checkVector(foot.axis(), glm::cross(y, forward));
+  checkVector(foot.axis(), glm::cross(upright, forward));
   checkVector(foot.seen(foot.roll().ball), 0.15 * forward + Vec3(0, -0.07, 0));
   // How far the box reaches backwards, corner by corner.
   double back = 0.0;
@@ -119,14 +119,14 @@ TEST_CASE("without a mesh a foot rolls about its toes and about the place below 
   foot.addToe(Vec3(0.1, -0.07, 0.0));
   checkVector(foot.seen(foot.roll().ball), Vec3(0.1, -0.07, 0.0));
   checkVector(foot.seen(foot.roll().heel), Vec3(0, -0.07, 0));
-  checkVector(foot.axis(), glm::cross(y, Vec3(1, 0, 0)));
+  checkVector(foot.axis(), glm::cross(upright, Vec3(1, 0, 0)));
 }
 
 TEST_CASE("without toes the middle of the sole says where a foot points, its ball at 0.7 of the way") {
   Foot foot;
   foot.addBox(foot.leg.endNode, Vec3(-0.2, -0.09, -0.03), Vec3(0.06, 0.0, 0.03));
   CHECK_FALSE(foot.roll().toes.exists());
-  checkVector(foot.axis(), glm::cross(y, Vec3(-1, 0, 0)));
+  checkVector(foot.axis(), glm::cross(upright, Vec3(-1, 0, 0)));
   checkVector(foot.seen(foot.roll().ball), Vec3(-0.7 * 0.2, -0.09, 0));
   checkVector(foot.seen(foot.roll().heel), Vec3(0.06, -0.09, 0));
 }

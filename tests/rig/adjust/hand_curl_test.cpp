@@ -89,15 +89,15 @@ std::vector<Vec3> bentFinger(const Vec3& knuckle, const Vec3& direction, const V
   return points;
 }
 
-const Vec3 x(1, 0, 0);
-const Vec3 y(0, 1, 0);
-const Vec3 z(0, 0, 1);
+const Vec3 xAxis(1, 0, 0);
+const Vec3 yAxis(0, 1, 0);
+const Vec3 zAxis(0, 0, 1);
 
-std::vector<Vec3> straight(const Vec3& knuckle, const Vec3& direction = x) {
-  return bentFinger(knuckle, direction, z, 0.0);
+std::vector<Vec3> straightFinger(const Vec3& knuckle, const Vec3& direction = xAxis) {
+  return bentFinger(knuckle, direction, zAxis, 0.0);
 }
 
-void checkVector(const Vec3& vector, const Vec3& wanted) {
+void checkAxis(const Vec3& vector, const Vec3& wanted) {
   CAPTURE(vector.x, vector.y, vector.z, wanted.x, wanted.y, wanted.z);
   CHECK(glm::length(vector - wanted) < 1e-9);
 }
@@ -109,8 +109,8 @@ TEST_CASE("straight fingers close downwards about the line across them, in their
   const Quat turn = axisAngle(glm::normalize(Vec3(1, 2, -1)), 0.8);
   const NodeIndex first = hand.addJoint("index0", hand.arm.endNode, Vec3(0.5, 1.4, 0.2), true, turn);
   const NodeIndex second = hand.addJoint("index1", first, Vec3(0.6, 1.4, 0.2), true);
-  checkVector(hand.axisOf(first), glm::inverse(turn) * -z);
-  checkVector(hand.axisOf(second), -z);
+  checkAxis(hand.axisOf(first), glm::inverse(turn) * -zAxis);
+  checkAxis(hand.axisOf(second), -zAxis);
   CHECK(hand.degreesOf(first) == Approx(80.0));
   CHECK(hand.degreesOf(second) == Approx(95.0));
 }
@@ -119,10 +119,11 @@ TEST_CASE("fingers that are bent in the bind pose close the way they are bent, u
   const double up = GENERATE(1.0, -1.0);
   Hand hand;
   const std::vector<NodeIndex> index =
-      hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), x, up * z, 0.3));
-  const std::vector<NodeIndex> ring = hand.addFinger("ring", bentFinger(Vec3(0.2, 0, -0.03), x, up * z, 0.3));
+      hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), xAxis, up * zAxis, 0.3));
+  const std::vector<NodeIndex> ring =
+      hand.addFinger("ring", bentFinger(Vec3(0.2, 0, -0.03), xAxis, up * zAxis, 0.3));
   for (const NodeIndex joint : {index[0], index[1], index[2], ring[0], ring[2]}) {
-    checkVector(hand.axisOf(joint), up * z);
+    checkAxis(hand.axisOf(joint), up * zAxis);
   }
   CHECK(hand.curl().size() == 6); // Tips do not bend.
 }
@@ -131,9 +132,9 @@ TEST_CASE("fingers that are hardly bent close downwards whichever way they are b
   // Two bends of a finger: clear for a hand are 0.1 for each of its fingers, for a finger 0.15.
   const auto closesUp = [](double radians) {
     Hand hand;
-    hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), x, z, radians));
+    hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), xAxis, zAxis, radians));
     const std::vector<NodeIndex> ring =
-        hand.addFinger("ring", bentFinger(Vec3(0.2, 0, -0.03), x, z, radians));
+        hand.addFinger("ring", bentFinger(Vec3(0.2, 0, -0.03), xAxis, zAxis, radians));
     return hand.axisOf(ring[0]).z > 0.0;
   };
   CHECK_FALSE(closesUp(std::asin(0.049)));
@@ -145,23 +146,24 @@ TEST_CASE("a clearly bent finger closes in its own plane, a hardly bent one acro
   const auto axisAt = [&](double radians) {
     Hand hand;
     const std::vector<NodeIndex> index =
-        hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), x, tilted, radians));
+        hand.addFinger("index", bentFinger(Vec3(0.2, 0, 0.03), xAxis, tilted, radians));
     for (const double side : {-0.03, 0.0}) { // These say where the palm is.
-      hand.addFinger("other", bentFinger(Vec3(0.2, 0, side), x, z, 1.0));
+      hand.addFinger("other", bentFinger(Vec3(0.2, 0, side), xAxis, zAxis, 1.0));
     }
     return hand.axisOf(index[0]);
   };
-  checkVector(axisAt(std::asin(0.076)), tilted);                 // Two bends: 0.152.
-  CHECK(std::abs(glm::dot(axisAt(std::asin(0.074)), x)) < 1e-9); // Across its first bone,
-  CHECK(glm::dot(axisAt(std::asin(0.074)), tilted) < 0.999);     // and not about its own axis.
+  checkAxis(axisAt(std::asin(0.076)), tilted);                       // Two bends: 0.152.
+  CHECK(std::abs(glm::dot(axisAt(std::asin(0.074)), xAxis)) < 1e-9); // Across its first bone,
+  CHECK(glm::dot(axisAt(std::asin(0.074)), tilted) < 0.999);         // and not about its own axis.
 }
 
 TEST_CASE("a finger that is bent the other way closes with the others") {
   Hand hand;
   for (const double side : {-0.03, 0.0, 0.03}) {
-    hand.addFinger("other", bentFinger(Vec3(0.2, 0, side), x, z, 0.5));
+    hand.addFinger("other", bentFinger(Vec3(0.2, 0, side), xAxis, zAxis, 0.5));
   }
-  const std::vector<NodeIndex> odd = hand.addFinger("odd", bentFinger(Vec3(0.2, 0, 0.06), x, -z, 0.3));
+  const std::vector<NodeIndex> odd =
+      hand.addFinger("odd", bentFinger(Vec3(0.2, 0, 0.06), xAxis, -zAxis, 0.3));
   CHECK(hand.axisOf(odd[0]).z > 0.9);
   CHECK(hand.axisOf(odd[2]).z > 0.9);
 }
@@ -169,12 +171,13 @@ TEST_CASE("a finger that is bent the other way closes with the others") {
 TEST_CASE("fingers that hang down close towards the thumb, and without one not at all") {
   const double side = GENERATE(1.0, -1.0);
   Hand hand;
-  const std::vector<NodeIndex> index = hand.addFinger("index", straight(Vec3(0.03, -0.2, 0), -y));
-  const std::vector<NodeIndex> ring = hand.addFinger("ring", straight(Vec3(-0.03, -0.2, 0), -y));
+  const std::vector<NodeIndex> index = hand.addFinger("index", straightFinger(Vec3(0.03, -0.2, 0), -yAxis));
+  const std::vector<NodeIndex> ring = hand.addFinger("ring", straightFinger(Vec3(-0.03, -0.2, 0), -yAxis));
   CHECK(hand.curl().empty());
-  hand.addFinger("Left_THUMB", straight(Vec3(0.0, -0.05, 0.03 * side), glm::normalize(Vec3(0, -1, side))));
-  checkVector(hand.axisOf(index[0]), -side * x); // -y goes towards z about -x.
-  checkVector(hand.axisOf(ring[2]), -side * x);
+  hand.addFinger("Left_THUMB",
+                 straightFinger(Vec3(0.0, -0.05, 0.03 * side), glm::normalize(Vec3(0, -1, side))));
+  checkAxis(hand.axisOf(index[0]), -side * xAxis); // Downwards goes towards z about -x.
+  checkAxis(hand.axisOf(ring[2]), -side * xAxis);
 }
 
 TEST_CASE("a thumb closes by half over the middle of the palm") {
@@ -183,12 +186,12 @@ TEST_CASE("a thumb closes by half over the middle of the palm") {
   const Vec3 bone = 0.1 * glm::normalize(Vec3(1, 0, 1));
   const std::vector<NodeIndex> thumb =
       hand.addFinger("thumb", {knuckle, knuckle + bone, knuckle + 2.0 * bone, knuckle + 3.0 * bone});
-  const std::vector<NodeIndex> index = hand.addFinger("index", straight(Vec3(0.2, 0, 0.03)));
-  hand.addFinger("ring", straight(Vec3(0.2, 0, -0.03)));
+  const std::vector<NodeIndex> index = hand.addFinger("index", straightFinger(Vec3(0.2, 0, 0.03)));
+  hand.addFinger("ring", straightFinger(Vec3(0.2, 0, -0.03)));
   const Vec3 middle = (knuckle + Vec3(0.2, 0, 0.03) + Vec3(0.2, 0, -0.03)) / 3.0;
-  const Vec3 towards = middle - knuckle + 0.3 * 0.1 * -y;
+  const Vec3 towards = middle - knuckle + 0.3 * 0.1 * -yAxis;
   for (const NodeIndex joint : {thumb[0], thumb[1], thumb[2]}) {
-    checkVector(hand.axisOf(joint), glm::normalize(glm::cross(bone, towards)));
+    checkAxis(hand.axisOf(joint), glm::normalize(glm::cross(bone, towards)));
   }
   CHECK(hand.degreesOf(thumb[0]) == Approx(40.0));
   CHECK(hand.degreesOf(thumb[1]) == Approx(47.5));
@@ -198,15 +201,15 @@ TEST_CASE("a thumb closes by half over the middle of the palm") {
 
 TEST_CASE("a thumb says nothing of the side to which fingers close that are not along it") {
   Hand hand; // Its own strong bend is none of the fingers'.
-  hand.addFinger("thumb", bentFinger(Vec3(0.05, 0, 0.06), glm::normalize(Vec3(1, 0, 1)), z, 1.2));
-  const std::vector<NodeIndex> index = hand.addFinger("index", straight(Vec3(0.2, 0, 0.0)));
-  checkVector(hand.axisOf(index[0]), -z);
+  hand.addFinger("thumb", bentFinger(Vec3(0.05, 0, 0.06), glm::normalize(Vec3(1, 0, 1)), zAxis, 1.2));
+  const std::vector<NodeIndex> index = hand.addFinger("index", straightFinger(Vec3(0.2, 0, 0.0)));
+  checkAxis(hand.axisOf(index[0]), -zAxis);
 }
 
 TEST_CASE("joints of the palm do not bend: named ones, and those before the last three") {
   const auto degrees = [](const std::string& first, std::size_t bones) {
     Hand hand;
-    std::vector<Vec3> points = bentFinger(Vec3(0.2, 0, 0), x, z, 0.0, bones);
+    std::vector<Vec3> points = bentFinger(Vec3(0.2, 0, 0), xAxis, zAxis, 0.0, bones);
     std::vector<NodeIndex> joints;
     NodeIndex parent = hand.arm.endNode;
     for (std::size_t i = 0; i < bones; ++i) {
@@ -239,7 +242,7 @@ TEST_CASE("a finger of one joint reaches to the middle of its mesh, and without 
     hand.places.meshes[at(stump[0])].add(Vec3(0.2, 0.0, 0.0));
     hand.places.meshes[at(stump[0])].add(Vec3(0.3, 0.0, 0.1)); // Its middle lies in the direction (1, 0, 1).
   }
-  checkVector(hand.axisOf(stump[0]), hasMesh ? glm::normalize(glm::cross(Vec3(1, 0, 1), -y)) : Vec3(0.0));
+  checkAxis(hand.axisOf(stump[0]), hasMesh ? glm::normalize(glm::cross(Vec3(1, 0, 1), -yAxis)) : Vec3(0.0));
   CHECK(hand.curl().size() == (hasMesh ? 1U : 0U));
 }
 
@@ -251,6 +254,6 @@ TEST_CASE("the last bone of a finger is its tip's, or as long as the one before"
   const std::vector<NodeIndex> index = hand.addFinger("index", {knuckle, Vec3(0.3, 0, 0), last}, hasTip);
   CHECK(hand.curl().size() == (hasTip ? 2U : 3U));
   const Vec3 along = glm::normalize(Vec3(0.1, 0, 0.005));
-  checkVector(hand.axisOf(index[1]), glm::cross(along, -y));
-  checkVector(hand.axisOf(index[2]), hasTip ? Vec3(0.0) : glm::cross(along, -y));
+  checkAxis(hand.axisOf(index[1]), glm::cross(along, -yAxis));
+  checkAxis(hand.axisOf(index[2]), hasTip ? Vec3(0.0) : glm::cross(along, -yAxis));
 }

@@ -43,7 +43,7 @@ SyntheticBiped mirroredBody(const SyntheticBiped& body, const std::map<std::stri
 }
 
 /// The plan, and each limb with its joints by their keys, sides swapped or not.
-std::vector<std::string> readingOf(const SyntheticBiped& body, bool isMirrored = false) {
+std::vector<std::string> sidedReadingOf(const SyntheticBiped& body, bool isMirrored = false) {
   const BuiltBiped built = build(body);
   const Body found = detectBody(built.scene);
   const auto keyOfNode = [&](NodeIndex node) {
@@ -116,22 +116,22 @@ std::vector<Case> cases() {
 TEST_CASE("A body is read alike whatever its size, and in whatever order its nodes stand") {
   for (const Case& one : cases()) {
     CAPTURE(one.title);
-    const std::vector<std::string> plain = readingOf(one.body);
+    const std::vector<std::string> plain = sidedReadingOf(one.body);
     SyntheticBiped other = one.body;
     other.size = 32.0; // To the last bit.
-    CHECK(readingOf(other) == plain);
+    CHECK(sidedReadingOf(other) == plain);
     other = one.body;
     other.shuffled = true;
-    CHECK(readingOf(other) == plain);
+    CHECK(sidedReadingOf(other) == plain);
     other = one.body;
     other.armatureScale = 0.25;
-    CHECK(readingOf(other) == plain);
+    CHECK(sidedReadingOf(other) == plain);
   }
 }
 
 TEST_CASE("A body in a mirror is read with its sides changed") {
   for (const Case& one : cases()) {
     CAPTURE(one.title);
-    CHECK(readingOf(mirroredBody(one.body, one.names), true) == readingOf(one.body));
+    CHECK(sidedReadingOf(mirroredBody(one.body, one.names), true) == sidedReadingOf(one.body));
   }
 }

@@ -15,7 +15,7 @@ using namespace stretch::rig;
 
 namespace {
 
-constexpr double rate = 20.0;
+constexpr double releaseRate = 20.0;
 
 /// Frames, units and factors that ways back are counted from.
 struct StraightWay {
@@ -35,8 +35,8 @@ SolvedTrail solvedTrail(const StraightWay& way) {
   solved.settings.pivot = way.pivot;
   solved.settings.startFrame = way.startFrame;
   solved.settings.endFrame = way.endFrame;
-  solved.startSeconds = way.startFrame / rate;
-  solved.endSeconds = way.endFrame / rate;
+  solved.startSeconds = way.startFrame / releaseRate;
+  solved.endSeconds = way.endFrame / releaseRate;
   const bool forwards = way.pivot == Pivot::start;
   solved.tipSeconds = forwards ? solved.endSeconds : solved.startSeconds;
   std::vector<double> frames = way.extraFrames;
@@ -45,7 +45,7 @@ SolvedTrail solvedTrail(const StraightWay& way) {
   }
   std::sort(frames.begin(), frames.end());
   for (const double frame : frames) {
-    const double seconds = frame / rate;
+    const double seconds = frame / releaseRate;
     const double passed = (frame - way.startFrame) / (way.endFrame - way.startFrame);
     const Vec3 base(4.0, 1.0, way.baseSpeed * seconds);
     solved.path.samples.push_back({seconds, base, base + Vec3(way.speed * seconds, 0.0, 0.0), Vec3(0.0)});
@@ -61,9 +61,9 @@ SolvedTrail solvedTrail(const StraightWay& way) {
 ReleaseLength lengthOf(const SolvedTrail& solved, double clipFrames = 100.0, bool loops = false,
                        double firstFrame = 0.0) {
   Clip clip;
-  clip.framesPerSecond = rate;
-  clip.startSeconds = firstFrame / rate;
-  clip.endSeconds = clipFrames / rate;
+  clip.framesPerSecond = releaseRate;
+  clip.startSeconds = firstFrame / releaseRate;
+  clip.endSeconds = clipFrames / releaseRate;
   MotionInput input;
   input.clip = &clip;
   input.loops = loops;
@@ -82,13 +82,13 @@ TEST_CASE("a calm way back takes one and a half times the tip's way at the speed
   way.pivot = GENERATE(Pivot::start, Pivot::end);
   way.speed = GENERATE(1.0, 3.0);
   SolvedTrail solved = solvedTrail(way);
-  const double stroke = 12.0 / rate;
+  const double stroke = 12.0 / releaseRate;
   const double fastest = way.speed + (way.pivot == Pivot::start ? 1.0 : -1.0) * 0.5 / stroke;
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest))));
   solved.settings.overshoot = 0.4;
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4)));
   solved.settings.lingerFrames = 3.0;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4) + 3.0 / rate));
+  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4) + 3.0 / releaseRate));
 }
 
 TEST_CASE("the speed of a stroke is that of its exaggerated path, seen from the limb's base") {
@@ -96,7 +96,7 @@ TEST_CASE("the speed of a stroke is that of its exaggerated path, seen from the 
   way.baseSpeed = GENERATE(0.0, 5.0, -8.0); // The base's own way is no speed of the limb.
   way.pull = Vec3(0.0, 0.9, 0.0);
   SolvedTrail solved = solvedTrail(way);
-  const double seconds = 12.0 / rate;
+  const double seconds = 12.0 / releaseRate;
   const Vec3 offset = way.shift + way.pull;
   const Vec3 velocity = Vec3(way.speed, 0.0, 0.0) + offset / seconds;
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(glm::length(offset), glm::length(velocity))));
@@ -116,7 +116,7 @@ TEST_CASE("the fastest part of a stroke tells its speed, wherever it is") {
   for (std::size_t i = place; i < solved.path.samples.size(); ++i) {
     solved.path.samples[i].end.y += 1.0;
   }
-  const double fastest = glm::length(Vec3(3.0, 1.0 * rate, 0.4 * rate / 12.0));
+  const double fastest = glm::length(Vec3(3.0, 1.0 * releaseRate, 0.4 * releaseRate / 12.0));
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("a leap within less than half a frame is counted over the whole of it"
   for (std::size_t i = 5; i < solved.path.samples.size(); ++i) {
     solved.path.samples[i].end.y += 1.0; // Between frame 14 and the key beside it.
   }
-  const double fastest = glm::length(Vec3(3.0, 1.0 / counted * rate, 0.4 * rate / 12.0));
+  const double fastest = glm::length(Vec3(3.0, 1.0 / counted * releaseRate, 0.4 * releaseRate / 12.0));
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("control spheres count in the tip's way back and in the speed of the s
   const Vec3 perFrame(0.0, 0.7 / 12.0, 0.0); // A ramp, straight in time.
   solved.offsets =
       SphereOffsets({10.0, 22.0}, {{10.0, Vec3(0.0), perFrame}, {22.0, 12.0 * perFrame, perFrame}});
-  const double fastest = std::hypot(3.0, perFrame.y * rate);
+  const double fastest = std::hypot(3.0, perFrame.y * releaseRate);
   CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.7, fastest)));
   solved.tip.outcome = TipOutcome::nothingToScale; // Spheres alone move it.
   solved.tip.shift = Vec3(9.0);
@@ -149,7 +149,7 @@ TEST_CASE("a limb that stands still has no speed that a way back could be measur
   SolvedTrail solved = solvedTrail({.speed = 0.0, .shift = Vec3(0.0)});
   CHECK(lengthOf(solved).calmSeconds == 0.0);
   solved.settings.lingerFrames = 5.0;
-  CHECK(lengthOf(solved).calmSeconds == Approx(5.0 / rate));
+  CHECK(lengthOf(solved).calmSeconds == Approx(5.0 / releaseRate));
 }
 
 TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm and where keys lie") {
@@ -158,15 +158,15 @@ TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm 
   solved.nextKeySeconds = 0.3;
   solved.settings.releaseFrames = frames;
   const ReleaseLength length = lengthOf(solved);
-  CHECK(length.wantedSeconds == Approx(frames / rate));
-  CHECK(length.seconds == Approx(frames / rate));
+  CHECK(length.wantedSeconds == Approx(frames / releaseRate));
+  CHECK(length.seconds == Approx(frames / releaseRate));
 }
 
 TEST_CASE("a way back goes to the next key where that is three quarters of what is calm away, or more") {
   const Pivot pivot = GENERATE(Pivot::start, Pivot::end);
   SolvedTrail solved = solvedTrail({.pivot = pivot});
   const double calm = lengthOf(solved).calmSeconds;
-  REQUIRE(calm > 2.0 / rate);
+  REQUIRE(calm > 2.0 / releaseRate);
   for (const double share : {0.751, 1.0, 1.9}) {
     CAPTURE(share);
     solved.nextKeySeconds = share * calm;
@@ -175,7 +175,7 @@ TEST_CASE("a way back goes to the next key where that is three quarters of what 
   for (const double share : {0.1, 0.749}) {
     CAPTURE(share);
     solved.nextKeySeconds = share * calm;
-    CHECK(lengthOf(solved).wantedSeconds * rate == Approx(std::ceil(calm * rate)));
+    CHECK(lengthOf(solved).wantedSeconds * releaseRate == Approx(std::ceil(calm * releaseRate)));
   }
 }
 
@@ -188,12 +188,12 @@ TEST_CASE("without a next key a way back takes a third of the range, or what is 
                                             .endFrame = 22.0 + beside,
                                             .pivot = pivot,
                                             .shift = Vec3(0.0, 0.0, shift)});
-    return lengthOf(solved).wantedSeconds * rate;
+    return lengthOf(solved).wantedSeconds * releaseRate;
   };
   // From 22.25 a way back forwards ends on a whole frame after 0.75, one backwards from 10.25 after 0.25.
   const double rest = beside == 0.0 ? 0.0 : pivot == Pivot::start ? 1.0 - beside : beside;
   CHECK(wantedFrames(0.05) == Approx(4.0 + rest));
-  const double calmFrames = calmOf(0.9, std::hypot(3.0, 0.9 * rate / 12.0)) * rate;
+  const double calmFrames = calmOf(0.9, std::hypot(3.0, 0.9 * releaseRate / 12.0)) * releaseRate;
   REQUIRE(calmFrames > 5.0);
   CHECK(wantedFrames(0.9) == Approx(std::ceil(calmFrames - rest) + rest));
 }
@@ -201,37 +201,37 @@ TEST_CASE("without a next key a way back takes a third of the range, or what is 
 TEST_CASE("a way back ends with the clip, where it goes, and on a loop where the range begins again") {
   SolvedTrail solved = solvedTrail({});
   solved.settings.releaseFrames = 500.0;
-  CHECK(lengthOf(solved, 30.0).seconds * rate == Approx(8.0)); // from frame 22 to 30
-  CHECK(lengthOf(solved, 30.0).wantedSeconds * rate == Approx(500.0));
-  CHECK(lengthOf(solved, 30.0, true).seconds * rate == Approx(18.0)); // 30 frames, 12 in the range
-  CHECK(lengthOf(solved, 30.0, true, 5.0).seconds * rate == Approx(13.0));
+  CHECK(lengthOf(solved, 30.0).seconds * releaseRate == Approx(8.0)); // from frame 22 to 30
+  CHECK(lengthOf(solved, 30.0).wantedSeconds * releaseRate == Approx(500.0));
+  CHECK(lengthOf(solved, 30.0, true).seconds * releaseRate == Approx(18.0)); // 30 frames, 12 in the range
+  CHECK(lengthOf(solved, 30.0, true, 5.0).seconds * releaseRate == Approx(13.0));
   CHECK(lengthOf(solved, 22.0).seconds == 0.0);
   CHECK(lengthOf(solved, 20.0).seconds == 0.0); // A range past the end of a clip leaves nothing.
 
   SolvedTrail backwards = solvedTrail({.pivot = Pivot::end});
   backwards.settings.releaseFrames = 500.0;
-  CHECK(lengthOf(backwards, 30.0).seconds * rate == Approx(10.0));             // from frame 10 to 0
-  CHECK(lengthOf(backwards, 30.0, false, 5.0).seconds * rate == Approx(10.0)); // A clip plays from 0.
-  CHECK(lengthOf(backwards, 30.0, false, -5.0).seconds * rate == Approx(15.0));
-  CHECK(lengthOf(backwards, 30.0, true).seconds * rate == Approx(18.0));
+  CHECK(lengthOf(backwards, 30.0).seconds * releaseRate == Approx(10.0));             // from frame 10 to 0
+  CHECK(lengthOf(backwards, 30.0, false, 5.0).seconds * releaseRate == Approx(10.0)); // A clip plays from 0.
+  CHECK(lengthOf(backwards, 30.0, false, -5.0).seconds * releaseRate == Approx(15.0));
+  CHECK(lengthOf(backwards, 30.0, true).seconds * releaseRate == Approx(18.0));
 }
 
 TEST_CASE("no way back of a clip that claims to last for years goes on for years") {
   SolvedTrail solved = solvedTrail({});
   solved.settings.releaseFrames = 1e9;
-  CHECK(lengthOf(solved, 1e8).seconds * rate == Approx(100000.0));
-  CHECK(lengthOf(solved, 1e8, true).seconds * rate == Approx(100000.0));
+  CHECK(lengthOf(solved, 1e8).seconds * releaseRate == Approx(100000.0));
+  CHECK(lengthOf(solved, 1e8, true).seconds * releaseRate == Approx(100000.0));
 }
 
 TEST_CASE("a sphere pulls the pivot where its frame is the one that stays, and not at the tip") {
   SolvedTrail solved = solvedTrail({});
-  CHECK_FALSE(pullsPivot(solved, rate));
+  CHECK_FALSE(pullsPivot(solved, releaseRate));
   const auto pulledAt = [&](double frame) {
     solved.offsets = SphereOffsets({10.0, 16.0, 22.0}, {{frame, Vec3(0.0, 0.1, 0.0), Vec3(0.0)}});
     solved.settings.pivot = Pivot::start;
-    const bool atStart = pullsPivot(solved, rate);
+    const bool atStart = pullsPivot(solved, releaseRate);
     solved.settings.pivot = Pivot::end;
-    return std::pair(atStart, pullsPivot(solved, rate));
+    return std::pair(atStart, pullsPivot(solved, releaseRate));
   };
   CHECK(pulledAt(10.0) == std::pair(true, false));
   CHECK(pulledAt(16.0) == std::pair(false, false));
@@ -246,7 +246,7 @@ Track keysAtFrames(NodeIndex node, const std::vector<double>& frames, Channel ch
   track.channel = channel;
   track.width = channel == Channel::rotation ? 4 : 3;
   for (const double frame : frames) {
-    track.times.push_back(static_cast<float>(frame / rate));
+    track.times.push_back(static_cast<float>(frame / releaseRate));
     track.values.resize(track.values.size() + static_cast<std::size_t>(track.width), 0.5F);
   }
   return track;
@@ -259,15 +259,15 @@ double framesToKey(const Clip& clip, double startFrame, double endFrame, Pivot p
   key.endFrame = endFrame;
   key.pivot = pivot;
   const std::optional<double> seconds = secondsToNextKey(clip, key, {NodeIndex(1), NodeIndex(2)});
-  return seconds ? *seconds * rate : -1.0;
+  return seconds ? *seconds * releaseRate : -1.0;
 }
 
 } // namespace
 
 TEST_CASE("the next key is the nearest of the limb's nodes beyond the tip, on the side of the way back") {
   Clip clip;
-  clip.framesPerSecond = rate;
-  clip.endSeconds = 60.0 / rate;
+  clip.framesPerSecond = releaseRate;
+  clip.endSeconds = 60.0 / releaseRate;
   clip.tracks.emplace_back(keysAtFrames(NodeIndex(1), {3.0, 10.0, 14.0, 22.0, 40.0}));
   clip.tracks.emplace_back(keysAtFrames(NodeIndex(2), {5.5, 22.0, 31.25}, Channel::translation));
   clip.tracks.emplace_back(keysAtFrames(NodeIndex(3), {8.0, 24.0}));  // Of no joint of the limb.
@@ -287,8 +287,8 @@ TEST_CASE("a clip that is keyed on every frame has no next key, and one keyed on
     frames.push_back(frame);
   }
   Clip clip;
-  clip.framesPerSecond = rate;
-  clip.endSeconds = 60.0 / rate;
+  clip.framesPerSecond = releaseRate;
+  clip.endSeconds = 60.0 / releaseRate;
   clip.tracks.emplace_back(keysAtFrames(NodeIndex(1), frames));
   CHECK(framesToKey(clip, 10.0, 22.0, Pivot::start) == Approx(step == 1.0 ? -1.0 : 2.0));
   CHECK(framesToKey(clip, 10.0, 22.0, Pivot::end) == Approx(step == 1.0 ? -1.0 : 2.0));

@@ -132,7 +132,7 @@ double apart(const std::vector<FrameState>& one, const std::vector<FrameState>& 
   return largest;
 }
 
-MovingBiped bodyOf(const std::function<void(SyntheticBiped&)>& change) {
+MovingBiped punchingBodyOf(const std::function<void(SyntheticBiped&)>& change) {
   SyntheticBiped body = namedBody();
   change(body);
   MovingBiped moving = still(body);
@@ -181,7 +181,7 @@ TEST_CASE("a motion that comes eight frames later is the same, whatever its trai
 TEST_CASE("a body ten times as large moves ten times as far, whatever its trail is set to") {
   constexpr double size = 10.0;
   const MovingBiped moving = punchingBiped();
-  MovingBiped large = bodyOf([](SyntheticBiped& body) { body.size = size; });
+  MovingBiped large = punchingBodyOf([](SyntheticBiped& body) { body.size = size; });
   for (CopyOnWrite<Track>& leaf : large.clip.tracks) {
     if (leaf->channel == Channel::translation) {
       const Vec3 restLarge = large.scene.nodes[at(leaf->node)].rest.translation;

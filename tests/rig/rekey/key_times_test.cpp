@@ -15,10 +15,10 @@ using namespace stretch::test;
 
 namespace {
 
-constexpr double rate = 24.0;
+constexpr double fingerRate = 24.0;
 
-double seconds(double frame) {
-  return asKeyTime(frame / rate);
+double secondsAt(double frame) {
+  return asKeyTime(frame / fingerRate);
 }
 
 /// A biped whose first joint of the middle finger turns to and fro from one of these frames to the next.
@@ -28,10 +28,10 @@ MovingBiped turningFinger(const std::vector<double>& frames, double lastFrame,
   MovingBiped moving = still(namedBody());
   RotationKeys keys;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    keys.emplace_back(seconds(frames[i]), axisAngle(Vec3(1, 0, 0), i % 2 == 0 ? 0.2 : -0.3));
+    keys.emplace_back(secondsAt(frames[i]), axisAngle(Vec3(1, 0, 0), i % 2 == 0 ? 0.2 : -0.3));
   }
   moving.clip.tracks.emplace_back(rotationTrack(moving.node.at(key), interpolation, keys));
-  moving.clip.endSeconds = lastFrame / rate;
+  moving.clip.endSeconds = lastFrame / fingerRate;
   return moving;
 }
 
@@ -43,7 +43,7 @@ KeyedPart partOf(const MovingBiped& moving, const std::vector<Vec2>& windowFrame
   }
   part.boneLength = 0.04;
   for (const Vec2& window : windowFrames) {
-    part.windows.push_back({seconds(window.x), seconds(window.y), false, false});
+    part.windows.push_back({secondsAt(window.x), secondsAt(window.y), false, false});
   }
   return part;
 }
@@ -57,7 +57,7 @@ struct Chosen {
 std::vector<std::vector<double>> inFrames(std::vector<std::vector<double>> windows) {
   for (std::vector<double>& times : windows) {
     std::ranges::transform(times, times.begin(),
-                           [](double time) { return std::round(time * rate * 1e4) / 1e4; });
+                           [](double time) { return std::round(time * fingerRate * 1e4) / 1e4; });
   }
   return windows;
 }
@@ -106,14 +106,14 @@ TEST_CASE("keys of the source that lie at a window's ends are not made twice") {
 TEST_CASE("times that a part asks for are keyed inside its windows, unless a key is as good as there") {
   const MovingBiped moving = turningFinger({0, 9, 30}, 40.0);
   KeyedPart part = partOf(moving, {{5, 20}});
-  part.keySeconds = {seconds(3), seconds(5), seconds(7.5), seconds(12), seconds(20), seconds(25)};
+  part.keySeconds = {secondsAt(3), secondsAt(5), secondsAt(7.5), secondsAt(12), secondsAt(20), secondsAt(25)};
   CHECK(chosenFor(moving, part).frames == Frames{{5, 7.5, 9, 12, 20}});
   for (const double beside : {-1.5e-5, 1.5e-5}) {
-    part.keySeconds = {seconds(9) + beside};
+    part.keySeconds = {secondsAt(9) + beside};
     CHECK(chosenFor(moving, part).frames == Frames{{5, 9, 20}});
   }
   for (const double beside : {-1e-3, 1e-3}) {
-    part.keySeconds = {seconds(9) + beside};
+    part.keySeconds = {secondsAt(9) + beside};
     CHECK(chosenFor(moving, part).frames[0].size() == 4);
   }
 }
@@ -136,7 +136,7 @@ TEST_CASE("spans of more than 500 frames are cut into equal ones on whole frames
   CHECK(chosenFor(moving, partOf(moving, {{0, 501}})).frames == Frames{{0, 251, 501}});
   CHECK(chosenFor(moving, partOf(moving, {{10.5, 1210.5}})).frames == Frames{{10.5, 410, 810, 1210, 1210.5}});
   KeyedPart part = partOf(moving, {{0, 1299}});
-  part.keySeconds = {seconds(300)}; // 999 frames are left behind it: two halves.
+  part.keySeconds = {secondsAt(300)}; // 999 frames are left behind it: two halves.
   CHECK(chosenFor(moving, part).frames == Frames{{0, 300, 800, 1299}});
 }
 
@@ -144,17 +144,16 @@ TEST_CASE("a jump inside a window is keyed on both of its sides, in place of a k
   const MovingBiped moving = turningFinger({0, 9, 30}, 40.0);
   KeyedPart part = partOf(moving, {{5, 20}});
   const double beside = GENERATE(-1.0, 1.0);
-  const JumpInside atKey{seconds(9), besideJump(seconds(9), beside)};
-  const JumpInside between{seconds(12), besideJump(seconds(12), beside)};
-  const JumpInside outside{seconds(25), besideJump(seconds(25), beside)};
+  const JumpInside atKey{secondsAt(9), besideJump(secondsAt(9), beside)};
+  const JumpInside between{secondsAt(12), besideJump(secondsAt(12), beside)};
+  const JumpInside outside{secondsAt(25), besideJump(secondsAt(25), beside)};
   part.jumps = {atKey, between, outside};
   const MotionState motion = adjusted(moving, {valued("left-hand.curl", 0.7)});
   ExactMotion exact(moving.scene, moving.clip, motion);
   const std::vector<KeyedPart> parts{part};
   const ChosenKeys chosen = chooseKeys(exact, parts, {});
-  std::vector<double> wanted{
-      seconds(5), atKey.insideSeconds, atKey.besideSeconds, between.insideSeconds, between.besideSeconds,
-      seconds(20)};
+  std::vector<double> wanted{secondsAt(5),          atKey.insideSeconds,   atKey.besideSeconds,
+                             between.insideSeconds, between.besideSeconds, secondsAt(20)};
   std::ranges::sort(wanted);
   CHECK(chosen.parts[0].times[0] == wanted);
   CHECK(chosen.parts[0].stretchTimes[0] == wanted);
@@ -216,12 +215,12 @@ TEST_CASE("a hand that closes and opens is keyed where straight spans would miss
                                 glm::length(tip - hinge) + exact.reachOf(at(moving.node.at("finger1b.l"))));
   const auto turnAt = [&](double time) { return exact.at(time).pose.locals[at(node)].rotation; };
   for (std::size_t i = 1; i < times.size(); ++i) {
-    for (double time = times[i - 1]; time < times[i]; time += 0.5 / rate) {
+    for (double time = times[i - 1]; time < times[i]; time += 0.5 / fingerRate) {
       const Quat span = glm::slerp(turnAt(times[i - 1]), turnAt(times[i]),
                                    (time - times[i - 1]) / (times[i] - times[i - 1]));
       CHECK(angleBetween(span, turnAt(time)) * reach < 1.02 * tolerance);
     }
-    const bool stands = times[i] <= 10.0 / rate || times[i - 1] >= 20.0 / rate;
-    CHECK((!stands || times[i] - times[i - 1] > 9.0 / rate)); // Nothing moves there.
+    const bool stands = times[i] <= 10.0 / fingerRate || times[i - 1] >= 20.0 / fingerRate;
+    CHECK((!stands || times[i] - times[i - 1] > 9.0 / fingerRate)); // Nothing moves there.
   }
 }
