@@ -1,5 +1,6 @@
 #include "app/evaluate/left_behind.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -191,10 +192,9 @@ TEST_CASE(
     boxed.scene.nodes[at(holder)].mesh = mesh;
     boxed.scene.nodes[at(holder)].skin = 0;
     boxed.scene.meshes[at(mesh)].primitives[0].influences = following(first, second);
-    std::vector<NodeIndex> movedNodes;
-    for (const std::string& name : moved) {
-      movedNodes.push_back(boxed.named(name));
-    }
+    std::vector<NodeIndex> movedNodes(moved.size());
+    std::ranges::transform(moved, movedNodes.begin(),
+                           [&](const std::string& one) { return boxed.named(one); });
     return boxed.told("left-arm", movedNodes);
   };
   const std::string holder = GENERATE("Glove", "");

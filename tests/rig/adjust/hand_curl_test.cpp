@@ -1,4 +1,5 @@
 // Axes about which fingers close, on hands that are made of points.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -216,10 +217,10 @@ TEST_CASE("joints of the palm do not bend: named ones, and those before the last
       parent = hand.addJoint(i == 0 ? first : "joint", parent, points[i], true);
       joints.push_back(parent);
     }
-    std::vector<int> all;
-    for (const NodeIndex joint : joints) {
-      all.push_back(static_cast<int>(std::lround(hand.degreesOf(joint))));
-    }
+    std::vector<int> all(joints.size());
+    std::ranges::transform(joints, all.begin(), [&](NodeIndex joint) {
+      return static_cast<int>(std::lround(hand.degreesOf(joint)));
+    });
     return all;
   };
   using Degrees = std::vector<int>;

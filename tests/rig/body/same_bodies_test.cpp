@@ -52,8 +52,7 @@ std::vector<std::string> sidedReadingOf(const SyntheticBiped& body, bool isMirro
   };
   std::vector<std::string> lines;
   for (const Limb& limb : found.limbs) {
-    LimbPlace place = limb;
-    place = isMirrored ? mirrored(place) : place;
+    const LimbPlace place = isMirrored ? mirrored(limb) : LimbPlace{limb.kind, limb.side, limb.row};
     std::string line = limbName(place) + " " + std::to_string(place.row) + ":";
     for (const NodeIndex joint : limb.joints) {
       line += " " + keyOfNode(joint);
