@@ -270,6 +270,19 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   return made;
 }
 
+// Nodes that hang on none that begins at the top, such as on each other: the library says nothing of them.
+void tellLostNodes(const aiScene& scene, const NamesApart& names, std::vector<std::string>& warnings) {
+  const auto isLost = [&](const std::string& name) {
+    return !name.empty() && scene.mRootNode->FindNode(name.c_str()) == nullptr;
+  };
+  const auto count = std::ranges::count_if(names.names, isLost);
+  if (count > 0) {
+    warnings.push_back(
+        fmt::format("{} nodes do not hang on the top of the file, and are left out (such as '{}')", count,
+                    names.nameOf(*std::ranges::find_if(names.names, isLost))));
+  }
+}
+
 } // namespace
 
 Result<Converted> converted(const std::filesystem::path& file) {
@@ -304,11 +317,11 @@ Result<Converted> converted(const std::filesystem::path& file) {
                              oneLine(importer.GetErrorString())),
                  "", exportAgain};
   }
-  if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0 && scene->mRootNode->mNumChildren == 0) {
-    return Error{"holds neither a skeleton nor a mesh nor a clip", "", exportAgain};
+  if (scene->mNumMeshes == 0 && scene->mRootNode->mNumChildren == 0) {
+    return Error{"holds neither a mesh nor a skeleton that begins at its top", "", exportAgain};
   }
-  if (*format == Format::collada && toTransform(restOf(*scene->mRootNode)).scale == Vec3(0.0)) {
-    return Error{"says that its unit has no length", "unit meter",
+  if (*format == Format::collada && toTransform(restOf(*scene->mRootNode)).scale.x <= 0.0) {
+    return Error{"says that its unit has no length or a negative one", "unit meter",
                  "write the metres of a unit there, such as 0.01"};
   }
   if (*format == Format::bvh && hasNoRate(*scene)) {
@@ -316,6 +329,9 @@ Result<Converted> converted(const std::filesystem::path& file) {
                  "write the seconds of a frame there, such as 0.0333333"};
   }
   Result<Converted> made = convertedScene(*scene, file, *format, names, head);
+  if (made && *format == Format::fbx) {
+    tellLostNodes(*scene, names, made.value().warnings);
+  }
   if (made && leftOut.count > 0) {
     made.value().warnings.push_back(fmt::format(
         "what the reader calls faulty is left out ({} times, first: {})", leftOut.count, leftOut.first));

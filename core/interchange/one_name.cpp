@@ -136,7 +136,10 @@ public:
     }
   }
 
-  [[nodiscard]] NamesApart finish() { return std::move(made_); }
+  [[nodiscard]] NamesApart finish() {
+    made_.names = std::move(taken_);
+    return std::move(made_);
+  }
 
 private:
   static std::size_t power(std::size_t base, std::size_t exponent) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace stretch::interchange {
 struct NamesApart {
   Bytes bytes;
   std::map<std::string, std::string> original; ///< By the name that stands there now.
+  std::set<std::string> names; ///< Of an FBX and a BVH: those of all nodes, as they stand there now.
 
   /// What the file calls a node that the library names so.
   [[nodiscard]] std::string nameOf(const std::string& given) const;

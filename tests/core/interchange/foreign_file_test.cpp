@@ -128,14 +128,27 @@ TEST_CASE(
     "A Collada whose unit has no length is refused in one line, and a place that is no number is told") {
   const TemporaryFolder folder;
   std::string text = test::postCollada();
-  text.replace(text.find("0.0254"), 6, "0");
-  const std::string line = test::refusal(gltf::load(folder.write("flat.dae", text)));
-  CHECK(line.find("its unit has no length") != std::string::npos);
-  CHECK(line.find('\n') == std::string::npos);
+  text.replace(text.find("0.0254"), 6, "000000");
+  for (const char* const unit : {"000000", "-00001"}) {
+    INFO(unit);
+    text.replace(text.find("meter=\"") + 7, 6, unit);
+    const std::string line = test::refusal(gltf::load(folder.write("flat.dae", text)));
+    CHECK(line.find("its unit has no length") != std::string::npos);
+    CHECK(line.find('\n') == std::string::npos);
+  }
   std::string person = test::personBvh();
   person.replace(person.find("OFFSET 0 -40"), 12, "OFFSET 0 nan");
   CHECK(tells(loadedText("odd.bvh", person), "it is no number, are where their parents are: 1"));
   CHECK_FALSE(tells(loadedText("person.bvh", test::personBvh()), "it is no number"));
+}
+
+TEST_CASE("Nodes of an FBX that hang on each other, and on nothing that begins at the top, are told") {
+  std::string text = test::twoBonesFbx();
+  CHECK_FALSE(tells(loadedText("bones.fbx", text), "do not hang on the top of the file"));
+  const std::string whole = "C: \"OO\",11,10\n";
+  REQUIRE(text.find(whole) != std::string::npos);
+  text.replace(text.find(whole), whole.size(), "C: \"OO\",11,11\n");
+  CHECK(tells(loadedText("circle.fbx", text), "1 nodes do not hang on the top of the file"));
 }
 
 TEST_CASE("A file without a byte is called empty") {
