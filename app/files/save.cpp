@@ -128,7 +128,7 @@ std::vector<FrameState> fittedMoments(const Document& seen,
     });
     const Clip& clip = clipOf(seen, index);
     const double most = isStretched ? ofStretchedClip : ofOthers / static_cast<double>(clips);
-    const double step = std::max(1.0, std::ceil(lastFrame(clip) / std::max(most, 1.0)));
+    const double step = 0.25 * std::max(1.0, std::ceil(4.0 * lastFrame(clip) / std::max(most, 1.0)));
     const rig::MotionState motion = prepareMotion(seen, index);
     for (double frame = 0.0; frame <= lastFrame(clip); frame += step) {
       moments.push_back(evaluate(seen, motion, frame / clip.framesPerSecond));

@@ -17,7 +17,7 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr std::size_t furtherCorners = 12; // of a joint, to fit by where a vertex has too many influences
+constexpr std::size_t furtherCorners = 12; // of a joint, to fit fewer influences by than a vertex can have
 
 using CornerOfJoint = std::pair<NodeIndex, int>;
 using Splits = std::vector<std::vector<VertexSplit::Answer>>; // of a mesh: by primitive and vertex
@@ -29,7 +29,8 @@ public:
 
   CornerFit bind(const std::vector<ClipStretches>& clips) {
     const std::vector<MovedMesh> meshes = meshesOf(scene_, jointsOf(clips));
-    sets_ = cornerSets(scene_, clips, meshes, furtherCorners);
+    sets_ = cornerSets(scene_, clips, meshes,
+                       options_.mostInfluences < VertexInfluences::capacity ? furtherCorners : 0);
     for (const MovedMesh& mesh : meshes) {
       if (getsCorners(mesh)) {
         bindMesh(mesh);

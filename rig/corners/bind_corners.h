@@ -32,6 +32,7 @@ struct CornerFit {
 /// Adds corners to what is saved (docs/rig.md, Corners): under each stretched joint J nodes at the corners
 /// c_k of a tetrahedron that holds what J moves, which the stretch moves to K c_k; a vertex's weight for J
 /// becomes that of the corners by its affine coordinates. A bone that only lengthens has one or two ends.
+/// A vertex with too many influences, and far from its place by any fit, has corners of its own.
 /// Corners that the file has already are used again. A mesh that hangs on J rigidly becomes a skinned one.
 CornerFit addBindCorners(const Scene& scene, const std::vector<ClipStretches>& clips,
                          const CornerOptions& options, gltf::Edits& edits);

@@ -12,7 +12,7 @@ struct CornerSet {
   NodeIndex joint;
   std::vector<Vec3> places;  ///< In the joint's space, at rest.
   std::size_t enclosing = 0; ///< The first of them, which hold every vertex; further ones are there to fit
-                             ///< by.
+                             ///< by, or stand at vertices.
   /// The file's own, which are used again; null: new ones.
   const BindChain* made = nullptr;
 

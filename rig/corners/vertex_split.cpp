@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -15,10 +17,14 @@ namespace stretch::rig {
 namespace {
 
 constexpr double unseen = 1e-7; // a weight that no place tells
+// Misses of a fit, in heights, from which a vertex gets corners of its own.
+constexpr double missOfEight = 5e-6;
+constexpr double missOfFewer = 4e-3;    // influences
+constexpr std::size_t mostCorners = 64; // of a joint
 
 } // namespace
 
-VertexSplit::VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
+VertexSplit::VertexSplit(const MovedMesh& mesh, std::map<NodeIndex, CornerSet>& sets,
                          const CornerOptions& options)
     : mesh_(mesh), options_(options), slots_(mesh.joints.size()) {
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
@@ -69,10 +75,53 @@ VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const Vec3& 
   }
   std::erase_if(answer.parts, [](const CornerInfluence& part) { return part.weight < unseen; });
   if (answer.isMoved && answer.parts.size() > options_.mostInfluences) {
+    std::vector<CornerInfluence> exact = answer.parts;
     fit(answer, vertex, place);
+    const double most = options_.mostInfluences < VertexInfluences::capacity ? missOfFewer : missOfEight;
+    if (answer.miss > most * options_.height && putOnOwnCorners(exact, place)) {
+      answer = {std::move(exact), true, false, 0.0};
+    }
   }
   std::ranges::stable_sort(answer.parts, std::ranges::greater(), &CornerInfluence::weight);
   return answer;
+}
+
+// Gives a vertex corners where it stands, each in the place of those around it; whether few enough are left.
+bool VertexSplit::putOnOwnCorners(std::vector<CornerInfluence>& parts, const Vec3& place) {
+  std::map<std::uint16_t, double> weights;
+  for (const CornerInfluence& part : parts) {
+    weights[part.slot] += part.weight;
+  }
+  for (const auto& [slot, weight] : weights) {
+    const bool isSplit = parts.size() > options_.mostInfluences && slots_[slot].corners != nullptr;
+    const int own = isSplit ? ownCorner(slot, place) : -1;
+    if (own >= 0) {
+      std::erase_if(parts, [joint = slot](const CornerInfluence& part) { return part.slot == joint; });
+      parts.push_back({slot, own, weight});
+    }
+  }
+  return parts.size() <= options_.mostInfluences;
+}
+
+// The joint's corner at a vertex, a new one where there is none; -1: too many, or the file has its own.
+int VertexSplit::ownCorner(std::uint16_t index, const Vec3& place) {
+  constexpr double samePlace = 1e-7; // of the height
+  Slot& slot = slots_[index];
+  std::vector<Vec3>& places = slot.corners->places;
+  const Vec3 own = transformPoint(mesh_.inverseBind[index], place);
+  const auto found = std::ranges::find_if(
+      places, [&](const Vec3& corner) { return glm::length(corner - own) <= samePlace * options_.height; });
+  const int corner = static_cast<int>(found - places.begin());
+  if (found != places.end()) {
+    return corner;
+  }
+  if (slot.corners->made != nullptr || places.size() >= mostCorners) {
+    return -1;
+  }
+  places.push_back(own);
+  slot.matrices.clear(); // to be prepared anew
+  slot.offsets.clear();
+  return corner;
 }
 
 // Every corner of the joints that a vertex follows, and they themselves.

@@ -20,9 +20,9 @@ struct CornerInfluence {
 /// Splits what the vertices of a mesh follow among the corners of its joints.
 class VertexSplit {
 public:
-  /// Weights that are given stay as it is while the splitting lasts.
-  VertexSplit(const MovedMesh& mesh, const std::map<NodeIndex, CornerSet>& sets,
-              const CornerOptions& options);
+  /// `sets` get further corners: where a vertex stands that has too many influences, and that no fit brings
+  /// near its place. All that is given outlives the splitting.
+  VertexSplit(const MovedMesh& mesh, std::map<NodeIndex, CornerSet>& sets, const CornerOptions& options);
 
   struct Answer {
     std::vector<CornerInfluence> parts; ///< Heaviest first, at most as many as allowed.
@@ -34,11 +34,13 @@ public:
 
 private:
   struct Slot {
-    const CornerSet* corners = nullptr;
+    CornerSet* corners = nullptr;
     std::vector<Mat4> matrices;             // of the joint, without its stretch; for each moment
     std::vector<std::vector<Vec3>> offsets; // of the corners, by moment
   };
 
+  bool putOnOwnCorners(std::vector<CornerInfluence>& parts, const Vec3& place);
+  [[nodiscard]] int ownCorner(std::uint16_t index, const Vec3& place);
   void fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place);
   [[nodiscard]] std::vector<CornerInfluence> candidatesOf(const VertexInfluences& vertex) const;
   void addShading(const std::vector<CornerInfluence>& exact, const std::vector<CornerInfluence>& candidates,

@@ -82,7 +82,7 @@ failures_of() {
 cp "$root/assets/dummy.glb" boxer.glb
 printf 'no model' >broken.glb
 for way in batch single parallel slurm; do list "$way" >"$way.txt"; done
-echo "| $count commands, three fail | s | files a second | s of processor | files a second of it |"
+echo "| $count commands, three fail | s | files a second | s of processor | files for each second of it |"
 echo "|---|---|---|---|---|"
 
 began=$(seconds)

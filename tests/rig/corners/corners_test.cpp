@@ -69,6 +69,24 @@ Scene forearm(std::vector<glm::vec3> positions) {
   return scene;
 }
 
+// A ring around the place where three joints meet, each vertex on all three of them.
+Scene ringOnThreeJoints(int count) {
+  std::vector<glm::vec3> positions;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * pi * i / count;
+    positions.emplace_back(Vec3(0.1 + 0.01 * i, 0.04 * std::cos(angle), 0.04 * std::sin(angle)));
+  }
+  Scene scene = forearm(std::move(positions));
+  scene.nodes.resize(4); // the joints 0, 2 and 3
+  scene.roots = {NodeIndex(0), NodeIndex(1), NodeIndex(2), NodeIndex(3)};
+  scene.skins[0] = {"skin", {NodeIndex(0), NodeIndex(2), NodeIndex(3)}, {Mat4(1.0), Mat4(1.0), Mat4(1.0)}};
+  for (VertexInfluences& vertex : scene.meshes[0].primitives[0].influences) {
+    vertex.joints = {0, 1, 2};
+    vertex.weights = {0.5F, 0.3F, 0.2F};
+  }
+  return scene;
+}
+
 StretchKeys longer(const Vec3& factors) {
   StretchKeys keys;
   keys.node = NodeIndex(0);
@@ -214,6 +232,54 @@ TEST_CASE(
     CHECK(vertex.weights[2] == 0.0F);
     CHECK(vertex.weights[0] + vertex.weights[1] == Approx(1.0));
   }
+}
+
+TEST_CASE(
+    "A vertex on three stretched joints follows corners of its own where no eight of the others do: it is "
+    "where the stretches have it") {
+  const Scene scene = ringOnThreeJoints(12);
+  const std::array<int, 3> joints{0, 2, 3};
+  std::vector<StretchKeys> stretches;
+  std::array<Mat3, 4> stretchOf{};
+  CornerOptions options;
+  options.moments.assign(3, frameOf(scene, restPose(scene), 0.0));
+  for (std::size_t moment = 0; moment < 3; ++moment) {
+    options.moments[moment].stretch.assign(4, Mat3(1.0));
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    StretchKeys keys = longer(Vec3(2.0 + static_cast<double>(i), 0.6, 0.6));
+    keys.node = NodeIndex(joints[i]);
+    keys.axes = {axisAngle(Vec3(0, 0, 1), 0.5 * static_cast<double>(i))};
+    stretchOf[at(keys.node)] = StretchFrame{keys.axes.front(), keys.scales.back()}.matrix();
+    for (std::size_t moment = 1; moment < 3; ++moment) { // one of them alone, and together with the others
+      options.moments[moment].stretch[at(keys.node)] =
+          i == 0 || moment == 2 ? stretchOf[at(keys.node)] : Mat3(1.0);
+    }
+    stretches.push_back(keys);
+  }
+  gltf::Edits edits;
+  const CornerFit fit = addBindCorners(scene, {{0, stretches}}, options, edits);
+  CHECK(fit.worst <= 5e-6);
+  CHECK(fit.corners > 12); // those around all of it do not do
+  const auto& positions = scene.meshes[0].primitives[0].positions;
+  double worst = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const Vec3 place(positions[v]);
+    const VertexInfluences& vertex = edits.boundMeshes[0].influences[0][v];
+    const Vec3 exact = 0.5 * stretchOf[0] * place + 0.3 * stretchOf[2] * place + 0.2 * stretchOf[3] * place;
+    Vec3 moved(0.0);
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      Vec3 offset(0.0);
+      if (vertex.joints[i] >= joints.size() && vertex.weights[i] > 0.0F) {
+        const NodeIndex node = edits.addedSlots[vertex.joints[i] - joints.size()].node;
+        const gltf::AddedNode& corner = edits.addedNodes[at(node) - scene.nodes.size()];
+        offset = stretchOf[at(corner.parent)] * corner.rest.translation - corner.rest.translation;
+      }
+      moved += static_cast<double>(vertex.weights[i]) * (place + offset);
+    }
+    worst = std::max(worst, glm::length(moved - exact));
+  }
+  CHECK(worst < 6e-6);
 }
 
 TEST_CASE("A mesh that hangs on a stretched joint rigidly becomes a skinned one at the top of the scene") {
