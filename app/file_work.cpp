@@ -36,8 +36,8 @@ void tellWarnings(FileUser& user, const std::vector<std::string>& warnings) {
 /// Empty where the file plays as it is seen; else how far it is off between the frames that alone got keys.
 std::string missText(double missOfHeight) {
   return missOfHeight > 0.0
-             ? fmt::format(", keyed on whole frames: between them the motion is up to {:.2g} % of the height "
-                           "off (Settings, Keys stand)",
+             ? fmt::format(": keys stand on whole frames; between them the motion is up to {:.2g} % of the "
+                           "height off (Edit, Settings, Keys stand)",
                            100.0 * missOfHeight)
              : std::string();
 }

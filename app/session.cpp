@@ -138,7 +138,7 @@ const std::vector<TrailPaths>& Session::paths(std::size_t samplesPerFrame) {
 }
 
 const Clip& Session::shownClip() {
-  return cache_.keyed(document(), view_.clip);
+  return cache_.keyed(document(), view_.clip, view_.keyPlaces);
 }
 
 const std::vector<WeightReport>& Session::weightReports() {

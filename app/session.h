@@ -17,6 +17,7 @@
 #include "app/schema/saved_form.h"
 #include "app/selection.h"
 #include "rig/moments/moments.h"
+#include "rig/rekey/key_places.h"
 
 namespace stretch::app {
 
@@ -52,10 +53,11 @@ struct ViewState {
   /// The same while controllers are selected: what was seen, or offsets with moves in lengths of the
   /// controller (rig::Controller::length).
   std::optional<std::variant<SeenPose, OffsetPose>> copiedPose;
-  KeySelection pickedKeys;              ///< Keys of the viewed clip, in graph and dope sheet.
-  int pickedClip = 0;                   ///< The clip that they are of.
-  std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
-  std::optional<CopiedKeys> copiedKeys; ///< Keys that Paste pastes there.
+  KeySelection pickedKeys;                           ///< Keys of the viewed clip, in graph and dope sheet.
+  int pickedClip = 0;                                ///< The clip that they are of.
+  rig::KeyPlaces keyPlaces = rig::KeyPlaces::needed; ///< Places where saving writes keys; kept by the window.
+  std::vector<KeyRow> keyRows;                       ///< Those that the graph or the dope sheet shows.
+  std::optional<CopiedKeys> copiedKeys;              ///< Keys that Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.

@@ -34,8 +34,8 @@ double soleDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces
 }
 
 // The same at a frame: the boxes that the parts of the foot have in the bind pose go along with it.
-double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& frame) {
-  const rig::BindPlaces places = rig::bindPlaces(scene);
+double footDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces& places,
+                 const FrameState& frame) {
   const double ankle = rig::endPosition(leg, frame).y;
   double lowest = ankle;
   const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
@@ -52,12 +52,11 @@ double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& fra
 }
 
 // How high the highest of the blocks is that a foot comes down on soon after a time.
-std::optional<double> blockTopSoonUnder(const Document& document, int clip, const rig::Limb& leg,
+std::optional<double> blockTopSoonUnder(const Document& document, int clip, const rig::Limb& leg, double sole,
                                         const std::vector<Bounds>& blocks, double timeSeconds) {
   constexpr int steps = 14;
   constexpr double standing = 1.5; // of the height of the ankle above the sole: on its way to the ground
   const Scene& scene = *document.scene;
-  const double sole = soleDepth(scene, leg, rig::bindPlaces(scene));
   std::optional<double> highest;
   for (int step = 1; step <= steps && !blocks.empty(); ++step) {
     const Vec3 ankle = rig::endPosition(
@@ -89,6 +88,42 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
                               [&](const CopyOnWrite<Track>& track) { return carriesIt(track->node); });
 }
 
+// See StandingFloor::flies. Legs that rest tell nothing: they hang still in the air, too.
+bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& places) {
+  constexpr double clearly = 0.1; // of the height
+  constexpr double often = 0.25;  // of the frames
+  constexpr double mostFrames = 240.0;
+  const std::vector<rig::Limb> limbs = allLimbs(document);
+  const auto isWing = [](const rig::Limb& limb) { return limb.kind == rig::LimbKind::wing; };
+  if (std::ranges::none_of(limbs, isWing)) {
+    return false;
+  }
+  FrameState pose;
+  const auto lowestOf = [&](const auto& isAsked) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const rig::Limb& limb : limbs) {
+      lowest = isAsked(limb) ? std::min(lowest, std::ranges::min(rig::limbPoints(limb, pose), {}, &Vec3::y).y)
+                             : lowest;
+    }
+    return lowest;
+  };
+  pose.worlds = places.worlds;
+  double standing = lowestOf([](const rig::Limb&) { return true; });
+  for (const Bounds& mesh : places.meshes) {
+    standing = mesh.empty() ? standing : std::min(standing, mesh.low.y);
+  }
+  const Clip& motion = clipOf(document, clip);
+  const double last = wholeFrameAtMost(endInFrames(motion));
+  int looked = 0;
+  int below = 0;
+  for (double frame = 0.0; frame <= last; frame += std::max(1.0, last / mostFrames), ++looked) {
+    pose = rig::sampledFrame(*document.scene, motion, frame / motion.framesPerSecond);
+    const double feet = lowestOf([](const rig::Limb& limb) { return isLeg(limb); });
+    below += lowestOf(isWing) < std::min(standing, feet) - clearly * document.body.height ? 1 : 0;
+  }
+  return below > 0 && below >= often * looked;
+}
+
 } // namespace
 
 std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places) {
@@ -102,50 +137,28 @@ std::optional<double> soleHeight(const Document& document, const rig::BindPlaces
   return lowest;
 }
 
-bool fliesThroughout(const Document& document, int clip) {
-  constexpr double clearly = 0.1; // of the height
-  const std::vector<rig::Limb> limbs = allLimbs(document);
-  const bool hasWings =
-      std::ranges::any_of(limbs, [](const rig::Limb& limb) { return limb.kind == rig::LimbKind::wing; });
-  if (!hasWings) {
-    return false;
-  }
-  const Scene& scene = *document.scene;
-  const Clip& motion = clipOf(document, clip);
-  const rig::BindPlaces places = rig::bindPlaces(scene);
-  FrameState bind;
-  bind.worlds = places.worlds;
-  const auto lowestIn = [&](const FrameState& frame) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const rig::Limb& limb : limbs) {
-      lowest = std::min(lowest, std::ranges::min(rig::limbPoints(limb, frame), {}, &Vec3::y).y);
-    }
-    return lowest;
-  };
-  double standing = lowestIn(bind);
-  for (const Bounds& mesh : places.meshes) {
-    standing = mesh.empty() ? standing : std::min(standing, mesh.low.y);
-  }
-  standing -= clearly * document.body.height;
-  for (double frame = 0.0; frame <= endInFrames(motion); frame += 1.0) {
-    if (lowestIn(rig::sampledFrame(scene, motion, frame / motion.framesPerSecond)) < standing) {
-      return true;
+StandingFloor standingFloor(const Document& document, int clip, const rig::BindPlaces& places) {
+  StandingFloor standing;
+  standing.flies = beatsInTheAir(document, clip, places);
+  double depth = 0.0;
+  for (const rig::Limb& limb : document.body.limbs) {
+    if (isLeg(limb) && !standing.flies) {
+      const std::optional<double> height = rig::standingHeight(*document.scene, clipOf(document, clip), limb);
+      standing.ankles =
+          height ? std::optional(std::min(standing.ankles.value_or(*height), *height)) : standing.ankles;
+      depth = std::max(depth, soleDepth(*document.scene, limb, places));
     }
   }
-  return false;
+  standing.floor = standing.ankles ? std::optional(*standing.ankles - depth) : std::nullopt;
+  return standing;
 }
 
 std::optional<double> standingAnkles(const Document& document, int clip) {
-  if (fliesThroughout(document, clip)) {
-    return std::nullopt; // feet that hang still in the air
-  }
-  std::optional<double> lowest;
-  for (const rig::Limb& limb : document.body.limbs) {
-    const std::optional<double> height =
-        isLeg(limb) ? rig::standingHeight(*document.scene, clipOf(document, clip), limb) : std::nullopt;
-    lowest = height ? std::optional(std::min(lowest.value_or(*height), *height)) : lowest;
-  }
-  return lowest;
+  return standingFloor(document, clip, rig::bindPlaces(*document.scene)).ankles;
+}
+
+std::optional<double> floorHeight(const Document& document, int clip) {
+  return standingFloor(document, clip, rig::bindPlaces(*document.scene)).floor;
 }
 
 std::vector<Bounds> blocksOf(const Document& document, int clip) {
@@ -171,7 +184,8 @@ std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec
 
 std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, const rig::Limb& leg,
                                           double tipFrame) {
-  const std::optional<double> floor = floorHeight(document, clip);
+  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
+  const std::optional<double> floor = standingFloor(document, clip, places).floor;
   if (!floor) {
     return std::nullopt;
   }
@@ -180,27 +194,16 @@ std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, co
   const double tipSeconds = tipFrame / motion.framesPerSecond;
   double depth = 0.0;
   for (int step = -beforeAndAfter; step <= beforeAndAfter; ++step) {
-    depth = std::max(depth, footDepth(*document.scene, leg, frameAt(tipSeconds + step * stepSeconds)));
+    depth =
+        std::max(depth, footDepth(*document.scene, leg, places, frameAt(tipSeconds + step * stepSeconds)));
   }
   const Vec3 ankle = rig::endPosition(leg, frameAt(tipSeconds));
   const std::vector<Bounds> blocks = blocksOf(document, clip);
+  const double sole = soleDepth(*document.scene, leg, places);
   const double ground =
       std::max({*floor, blockTopUnder(blocks, ankle).value_or(*floor),
-                blockTopSoonUnder(document, clip, leg, blocks, tipSeconds).value_or(*floor)});
+                blockTopSoonUnder(document, clip, leg, sole, blocks, tipSeconds).value_or(*floor)});
   return rig::StopPlane{{0.0, ground + depth, 0.0}, {0.0, -1.0, 0.0}};
-}
-
-std::optional<double> floorHeight(const Document& document, int clip) {
-  const std::optional<double> ankles = standingAnkles(document, clip);
-  if (!ankles) {
-    return std::nullopt;
-  }
-  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
-  double depth = 0.0;
-  for (const rig::Limb& limb : document.body.limbs) {
-    depth = isLeg(limb) ? std::max(depth, soleDepth(*document.scene, limb, places)) : depth;
-  }
-  return *ankles - depth;
 }
 
 } // namespace stretch::app

@@ -9,9 +9,21 @@
 
 namespace stretch::app {
 
-/// How high the ends of legs are in a clip where they stand lowest, world units along +Y. Nothing where no
-/// leg stands.
+/// Heights that legs stand at in a clip, world units along +Y. Nothing where no leg stands.
+struct StandingFloor {
+  /// Whether a body with wings is in the air: they beat clearly below where the body stands in the bind pose
+  /// and below its feet, on a quarter of the clip or more. What only dips there is not. No leg stands then.
+  bool flies = false;
+  std::optional<double> ankles = {}; ///< Ends of legs where they stand lowest.
+  std::optional<double> floor = {};  ///< What stands on it is as far below the ankle as in the bind pose.
+};
+
+/// `places`: those of the document's scene.
+[[nodiscard]] StandingFloor standingFloor(const Document& document, int clip, const rig::BindPlaces& places);
+
+/// The parts of it where only one of them is asked for.
 [[nodiscard]] std::optional<double> standingAnkles(const Document& document, int clip);
+[[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
 
 /// How high the lowest point of all feet is in the bind pose, along +Y. Nothing where there is no leg.
 [[nodiscard]] std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places);
@@ -28,12 +40,5 @@ namespace stretch::app {
 /// foot, which may hang down around there. Nothing where no leg stands in the clip.
 [[nodiscard]] std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip,
                                                         const rig::Limb& leg, double tipFrame);
-
-/// The floor itself: what stands on it is as far below the ankle as in the bind pose.
-[[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
-
-/// Whether a body with wings is in the air all through a clip: limbs go clearly below where the body stands
-/// in the bind pose. No floor is known for it then, and no leg stands.
-[[nodiscard]] bool fliesThroughout(const Document& document, int clip);
 
 } // namespace stretch::app

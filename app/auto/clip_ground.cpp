@@ -229,7 +229,8 @@ ClipGround clipGround(const Document& document, int clip) {
     ground.places.push_back(placesOf(ground.limbs, shown));
     lowerTo(shown, ground.places.back(), ground);
   }
-  if (fliesThroughout(document, clip)) {
+  const StandingFloor standing = standingFloor(document, clip, rig::bindPlaces(*document.scene));
+  if (standing.flies) {
     ground.lowest = -std::numeric_limits<double>::infinity();
     ground.lowestVertex = ground.lowest;
     std::ranges::fill(ground.lowestVertices, ground.lowest);
@@ -243,7 +244,7 @@ ClipGround clipGround(const Document& document, int clip) {
     stands = joined(std::move(stands));
   }
   ground.slides = withSlides(ground);
-  ground.floor = floorHeight(document, clip);
+  ground.floor = standing.floor;
   return ground;
 }
 

@@ -16,7 +16,7 @@ namespace stretch::app {
 using LimbPlaces = std::vector<std::vector<Vec3>>;
 
 /// Facts about a clip without new trails that every choice for it is measured against. Of a clip that flies
-/// (fliesThroughout) all heights that nothing may go below are minus infinity.
+/// (StandingFloor) all heights that nothing may go below are minus infinity.
 struct ClipGround {
   const Document& document; ///< Has to outlive it.
   int clip = 0;

@@ -179,8 +179,8 @@ private:
     return isCutOff ? ground_.lastFrame - back : moment.endFrame;
   }
 
-  // A leg that stands has no stroke; one that is put down comes back to its place before.
-  // Over the seam of a loop too.
+  // A leg that stands has no stroke; one that is put down comes back to its place before, over the seam of a
+  // loop too.
   [[nodiscard]] std::optional<Vec2> rangeOf(const rig::Moment& moment, const rig::Limb& limb) const {
     Vec2 range(moment.startFrame, endOf(moment));
     const bool isStroke = moment.kind == rig::MomentKind::stroke;

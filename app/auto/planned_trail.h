@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ inline constexpr double shortestRange = 2.0; ///< Frames of a trail.
 struct PlannedTrail {
   std::size_t moment = 0; ///< Place in the list of moments.
   rig::Trail trail;
-  std::string why = {};           ///< Why it has less than its style asks for.
-  rig::TrailSettings looked = {}; ///< Settings with which it looked right by itself.
+  std::string why = {};                          ///< Why it has less than its style asks for.
+  std::optional<rig::TrailSettings> looked = {}; ///< Settings with which it looked right by itself.
   bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
                         ///< own.
   bool isBent = false;  ///< Its bend is part of the pose at the tip: straightened, its end would point

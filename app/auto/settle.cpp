@@ -253,13 +253,17 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
   return !(settings == before);
 }
 
-// The world's axis that lies along the line between the bases of a limb and of that on the other side.
-int axisAcross(const ClipGround& ground, const PlannedTrail& planned) {
+// The world's axis that lies along the line between the bases of a limb and of that on the other side; none
+// for what follows or has no other side.
+std::optional<std::size_t> axisAcross(const ClipGround& ground, const PlannedTrail& planned) {
   const rig::Limb& limb = *findLimb(ground.document, planned.trail.limb);
-  const rig::Limb& other = *rig::limbAt(ground.limbs, rig::mirrored(limb));
+  const rig::Limb* const other = rig::limbAt(ground.limbs, rig::mirrored(limb));
+  if (planned.follows || limb.side == rig::LimbSide::middle || other == nullptr) {
+    return std::nullopt;
+  }
   const double tip = planned.trail.settings.endFrame;
   const Vec3 across =
-      glm::abs(ground.pointsOf(limb.id, tip).front() - ground.pointsOf(other.id, tip).front());
+      glm::abs(ground.pointsOf(limb.id, tip).front() - ground.pointsOf(other->id, tip).front());
   return across.x >= std::max(across.y, across.z) ? 0 : across.y >= across.z ? 1 : 2;
 }
 
@@ -272,8 +276,10 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
     settings.axes = levelAxes;
     return;
   }
-  if (fault.kind == FaultKind::sides && settings.axes == allAxes) {
-    settings.axes.at(static_cast<std::size_t>(axisAcross(ground, planned))) = false;
+  const std::optional<std::size_t> across =
+      fault.kind == FaultKind::sides ? axisAcross(ground, planned) : std::nullopt;
+  if (across && settings.axes == allAxes) {
+    settings.axes.at(*across) = false;
     return;
   }
   if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
@@ -373,11 +379,11 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
       continue; // it went along with one that was left out, or nothing is new
     }
     const rig::TrailSettings before = plan.trails[i].trail.settings;
-    const rig::TrailSettings looked = plan.trails[i].looked;
+    const std::optional<rig::TrailSettings> looked = plan.trails[i].looked;
     std::string problem = calmed(ground, trial, plan.trails[i]);
     PlannedTrail less = plan.trails[i];
-    less.trail.settings = withShare(looked, step);
-    if (looked.axes == allAxes && before.axes != allAxes &&
+    less.trail.settings = withShare(looked.value_or(before), step);
+    if (looked && looked->axes == allAxes && before.axes != allAxes &&
         (!problem.empty() || (before.axes[1] && excessOf(ground, plan.trails[i]) < excessOf(ground, less)))) {
       less.why = less.why.empty() && before.axes[1] ? textOf(FaultKind::sides) : less.why;
       plan.trails[i] = less; // without that axis it cannot be done, or much less of it
@@ -385,6 +391,7 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
     }
     isChanged = isChanged || !problem.empty() || !(plan.trails[i].trail.settings == before);
     if (!problem.empty()) {
+      plan.trails[i].trail.settings = before;
       leaveOut(plan, i, problem);
     }
   }

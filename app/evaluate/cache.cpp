@@ -140,18 +140,19 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
   });
 }
 
-const Clip& EvaluationCache::keyed(const Document& document, int clip) {
+const Clip& EvaluationCache::keyed(const Document& document, int clip, rig::KeyPlaces places) {
   const Document applied = appliedOnly(document);
   const EvaluationInput input = evaluationInput(applied, clip);
   if (input.trails.empty() && input.ground.adjustments.empty() && input.holds.empty()) {
     return clipOf(document, clip);
   }
-  return keyed_.of({{input.ground, input.trails}, input.holds}, [&](const auto*) {
+  return keyed_.of({{input.ground, input.trails}, input.holds, places}, [&](const auto*) {
     const Clip& source = clipOf(document, clip);
+    rig::RekeyOptions options = keyingOptions(document);
+    options.places = places;
     // Of a cache of its own: what is remembered here is the motion that is seen.
     const Motion motion = EvaluationCache().motion(applied, clip);
-    return rig::withTracks(source,
-                           rig::rekey(*document.scene, source, *motion, keyingOptions(document)).tracks);
+    return rig::withTracks(source, rig::rekey(*document.scene, source, *motion, options).tracks);
   });
 }
 

@@ -14,6 +14,7 @@
 #include "rig/adjust/controller_shapes.h"
 #include "rig/motion/controller_places.h"
 #include "rig/motion/motion.h"
+#include "rig/rekey/key_places.h"
 
 namespace stretch::app {
 
@@ -58,8 +59,9 @@ public:
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
   /// The clip as its adjustments, applied trails and holds re-key it: the keys that the timeline and the
-  /// graph show. The clip must be there; without any of them it is the document's.
-  [[nodiscard]] const Clip& keyed(const Document& document, int clip);
+  /// graph show. The clip must be there; without any of them it is the document's. `places`: as saving keys.
+  [[nodiscard]] const Clip& keyed(const Document& document, int clip,
+                                  rig::KeyPlaces places = rig::KeyPlaces::needed);
 
   /// Places of all controllers (rig::placeControllers), with the shapes that are drawn.
   [[nodiscard]] const std::vector<rig::PlacedController>& controllers(const Document& document, int clip,
@@ -117,6 +119,7 @@ private:
   struct KeyedKey {
     TrailsKey trails;
     rig::Holds holds;
+    rig::KeyPlaces places = rig::KeyPlaces::needed;
     friend bool operator==(const KeyedKey&, const KeyedKey&) = default;
   };
 

@@ -111,10 +111,12 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
 }
 
 std::string popWarning(const LimbPop& pop) {
-  return fmt::format(
-      "{} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as abruptly as its ends; "
-      "give it some softness, such as 0.1, or let it reach less far",
-      pop.limb, pop.frame, pop.times);
+  std::string limb = pop.limb;
+  std::ranges::replace(limb, '-', ' ');
+  return fmt::format("the {} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as "
+                     "abruptly as its ends; "
+                     "give it some softness, such as 0.1, or let it reach less far",
+                     limb, pop.frame, pop.times);
 }
 
 } // namespace stretch::app

@@ -115,25 +115,25 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
     edgeLengths_.push_back(
         std::sqrt(static_cast<double>(squaredDistance(places[edge.moved], places[edge.other]))));
   }
+  const rig::BindPlaces bindPlaces = rig::bindPlaces(*document.scene);
   if (isArm(trail.limb)) {
-    findHead();
+    findHead(bindPlaces);
   }
-  findFloor(trail.limb);
-  const bool flies = fliesThroughout(document, clip);
-  if (!lowestEnd_ && !flies) {
+  const StandingFloor standing = standingFloor(document, clip, bindPlaces);
+  lowestEnd_ = isArm(trail.limb) ? standing.floor : isLeg(trail.limb) ? standing.ankles : std::nullopt;
+  if (!lowestEnd_ && !standing.flies) {
     findLowestPlace();
   }
-  if (surface_.movedCount() > 0 && !flies) {
-    findGround();
+  if (surface_.movedCount() > 0 && !standing.flies) {
+    findGround(standing.floor);
   }
 }
 
-void TrailLook::findHead() {
+void TrailLook::findHead(const rig::BindPlaces& places) {
   const NodeIndex joint = document_.body.head;
   if (!joint.exists() || !document_.body.hips.exists()) {
     return;
   }
-  const rig::BindPlaces places = rig::bindPlaces(*document_.scene);
   const Mat4& world = places.worlds[at(joint)];
   if (glm::determinant(Mat3(world)) == 0.0) {
     return;
@@ -163,15 +163,8 @@ double TrailLook::Head::top(const Mat4& jointWorld) const {
   return transformPoint(moved, centre).y + glm::length(up * half);
 }
 
-void TrailLook::findFloor(const rig::Limb& limb) {
-  if (isArm(limb)) {
-    lowestEnd_ = floorHeight(document_, clip_);
-  } else if (isLeg(limb)) {
-    lowestEnd_ = standingAnkles(document_, clip_);
-  }
-}
-
-// Of joints, in the bind pose and in the clip: a body that flies all the time is measured by where it stands.
+// Of joints, in the bind pose and in the clip: what hangs in the air without beating wings is measured by
+// where it stands.
 void TrailLook::findLowestPlace() {
   constexpr double mostFrames = 240.0;
   const Scene& scene = *document_.scene;
@@ -207,7 +200,7 @@ void TrailLook::findLowestPlace() {
 
 // No lower than the lowest vertex in the clip; where feet stand on no floor, nor than the lowest joint and
 // what is lowest in the bind pose.
-void TrailLook::findGround() {
+void TrailLook::findGround(const std::optional<double>& floor) {
   constexpr double mostFrames = 48.0;
   const Scene& scene = *document_.scene;
   const Clip& clip = clipOf(document_, clip_);
@@ -224,7 +217,6 @@ void TrailLook::findGround() {
   for (double frame = 0.0; frame <= endInFrames(clip); frame += step) {
     lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
   }
-  const std::optional<double> floor = floorHeight(document_, clip_);
   knowsFloor_ = floor.has_value();
   if (!knowsFloor_) {
     FrameState bind;
@@ -459,13 +451,19 @@ private:
     return !(look_.surface_.farthestMove(before_, after_) + slack <= room * findings_.tipDisplacement);
   }
 
+  // A head reaches out beyond the end of its neck, and goes as much farther as it is away from the neck's
+  // base: by a stretch, which takes it along, as by a turn. Its lever is that; 1 on other limbs.
   void lookAtVertices(double frame) {
     const std::vector<glm::vec3>& source = from();
+    const Vec3 base = positionOf(before_.worlds[at(trail_.limb.joints.front())]);
+    const double length = glm::distance(base, rig::leadingPosition(trail_.limb, before_));
+    const bool hasHead = trail_.limb.kind == rig::LimbKind::neck && length > 0.0;
     double farthest = 0.0; // in lengths of its lever
     double carried = 0.0;
     for (std::size_t i = 0; i < look_.surface_.movedCount(); ++i) {
       const double distance = std::sqrt(static_cast<double>(squaredDistance(to_[i], source[i])));
-      const double beside = distance / leverOf(source[i]);
+      const double lever = hasHead ? std::max(1.0, glm::distance(base, Vec3(source[i])) / length) : 1.0;
+      const double beside = distance / lever;
       carried = beside > farthest ? distance : carried;
       farthest = std::max(farthest, beside);
     }
@@ -474,16 +472,6 @@ private:
           glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
       (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, carried, farthest);
     }
-  }
-
-  // A head reaches out beyond the end of its neck, and goes as much farther as it is away from the neck's
-  // base: by a stretch, which takes it along, as by a turn. 1 on other limbs.
-  [[nodiscard]] double leverOf(const glm::vec3& place) const {
-    const Vec3 base = positionOf(before_.worlds[at(trail_.limb.joints.front())]);
-    const double length = glm::distance(base, rig::leadingPosition(trail_.limb, before_));
-    return trail_.limb.kind == rig::LimbKind::neck && length > 0.0
-               ? std::max(1.0, glm::distance(base, Vec3(place)) / length)
-               : 1.0;
   }
 
   void lookAtEdges(double frame) {

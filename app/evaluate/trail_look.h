@@ -8,6 +8,7 @@
 #include "app/document.h"
 #include "app/evaluate/quality.h"
 #include "rig/motion/motion.h"
+#include "rig/reach/bind_places.h"
 #include "skinning/surface_part.h"
 
 namespace stretch::app {
@@ -86,10 +87,9 @@ private:
     [[nodiscard]] double top(const Mat4& jointWorld) const;
   };
 
-  void findHead();
-  void findFloor(const rig::Limb& limb);
+  void findHead(const rig::BindPlaces& places);
   void findLowestPlace();
-  void findGround();
+  void findGround(const std::optional<double>& floor);
 
   const Document& document_;
   int clip_ = -1;

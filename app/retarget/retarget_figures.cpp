@@ -295,7 +295,7 @@ std::vector<std::string> worseLines(const RetargetReport& report) {
     const double source = (report.source.*told.value).value_or(0.0);
     if (result > source + told.seen) {
       found.emplace_back((result - source) / told.seen,
-                         fmt::format("{} {:.2g} {} (source {:.2g})", told.words, told.factor * result,
+                         fmt::format("{} {:.2g} {} ({:.2g} in the source)", told.words, told.factor * result,
                                      told.unit, told.factor * source));
     }
   }

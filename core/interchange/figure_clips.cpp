@@ -485,12 +485,16 @@ private:
 };
 
 /// The name that the clip has in its file; where a program gave it to a file's only clip since nobody had,
-/// the file's, which tells more of one clip among others.
+/// the file's, which tells more of one clip among others. A program that passes a clip on writes it between
+/// bars, after its armature's name and before that of its layer.
 std::string clipName(const aiAnimation& clip, unsigned clips, const std::string& fileName) {
   constexpr std::array<std::string_view, 8> givenByPrograms{
       "", "Motion", "mixamo.com", "Take 001", "Take 01", "Default Take", "Unreal Take", "Animation"};
   const std::string_view name = clip.mName.C_Str();
-  const bool isGiven = std::ranges::find(givenByPrograms, name) != givenByPrograms.end();
+  const std::size_t bar = name.find('|');
+  const std::string_view part = bar == name.npos ? name : name.substr(bar + 1);
+  const bool isGiven =
+      std::ranges::find(givenByPrograms, part.substr(0, part.find('|'))) != givenByPrograms.end();
   return isGiven && clips == 1 ? fileName : std::string(name);
 }
 

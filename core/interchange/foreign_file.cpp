@@ -8,7 +8,10 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
+#include <unordered_set>
+#include <vector>
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
@@ -272,14 +275,21 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
 
 // Nodes that hang on none that begins at the top, such as on each other: the library says nothing of them.
 void tellLostNodes(const aiScene& scene, const NamesApart& names, std::vector<std::string>& warnings) {
-  const auto isLost = [&](const std::string& name) {
-    return !name.empty() && scene.mRootNode->FindNode(name.c_str()) == nullptr;
-  };
+  std::unordered_set<std::string_view> held;
+  std::vector<const aiNode*> open{scene.mRootNode};
+  while (!open.empty()) {
+    const aiNode& node = *open.back();
+    open.pop_back();
+    held.insert(node.mName.C_Str());
+    open.insert(open.end(), node.mChildren, node.mChildren + node.mNumChildren);
+  }
+  const auto isLost = [&](const std::string& name) { return !name.empty() && !held.contains(name); };
   const auto count = std::ranges::count_if(names.names, isLost);
   if (count > 0) {
-    warnings.push_back(
-        fmt::format("{} nodes do not hang on the top of the file, and are left out (such as '{}')", count,
-                    names.nameOf(*std::ranges::find_if(names.names, isLost))));
+    warnings.push_back(fmt::format("{} not hang on the top of the file, and {} left out (such as '{}')",
+                                   count == 1 ? "1 node does" : fmt::format("{} nodes do", count),
+                                   count == 1 ? "is" : "are",
+                                   names.nameOf(*std::ranges::find_if(names.names, isLost))));
   }
 }
 

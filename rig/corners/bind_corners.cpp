@@ -17,8 +17,6 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr std::size_t furtherCorners = 12; // of a joint, to fit fewer influences by than a vertex can have
-
 using CornerOfJoint = std::pair<NodeIndex, int>;
 using Splits = std::vector<std::vector<VertexSplit::Answer>>; // of a mesh: by primitive and vertex
 
@@ -56,12 +54,12 @@ private:
   [[nodiscard]] bool getsCorners(const MovedMesh& mesh) {
     const bool isNew = std::ranges::any_of(mesh.joints, [&](NodeIndex joint) {
       const auto set = sets_.find(joint);
-      return set != sets_.end() && set->second.made == nullptr;
+      return set != sets_.end() && set->second.made.empty();
     });
     for (const NodeIndex joint : isNew ? mesh.joints : std::vector<NodeIndex>{}) {
       const BindChain* const chain = findBindChain(scene_, joint);
       if (chain != nullptr && !chain->corners.empty() && !sets_.contains(joint)) {
-        sets_.emplace(joint, madeSet(*chain));
+        sets_.emplace(joint, madeSet(scene_, *chain));
       }
     }
     return isNew;
@@ -120,6 +118,9 @@ private:
       }
     }
     used.erase(-1);
+    for (std::size_t corner = 0; !used.empty() && corner < sets_.at(mesh.node).enclosing; ++corner) {
+      used.insert(static_cast<int>(corner));
+    }
     const int skin = static_cast<int>(scene_.skins.size() + edits_.addedSkins.size());
     gltf::AddedSkin added{scene_.nodes[at(mesh.node)].name, {mesh.node}, {Mat4(1.0)}};
     for (const int corner : used) {
@@ -154,8 +155,8 @@ private:
     const NodeIndex joint = mesh.joints[part.slot];
     const CornerOfJoint corner(joint, part.corner);
     const CornerSet& set = sets_.at(joint);
-    if (set.made != nullptr) {
-      const std::map<int, int>& slots = set.made->corners[at(part.corner)].slotOf;
+    if (!set.made.empty()) {
+      const std::map<int, int>& slots = set.made[at(part.corner)].slotOf;
       if (const auto own = slots.find(skin); own != slots.end()) {
         return static_cast<std::uint16_t>(own->second);
       }
@@ -163,6 +164,11 @@ private:
     const auto known = slots_.find({skin, corner});
     if (known != slots_.end()) {
       return known->second;
+    }
+    // Those that enclose come first, and all of them, so that they are known again in the file.
+    for (int first = 0; set.made.empty() && first < std::min(part.corner, static_cast<int>(set.enclosing));
+         ++first) {
+      slotOf(mesh, skin, {part.slot, first});
     }
     const std::size_t slot = scene_.skins[at(skin)].jointsInFile() + addedTo_[skin]++;
     edits_.addedSlots.push_back(
@@ -179,8 +185,8 @@ private:
   }
 
   NodeIndex nodeOf(const CornerOfJoint& corner) {
-    if (const BindChain* const made = sets_.at(corner.first).made; made != nullptr) {
-      return made->corners[at(corner.second)].node;
+    if (const std::vector<BindCorner>& made = sets_.at(corner.first).made; !made.empty()) {
+      return made[at(corner.second)].node;
     }
     const auto [found, isNew] = nodes_.try_emplace(corner, nextNode());
     if (isNew) {
@@ -196,8 +202,8 @@ private:
 
   // Nodes of a joint's corners that have weight, in their order; none for those without.
   [[nodiscard]] NodeIndex weightedNode(const CornerSet& set, std::size_t corner) const {
-    if (set.made != nullptr) {
-      return set.made->corners[corner].node;
+    if (!set.made.empty()) {
+      return set.made[corner].node;
     }
     const auto found = nodes_.find({set.joint, static_cast<int>(corner)});
     return found == nodes_.end() ? NodeIndex::none : found->second;

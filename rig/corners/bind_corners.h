@@ -21,7 +21,7 @@ struct CornerOptions {
 /// height, at the moments that were looked at.
 struct CornerFit {
   std::size_t joints = 0;   ///< Joints that corners carry.
-  std::size_t corners = 0;  ///< Corners with weight.
+  std::size_t corners = 0;  ///< Corners in use.
   std::size_t vertices = 0; ///< Vertices that they move.
   std::size_t fitted = 0;   ///< Vertices with more influences than allowed, which are fitted.
   double median = 0.0;

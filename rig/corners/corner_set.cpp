@@ -101,17 +101,67 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, std::size_t count) {
   return chosen;
 }
 
+// Whether a tetrahedron holds every point.
+bool isHeldBy(const std::vector<Vec3>& corners, const std::vector<Vec3>& points) {
+  constexpr double rounding = 1e-5; // of its size: places in files are single precision
+  double size = 0.0;
+  for (const Vec3& corner : corners) {
+    size = std::max(size, glm::length(corner - corners.front()));
+  }
+  return std::ranges::all_of(points, [&](const Vec3& point) {
+    const std::vector<double> shares = affineCoordinates(corners, point);
+    Vec3 apart = -point;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      apart += shares[k] * corners[k];
+    }
+    return glm::length(apart) <= rounding * size;
+  });
+}
+
+// The file's corners, the four first that hold every point; where no four do, its ends are.
+CornerSet madeSet(const BindChain& made, const std::vector<Vec3>& points) {
+  constexpr double opposite = -1.0 + 1e-6;
+  CornerSet set{made.joint, {}, 0, 0, made.corners};
+  std::vector<bool> isChosen(std::min(set.made.size(), cornersOfTetrahedron + furtherCorners));
+  std::fill_n(isChosen.begin(), std::min(isChosen.size(), cornersOfTetrahedron), true);
+  do {
+    std::vector<BindCorner> corners;
+    for (const bool isFirst : {true, false}) {
+      for (std::size_t k = 0; k < made.corners.size(); ++k) {
+        if ((k < isChosen.size() && isChosen[k]) == isFirst) {
+          corners.push_back(made.corners[k]);
+        }
+      }
+    }
+    std::vector<Vec3> places;
+    std::ranges::transform(corners, std::back_inserter(places), &BindCorner::place);
+    if (places.size() >= cornersOfTetrahedron &&
+        isHeldBy({places.begin(), places.begin() + cornersOfTetrahedron}, points)) {
+      set.made = std::move(corners);
+      set.enclosing = cornersOfTetrahedron;
+    }
+  } while (set.enclosing == 0 && std::prev_permutation(isChosen.begin(), isChosen.end()));
+  std::ranges::transform(set.made, std::back_inserter(set.places), &BindCorner::place);
+  if (set.enclosing == 0) {
+    const bool hasTwo = set.places.size() > 1 &&
+                        glm::dot(glm::normalize(set.places[0]), glm::normalize(set.places[1])) < opposite;
+    set.enclosing = hasTwo ? 2 : 1;
+  }
+  set.offered = std::min(set.places.size(), set.enclosing + furtherCorners);
+  return set;
+}
+
 CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const StretchKeys*>& stretches,
                 const MovedPoints& points, std::size_t further) {
-  CornerSet set{joint, {}, 0, findBindChain(scene, joint)};
-  if (set.made != nullptr) {
-    set = madeSet(*set.made);
+  CornerSet set{joint, {}, 0, 0, {}};
+  if (const BindChain* const made = findBindChain(scene, joint); made != nullptr && !made->corners.empty()) {
+    set = madeSet(*made, points.all);
     const bool isEnough =
         set.enclosing >= cornersOfTetrahedron || onlyLengthen(stretches, glm::normalize(set.places.front()));
     if (isEnough) {
       return set;
     }
-    set = {joint, {}, 0, nullptr};
+    set = {joint, {}, 0, 0, {}};
   }
   const Vec3 direction = axisOf(*stretches.front());
   const bool hasEnds = onlyLengthen(stretches, direction);
@@ -120,6 +170,7 @@ CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const Str
   set.enclosing = set.places.size();
   const std::vector<Vec3> more = spread(points.shared, hasEnds ? 0 : further);
   set.places.insert(set.places.end(), more.begin(), more.end());
+  set.offered = set.places.size();
   return set;
 }
 
@@ -179,13 +230,8 @@ private:
 
 } // namespace
 
-CornerSet madeSet(const BindChain& made) {
-  CornerSet set{made.joint, {}, 0, &made};
-  for (const BindCorner& corner : made.corners) {
-    set.places.push_back(corner.place);
-  }
-  set.enclosing = std::min(set.places.size(), cornersOfTetrahedron);
-  return set;
+CornerSet madeSet(const Scene& scene, const BindChain& made) {
+  return madeSet(made, pointsOf(scene, meshesOf(scene, {made.joint}), {made.joint})[made.joint].all);
 }
 
 std::vector<MovedMesh> meshesOf(const Scene& scene, const std::vector<NodeIndex>& joints) {

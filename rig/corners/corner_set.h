@@ -11,10 +11,9 @@ namespace stretch::rig {
 struct CornerSet {
   NodeIndex joint;
   std::vector<Vec3> places;  ///< In the joint's space, at rest.
-  std::size_t enclosing = 0; ///< The first of them, which hold every vertex; further ones are there to fit
-                             ///< by, or stand at vertices.
-  /// The file's own, which are used again; null: new ones.
-  const BindChain* made = nullptr;
+  std::size_t enclosing = 0; ///< The first of them, which hold every vertex.
+  std::size_t offered = 0; ///< The first of them, which any vertex is fitted by; the rest stand at vertices.
+  std::vector<BindCorner> made; ///< The file's own, by place, which are used again; empty: new ones.
 
   [[nodiscard]] std::vector<Vec3> enclosingPlaces() const {
     return {places.begin(), places.begin() + static_cast<std::ptrdiff_t>(enclosing)};
@@ -29,8 +28,12 @@ struct MovedMesh {
   std::vector<Mat4> inverseBind;
 };
 
-/// The corners that a file has already.
-[[nodiscard]] CornerSet madeSet(const BindChain& made);
+/// Corners of a joint beside those that enclose its vertices, to fit fewer influences by than a vertex can
+/// have.
+inline constexpr std::size_t furtherCorners = 12;
+
+/// The corners that a file has already, those first that hold every vertex which the joint moves.
+[[nodiscard]] CornerSet madeSet(const Scene& scene, const BindChain& made);
 
 /// Meshes that the joints move; a skinned mesh stands once for each node that shows it.
 [[nodiscard]] std::vector<MovedMesh> meshesOf(const Scene& scene, const std::vector<NodeIndex>& joints);

@@ -44,7 +44,8 @@ const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
     slot.matrices.push_back(world * mesh_.inverseBind[index]);
     std::vector<Vec3>& offsets = slot.offsets.emplace_back();
     const Mat3 stretch = moment.stretch.empty() ? Mat3(1.0) : moment.stretch[at(joint)];
-    for (const Vec3& corner : slot.corners == nullptr ? std::vector<Vec3>{} : slot.corners->places) {
+    for (std::size_t k = 0; slot.corners != nullptr && k < slot.corners->offered; ++k) {
+      const Vec3& corner = slot.corners->places[k];
       offsets.push_back(transformVector(world, stretch * corner - corner));
     }
   }
@@ -86,45 +87,54 @@ VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const Vec3& 
   return answer;
 }
 
-// Gives a vertex corners where it stands, each in the place of those around it; whether few enough are left.
+// Gives a vertex corners where it stands, each in the place of those around it, where few enough are left.
 bool VertexSplit::putOnOwnCorners(std::vector<CornerInfluence>& parts, const Vec3& place) {
-  std::map<std::uint16_t, double> weights;
+  struct Whole {
+    double weight = 0.0;
+    std::size_t parts = 0;
+  };
+  std::map<std::uint16_t, Whole> wholes;
   for (const CornerInfluence& part : parts) {
-    weights[part.slot] += part.weight;
+    wholes[part.slot].weight += part.weight;
+    ++wholes[part.slot].parts;
   }
-  for (const auto& [slot, weight] : weights) {
-    const bool isSplit = parts.size() > options_.mostInfluences && slots_[slot].corners != nullptr;
-    const int own = isSplit ? ownCorner(slot, place) : -1;
-    if (own >= 0) {
-      std::erase_if(parts, [joint = slot](const CornerInfluence& part) { return part.slot == joint; });
-      parts.push_back({slot, own, weight});
+  const auto ownPlace = [&](std::uint16_t slot) { return transformPoint(mesh_.inverseBind[slot], place); };
+  std::erase_if(wholes, [&](const auto& whole) {
+    return whole.second.parts < 2 || ownCorner(whole.first, ownPlace(whole.first)) < 0;
+  });
+  std::size_t least = parts.size();
+  for (const auto& [slot, whole] : wholes) {
+    least -= whole.parts - 1;
+  }
+  for (const auto& [slot, whole] : wholes) {
+    if (least > options_.mostInfluences || parts.size() <= options_.mostInfluences) {
+      break;
     }
+    const int own = ownCorner(slot, ownPlace(slot));
+    std::vector<Vec3>& places = slots_[slot].corners->places;
+    places.resize(std::max(places.size(), at(own) + 1), ownPlace(slot));
+    std::erase_if(parts, [joint = slot](const CornerInfluence& part) { return part.slot == joint; });
+    parts.push_back({slot, own, whole.weight});
   }
-  return parts.size() <= options_.mostInfluences;
+  return least <= options_.mostInfluences;
 }
 
-// The joint's corner at a vertex, a new one where there is none; -1: too many, or the file has its own.
-int VertexSplit::ownCorner(std::uint16_t index, const Vec3& place) {
-  constexpr double samePlace = 1e-7; // of the height
-  Slot& slot = slots_[index];
-  std::vector<Vec3>& places = slot.corners->places;
-  const Vec3 own = transformPoint(mesh_.inverseBind[index], place);
-  const auto found = std::ranges::find_if(
-      places, [&](const Vec3& corner) { return glm::length(corner - own) <= samePlace * options_.height; });
-  const int corner = static_cast<int>(found - places.begin());
-  if (found != places.end()) {
-    return corner;
-  }
-  if (slot.corners->made != nullptr || places.size() >= mostCorners) {
+// The joint's corner at a place in its space, or the next one, which is to be made there; -1: too many, or
+// the file has its own.
+int VertexSplit::ownCorner(std::uint16_t index, const Vec3& own) const {
+  constexpr double samePlace = 1e-6; // of the height, above the rounding of places in files
+  const CornerSet* const set = slots_[index].corners;
+  if (set == nullptr) {
     return -1;
   }
-  places.push_back(own);
-  slot.matrices.clear(); // to be prepared anew
-  slot.offsets.clear();
-  return corner;
+  const auto found = std::ranges::find_if(set->places, [&](const Vec3& corner) {
+    return glm::length(corner - own) <= samePlace * options_.height;
+  });
+  const bool isFull = !set->made.empty() || set->places.size() >= mostCorners;
+  return found == set->places.end() && isFull ? -1 : static_cast<int>(found - set->places.begin());
 }
 
-// Every corner of the joints that a vertex follows, and they themselves.
+// Every offered corner of the joints that a vertex follows, and they themselves.
 std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& vertex) const {
   std::vector<CornerInfluence> candidates;
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
@@ -133,7 +143,7 @@ std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& v
       continue;
     }
     const CornerSet* const set = slots_[slot].corners;
-    const int corners = set == nullptr ? 0 : static_cast<int>(set->places.size());
+    const int corners = set == nullptr ? 0 : static_cast<int>(set->offered);
     for (int corner = -1; corner < corners; ++corner) {
       candidates.push_back({slot, corner, 0.0});
     }

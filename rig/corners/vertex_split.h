@@ -36,11 +36,11 @@ private:
   struct Slot {
     CornerSet* corners = nullptr;
     std::vector<Mat4> matrices;             // of the joint, without its stretch; for each moment
-    std::vector<std::vector<Vec3>> offsets; // of the corners, by moment
+    std::vector<std::vector<Vec3>> offsets; // of the offered corners, by moment
   };
 
   bool putOnOwnCorners(std::vector<CornerInfluence>& parts, const Vec3& place);
-  [[nodiscard]] int ownCorner(std::uint16_t index, const Vec3& place);
+  [[nodiscard]] int ownCorner(std::uint16_t index, const Vec3& own) const;
   void fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place);
   [[nodiscard]] std::vector<CornerInfluence> candidatesOf(const VertexInfluences& vertex) const;
   void addShading(const std::vector<CornerInfluence>& exact, const std::vector<CornerInfluence>& candidates,

@@ -94,7 +94,7 @@ std::vector<ChannelKeys> keysOfChannels(const std::vector<PartKeys>& parts) {
 }
 
 bool standsOnWholeFrames(const Clip& clip) {
-  return std::ranges::all_of(clip.tracks, [&](const CopyOnWrite<Track>& track) {
+  return !clip.tracks.empty() && std::ranges::all_of(clip.tracks, [&](const CopyOnWrite<Track>& track) {
     return std::ranges::all_of(track->times, [&](float time) {
       const double frame = static_cast<double>(time) * clip.framesPerSecond;
       return sameFrame(frame, std::round(frame));

@@ -18,6 +18,7 @@
 #include "app/evaluate/keyed_clip.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -263,6 +264,18 @@ TEST_CASE("the cache sees every part of a pin that changes, and the shown keys f
     const bool movesNothing = std::string_view(name) == "turn" || std::string_view(name) == "stretch";
     CHECK((EvaluationCache().keyed(before, 0) == EvaluationCache().keyed(after, 0)) == movesNothing);
   }
+}
+
+TEST_CASE("the cache sees that keys are to stand elsewhere") {
+  const Document document =
+      orFail(applyTrail(test::withNewTrail(test::boxer(), {"left-arm", 4.0, 16.0, 3.0}), 1));
+  EvaluationCache cache;
+  for (const rig::KeyPlaces places : {rig::KeyPlaces::needed, rig::KeyPlaces::wholeFrames,
+                                      rig::KeyPlaces::everyFrame, rig::KeyPlaces::needed}) {
+    CHECK(cache.keyed(document, 0, places) == EvaluationCache().keyed(document, 0, places));
+  }
+  CHECK(cache.keyed(document, 0, rig::KeyPlaces::wholeFrames) !=
+        cache.keyed(document, 0, rig::KeyPlaces::needed));
 }
 
 TEST_CASE("the cache tells two clips of one length apart, and the edited clip from its source") {

@@ -4,8 +4,9 @@
     check_auto.py [--all-styles] PROGRAM DATA_FOLDER [FILE...]
 
 For each file the two clips with the strongest moments, each in the styles in turn (--all-styles: in each of them):
-- no limb's end and no vertex lower than the lowest of the source in the clip (FLOOR of the height), on every frame, where the
-  source's wings do not beat far below the ground (FLIGHT of the height below y = 0): it is in the air then;
+- no limb's end and no vertex lower than the lowest of the source in the clip (FLOOR of the height), on every frame, of a
+  body that is not in the air: one whose source's wings end far below the ground, y = 0, and its feet (FLIGHT of the height), on
+  BEATS of the frames or more, as StandingFloor::flies has it;
 - no limb longer than the style's largest scale of its own length, or of the source's where that is more;
 - a clip whose last pose is its first still closes (1 cm and 0.1 m/s of a person more than in the source);
 - trails of one limb share no time, and each moment has a trail or says why not;
@@ -29,6 +30,7 @@ STYLES = ("Duck Amuck", "Fast and Furry-ous", "Tortoise Wins", "Piggy Bank", "St
 CLIPS_A_FILE = 2
 FLOOR = 0.01  # of the height: joints are looked at by the program, a vertex below them is not
 FLIGHT = 0.1  # likewise
+BEATS = 0.25
 LENGTH_SLACK = 1.02
 SEAM_METRES = 0.01
 SEAM_SPEED = 0.1
@@ -125,9 +127,15 @@ class Case:
         for node in before["nodes"]:
             lowest = min([lowest] + [point[1] for point in before["nodes"][node]])
             found = min([found] + [point[1] for point in after["nodes"][node]])
-        flies = lowest < -FLIGHT * self.height and any("wing" in limb["limb"] for limb in self.info["limbs"])
-        if not flies and found < lowest - FLOOR * self.height:
+        if not self.flies(before, frames) and found < lowest - FLOOR * self.height:
             self.problems.append(f"{(lowest - found) / self.height:.1%} of the height below the source's lowest place")
+
+    def flies(self, before, frames):
+        """Wings and legs by the last joint of each."""
+        ends = {word: [before["nodes"][limb["joints"][-1]["node"]] for limb in self.info["limbs"] if word in limb["limb"]] for word in ("wing", "leg")}
+        at = lambda word, index: min((points[index][1] for points in ends[word]), default=math.inf)
+        below = sum(at("wing", index) < min(0.0, at("leg", index)) - FLIGHT * self.height for index in range(len(frames)))
+        return below > 0 and below >= BEATS * len(frames)
 
     def check_lengths(self, before, after, frames):
         for limb in self.info["limbs"]:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <imgui.h>
 
@@ -38,6 +39,7 @@ struct Editor {
   EditorHand* hand = nullptr;
   float scaleOption = 0.0F;
   double liveUntil = 0.0;
+  bool worked = false; ///< Something went on beside the window in the frame before.
 };
 
 int failWith(const Error& error) {
@@ -268,24 +270,29 @@ void runRequested(Shell& shell) {
   }
 }
 
+/// Whether something goes on beside the window that it tells of.
+bool worksBeside(const Shell& shell) {
+  return isBusy(shell) || shell.beside.library.picture != nullptr || shell.ui.trails.clipStyle.working ||
+         isReadingReference(shell.beside.reference) || shell.beside.reference.output.isPlaying();
+}
+
 /// What happens without a picture: files, keys, time. Answers whether something may look different.
 bool update(Editor& editor) {
   Shell& shell = editor.shell;
   InputQueue& input = editor.window.input();
   const double now = clockSeconds();
-  const bool wasLoading = isBusy(shell) || shell.beside.library.picture != nullptr ||
-                          shell.ui.trails.clipStyle.working || isReadingReference(shell.beside.reference) ||
-                          shell.beside.reference.output.isPlaying();
+  const bool works = worksBeside(shell);
   updateFileWork(shell, input, now);
   takeAnswers(editor);
   const bool otherKeyboard = updateKeyboard(shell);
   takeKeys(editor);
-  const bool happened = otherKeyboard || input.anything || wasLoading || shell.ui.time.timeline.playing ||
+  const bool ended = std::exchange(editor.worked, works) && !works;
+  const bool happened = ended || otherKeyboard || input.anything || shell.ui.time.timeline.playing ||
                         !shell.ui.toasts.empty() || isRunning(shell.tool) ||
                         shell.viewport.tipWatch.secondsLeft > 0.0F || editor.hand != nullptr;
   input.clear();
   editor.liveUntil = happened ? now + liveSeconds : editor.liveUntil;
-  return now < editor.liveUntil;
+  return works || now < editor.liveUntil;
 }
 
 void drawFrame(Editor& editor) {
@@ -321,7 +328,9 @@ double waitingTime(const Editor& editor) {
   if (editor.hand != nullptr || clockSeconds() < editor.liveUntil) {
     return 0.0;
   }
-  return isBusy(editor.shell) ? 0.03 : 0.5;
+  // What only waits for work beside it draws now and then: drawn in software, a window takes the work's
+  // processors.
+  return worksBeside(editor.shell) ? 0.1 : 0.5;
 }
 
 void runLoop(Editor& editor) {

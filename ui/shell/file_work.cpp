@@ -82,6 +82,7 @@ public:
   void tell(app::Tone tone, const std::string& text) override { ui::tell(shell_, tone, text); }
   void closing() override {
     shell_.ui.toasts.clear(); // They were about this file.
+    shell_.beside.styling.kept.clear();
     if (shell_.open.character() != nullptr) {
       leaveCharacter(shell_);
     }
@@ -353,6 +354,9 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
     shell.files.returned(user);
   }
   shell.files.update(user, nowSeconds);
+  if (app::Session* const character = shell.open.character()) {
+    character->view().keyPlaces = shell.ui.savedForm.keys;
+  }
   askForName(shell, shell.nameAsked);
   shell.nameAsked = shell.files.question().kind == app::FileQuestion::Kind::name;
 }

@@ -8,6 +8,7 @@
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/trail/style_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/files/user_files.h"
 #include "app/files/user_styles.h"
@@ -65,6 +66,33 @@ Status takeStyle(Shell& shell) {
   return style ? Status(Success{}) : Status(style.error());
 }
 
+/// Whether both do the same, however they are shown.
+bool moveAlike(const rig::Trail& a, const rig::Trail& b) {
+  return a.limb == b.limb && a.clip == b.clip && a.settings == b.settings && a.exaggerated == b.exaggerated &&
+         a.connected == b.connected;
+}
+
+/// Trails of the viewed clip that an earlier style made and whose motion nobody changed since: the new one
+/// takes their place.
+std::vector<int> trailsToReplace(const Shell& shell) {
+  const std::vector<rig::Trail>& kept = shell.beside.styling.kept;
+  std::vector<int> ids;
+  for (const rig::Trail& trail : shell.open.character()->document().trails) {
+    if (trail.clip == shell.open.character()->view().clip &&
+        std::ranges::any_of(kept, [&](const rig::Trail& made) { return moveAlike(made, trail); })) {
+      ids.push_back(trail.id);
+    }
+  }
+  return ids;
+}
+
+app::Document without(app::Document document, const std::vector<int>& trailIds) {
+  for (const int id : trailIds) {
+    document = *app::deleteTrail(document, id);
+  }
+  return document;
+}
+
 Status beginClip(Shell& shell) {
   app::Session& session = *shell.open.character();
   ClipStyleState& state = shell.ui.trails.clipStyle;
@@ -77,6 +105,7 @@ Status beginClip(Shell& shell) {
   state.moments = moments;
   state.on.assign(moments.size(), true);
   state.made.clear();
+  state.replaced = trailsToReplace(shell);
   state.changed = true;
   state.accepted = false;
   state.open = true;
@@ -104,8 +133,8 @@ void startWork(Shell& shell) {
   state.changed = false;
   const app::AutoSettings settings{chosenStyle(shell), state.strength, momentsThatAre(state, false)};
   shell.beside.styling.job = std::make_unique<app::Job<app::AutoClip>>(
-      [document = session.atBegin(), clip = session.view().clip, moments = momentsThatAre(state, true),
-       settings](const skinning::Proceed&) -> Result<app::AutoClip> {
+      [document = without(session.atBegin(), state.replaced), clip = session.view().clip,
+       moments = momentsThatAre(state, true), settings](const skinning::Proceed&) -> Result<app::AutoClip> {
         return app::exaggerateClip(document, clip, moments, settings);
       });
 }
@@ -129,6 +158,9 @@ void endClip(Shell& shell, bool keeps) {
   if (shell.beside.styling.begun && keeps) {
     session.commit();
     shell.ui.trails.takenStyle = {session.document().scene, state.trails, state.style};
+    for (const int id : state.trails) {
+      shell.beside.styling.kept.push_back(*app::findTrail(session.document(), id));
+    }
     const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
     tell(shell, ToastKind::success,
          fmt::format("{} of {} moments exaggerated in the style {}", done, state.moments.size(),

@@ -7,6 +7,7 @@
 #include "app/auto/exaggerate_clip.h"
 #include "app/commands/table/command.h"
 #include "app/sequence/job.h"
+#include "rig/trail/trail.h"
 
 namespace stretch::ui {
 
@@ -17,6 +18,7 @@ struct TrailPanels;
 struct StyleWork {
   std::unique_ptr<app::Job<app::AutoClip>> job; ///< Null: none is being made.
   bool begun = false;                           ///< The session shows what comes of it.
+  std::vector<rig::Trail> kept = {};            ///< Trails that were made and kept, as they were.
 };
 
 /// "Exaggerate the clip", and taking, importing and exporting styles.

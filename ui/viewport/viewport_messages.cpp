@@ -11,6 +11,7 @@
 #include "ui/panels/context/panels.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/viewport/shown/shown_controllers.h"
+#include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -80,6 +81,9 @@ std::optional<Rect> handlesBox(const ViewportContext& context) {
 /// The trails that show, a box for each of their points.
 std::vector<Rect> trailsIn(const ViewportContext& context) {
   std::vector<Rect> boxes;
+  if (context.open.character() == nullptr) {
+    return boxes;
+  }
   for (const ShownTrail& trail : context.viewport.shown.trails) {
     for (const std::vector<Vec3>* path : {&trail.drawn.original, &trail.drawn.exaggerated}) {
       for (const Vec3& world : *path) {
@@ -118,12 +122,24 @@ std::vector<Rect> keptFree(const ViewportContext& context) {
 void showMessages(ViewportContext& context) {
   MessageView& messages = context.viewport.messages;
   if (context.ui.toasts.empty()) {
-    messages = {figureIn(context), 0, false};
+    messages = {figureIn(context), 0, {}};
     return;
   }
-  messages.isUnderMouse =
+  messages.drawn =
       drawMessages(context, {context.viewport.box, messages.figure, keptFree(context), trailsIn(context)},
                    messages.place, *ImGui::GetWindowDrawList());
+}
+
+bool pressMessage(ViewportContext& context) {
+  if (isRunning(context.tool) || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    return false;
+  }
+  const auto pressed = std::ranges::find_if(context.viewport.messages.drawn, [](const DrawnToast& toast) {
+    return toast.box.contains(ImGui::GetMousePos());
+  });
+  return pressed != context.viewport.messages.drawn.end() &&
+         std::erase_if(context.ui.toasts, [&](const Toast& toast) { return toast.text == pressed->text; }) >
+             0;
 }
 
 } // namespace stretch::ui

@@ -9,4 +9,8 @@ namespace stretch::ui {
 /// controller, the tour and the entries of the start page.
 void showMessages(ViewportContext& context);
 
+/// Takes the message away that the left button is pressed on in this frame, and answers whether there is one:
+/// the press is none for what lies below. A running tool has all presses.
+bool pressMessage(ViewportContext& context);
+
 } // namespace stretch::ui

@@ -167,7 +167,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   context.items.add("viewport", viewport.box.min, viewport.box.max);
-  const bool hovered = ImGui::IsItemHovered() && !viewport.messages.isUnderMouse;
+  const bool hovered = ImGui::IsItemHovered() && !pressMessage(context);
   const bool held = ImGui::IsItemActive();
   updateView(context);
   if (context.open.sequence() != nullptr) {

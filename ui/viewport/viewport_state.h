@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/state/editor_status.h"
 #include "ui/render/view/camera.h"
 #include "ui/viewport/camera/look_through.h"
 #include "ui/viewport/limb_hover.h"
@@ -31,9 +32,9 @@ enum class ViewportGesture {
 
 /// Place of the messages on show.
 struct MessageView {
-  std::optional<Rect> figure; ///< The character's place when the first of them came.
-  std::size_t place = 0;      ///< Index among those that there are (drawMessages).
-  bool isUnderMouse = false;  ///< The mouse is on one of them, and its click takes that away.
+  std::optional<Rect> figure;    ///< The character's place when the first of them came.
+  std::size_t place = 0;         ///< Index among those that there are (drawMessages).
+  std::vector<DrawnToast> drawn; ///< In the frame before.
 };
 
 /// Memory of the viewport between frames.

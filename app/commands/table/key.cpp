@@ -9,7 +9,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr std::array<std::pair<Key, std::string_view>, 20> namedKeys{{
+constexpr std::array<std::pair<Key, std::string_view>, 21> namedKeys{{
     {Key::space, "Space"},
     {Key::escape, "Esc"},
     {Key::enter, "Enter"},
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<Key, std::string_view>, 20> namedKeys{{
     {Key::home, "Home"},
     {Key::end, "End"},
     {Key::numpadDecimal, "Numpad ."},
+    {Key::numpadSubtract, "Numpad -"},
     {Key::numpadEnter, "Numpad Enter"},
     // Other names by which people know some of them.
     {Key::escape, "Escape"},

@@ -37,6 +37,7 @@ enum class Key : int {
   numpad0,
   numpad9 = numpad0 + 9,
   numpadDecimal,
+  numpadSubtract,
   numpadEnter,
 };
 

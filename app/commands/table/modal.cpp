@@ -32,7 +32,7 @@ bool typeNumber(TypedNumber& number, const Chord& chord) {
     if (text.find('.') == std::string::npos) {
       text.push_back('.');
     }
-  } else if (chord.key == Key::minus) {
+  } else if (chord.key == Key::minus || chord.key == Key::numpadSubtract) {
     text = !text.empty() && text.front() == '-' ? text.substr(1) : "-" + text;
   } else if (chord.key == Key::backspace) {
     text = text.empty() ? text : text.substr(0, text.size() - 1);

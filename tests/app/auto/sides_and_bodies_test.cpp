@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
 #include "app/standing_floor.h"
+#include "rig/motion/floor.h"
+#include "rig/reach/bind_places.h"
 #include "rig/trail/release.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
@@ -115,6 +118,52 @@ Document beater() {
     }
   }
   return withTracks(document, tracks);
+}
+
+// The stepper with a tail, and with long wings for arms that reach below its feet, on its way down a slope.
+// Of the wings and the tail those named go straight down once, for 8 frames; or the wings all the time.
+Document descending(const std::vector<const char*>& dips, bool beats) {
+  Document document = stepper();
+  std::vector<Track> tracks{*document.clips->front().tracks.front()};
+  Scene scene = *document.scene;
+  for (rig::Limb& limb : document.body.limbs) {
+    if (isArm(limb)) {
+      limb.kind = rig::LimbKind::wing;
+      limb.id = rig::limbName(limb);
+      scene.nodes[at(limb.joints[1])].rest.translation.x *= 6.0;
+    }
+  }
+  rig::Limb tail;
+  tail.kind = rig::LimbKind::tail;
+  tail.id = "tail";
+  tail.joints = {test::addNode(scene, "Tail", document.body.hips, {0.0, 0.0, -0.2})};
+  tail.endNode = test::addNode(scene, "TailTip", tail.joints.front(), {0.0, 0.0, -1.7});
+  tail.restLength = 1.7;
+  document.body.limbs.push_back(tail);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  for (const char* const limb : dips) {
+    tracks.push_back(turnsOf(document, limb));
+    const Vec3 axis = std::string(limb) == "tail"        ? Vec3(-1.0, 0.0, 0.0)
+                      : std::string(limb) == "left-wing" ? Vec3(0.0, 0.0, -1.0)
+                                                         : Vec3(0.0, 0.0, 1.0);
+    for (int frame = 0; frame <= 50; ++frame) {
+      const double down = beats                      ? 0.5 - 0.5 * std::cos(2.0 * pi * frame / 10.0)
+                          : frame < 20 || frame > 27 ? 0.0
+                                                     : 1.0;
+      addKey(tracks.back(), frame, glm::angleAxis(0.5 * pi * down, axis));
+    }
+  }
+  Track& sinks = tracks.emplace_back();
+  sinks.node = document.body.hips;
+  sinks.channel = Channel::translation;
+  sinks.width = 3;
+  sinks.times = {0.0F, 50.0F / 30.0F};
+  sinks.values = {0.0F, 1.0F, 0.0F, 0.0F, beats ? 1.0F : 0.7F, 0.0F};
+  return withTracks(document, tracks);
+}
+
+StandingFloor standingOf(const Document& document) {
+  return standingFloor(document, 0, rig::bindPlaces(*document.scene));
 }
 
 // A leg that steps in a loop of 24 frames: down at its seam, it stands until frame 6.
@@ -299,8 +348,8 @@ TEST_CASE("A step that is put down at the seam of a loop is back in its place by
 TEST_CASE(
     "Wings that beat far below a body in the air know no floor, and get longer without passing each other") {
   const Document before = beater();
-  CHECK(fliesThroughout(before, 0));
-  CHECK_FALSE(fliesThroughout(withTracks(before, {*swinger().clips->front().tracks.front()}), 0));
+  CHECK(standingOf(before).flies);
+  CHECK_FALSE(standingOf(withTracks(before, {*swinger().clips->front().tracks.front()})).flies);
   const AutoClip made = exaggerated(before, in("Duck Amuck"));
   CHECK(momentAt(made, "left-wing", 12.0).scale == Approx(2.0));
   CHECK(momentAt(made, "right-wing", 12.0).scale == Approx(2.0));
@@ -314,6 +363,40 @@ TEST_CASE(
   }
   CHECK(nearest >= 0.0);
   CHECK(endOf("left-wing", 12.0).y < 0.5); // 0.9 in the clip
+}
+
+TEST_CASE("A body that walks down a slope and dips its tail or a wing keeps its floor, and one in the air "
+          "has none") {
+  for (const char* const limb : {"tail", "left-wing"}) {
+    CAPTURE(limb);
+    const StandingFloor walks = standingOf(descending({limb}, false));
+    CHECK_FALSE(walks.flies);
+    CHECK(walks.floor.has_value());
+  }
+  const Document beating = descending({"left-wing", "right-wing"}, true);
+  REQUIRE(rig::standingHeight(*beating.scene, beating.clips->front(), *findLimb(beating, "left-leg")));
+  CHECK(standingOf(beating).flies); // though its leg hangs still
+  CHECK_FALSE(standingOf(beating).floor);
+  CHECK_FALSE(floorHeight(beating, 0));
+}
+
+TEST_CASE("A trail along the ground that cannot be done takes its own grips along when it is left out") {
+  const Document document = test::boxer();
+  AutoPlan plan;
+  plan.leftOut.resize(1);
+  plan.trails.resize(1);
+  plan.trails.front().trail = test::withNewTrail(document, {"right-arm", 4.0, 10.0, 1.5}).trails.front();
+  plan.trails.front().trail.settings.axes = {true, false, true};
+  for (const Vec2& range : {Vec2(4.0, 10.0), Vec2(0.0, 3.0)}) {
+    rig::Grip& grip = plan.holds.grips.emplace_back();
+    grip.leader = "right-arm";
+    grip.time.rangeFrames = range;
+  }
+  const std::vector<rig::Moment> moments{stepOf("right-arm", rig::MomentKind::stroke, 4.0, 10.0)};
+  settle(clipGround(document, 0), moments, in("Average"), plan);
+  CHECK(plan.leftOut.front() == "the limb's end does not move along the active axes");
+  REQUIRE(plan.holds.grips.size() == 1);
+  CHECK(plan.holds.grips.front().time.rangeFrames.x == 0.0);
 }
 
 TEST_CASE("Arms that close straight across, with little or no way forwards, get less and not much less") {

@@ -233,6 +233,10 @@ TEST_CASE("A number is typed digit by digit, turned round by a minus and taken b
   CHECK(type({"-"}));
   CHECK(number.text == "-12.5");
   CHECK(number.value() == Approx(-12.5));
+  CHECK(type({"Numpad -"}));
+  CHECK(number.text == "12.5");
+  CHECK(type({"Numpad -"}));
+  CHECK(number.text == "-12.5");
   CHECK(type({"-", "Backspace", "Backspace"}));
   CHECK(number.text == "12");
   CHECK(type({"Backspace", "Backspace", "Backspace"}));

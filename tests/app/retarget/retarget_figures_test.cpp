@@ -202,8 +202,8 @@ TEST_CASE("What is worse than in the source is told with both figures, worst fir
   report.result.contact = 0.05;
   const std::vector<std::string> lines = worseLines(report);
   REQUIRE(lines.size() == 2);
-  CHECK(lines[0] == "feet that stand slide 2.1 % of the height (source 0.1)");
-  CHECK(lines[1] == "hands that touch are off by 8.5 cm at 1.7 m (source 0)");
+  CHECK(lines[0] == "feet that stand slide 2.1 % of the height (0.1 in the source)");
+  CHECK(lines[1] == "hands that touch are off by 8.5 cm at 1.7 m (0 in the source)");
   CHECK(worseLines({report.source, report.source, report.source}).empty());
 }
 
@@ -226,10 +226,10 @@ TEST_CASE("Of imported clips what is worse is told before the warnings, the wors
   brought.clips.push_back(copied);
   const std::vector<std::string> both = newsOf(brought);
   REQUIRE(both.size() == 5);
-  CHECK(both[0] == "Walk: feet that stand slide 2.1 % of the height (source 0)");
-  CHECK(both[1] == "Run: feet that stand slide 2.1 % of the height (source 0)");
+  CHECK(both[0] == "Walk: feet that stand slide 2.1 % of the height (0 in the source)");
+  CHECK(both[1] == "Run: feet that stand slide 2.1 % of the height (0 in the source)");
   CHECK(both[2].starts_with("Walk: hands"));
   CHECK(both[4] == "names no unit");
   brought.clips.resize(1);
-  CHECK(newsOf(brought).front() == "feet that stand slide 2.1 % of the height (source 0)");
+  CHECK(newsOf(brought).front() == "feet that stand slide 2.1 % of the height (0 in the source)");
 }

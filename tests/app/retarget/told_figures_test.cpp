@@ -58,7 +58,7 @@ TEST_CASE("Each figure is told as worse from what is seen of it on, beyond the s
       const std::vector<std::string> lines = worseLines(report);
       REQUIRE(lines.size() == 1);
       CHECK_THAT(lines[0], Catch::StartsWith(figure.words) && Catch::Contains(figure.unit));
-      CHECK_THAT(lines[0], Catch::Contains("(source ") && Catch::EndsWith(")"));
+      CHECK_THAT(lines[0], Catch::Contains(" (") && Catch::EndsWith(" in the source)"));
     }
     RetargetReport better;
     better.source.*figure.value = 0.3;

@@ -223,6 +223,27 @@ TEST_CASE("A clean file with corners keeps its limbs and its stretch, and uses t
   CHECK(between(Viewer(once), Viewer(folder / "twice.glb")).place < 1e-5 * source.body.height);
 }
 
+TEST_CASE("Another limb that is stretched in a clean file leaves the corners of the first where they were, "
+          "but for the miss that is told") {
+  const test::TemporaryFolder folder;
+  const double volume = GENERATE(1.0, 0.0);
+  const Document source = test::withNewTrail(
+      punch(volume), {.limb = "spine", .startFrame = 20.0, .endFrame = 30.0, .scale = 1.5});
+  const Document once = openedPunch(savedAs(source, folder / "once.glb", {StretchForm::volume, 8}));
+  CHECK(std::ranges::any_of(once.scene->bindChains,
+                            [](const BindChain& chain) { return chain.corners.size() > 4; }));
+  const auto withMore = [&](const Document& document) {
+    return test::withNewTrail(document,
+                              {.limb = "left-leg", .startFrame = 22.0, .endFrame = 34.0, .scale = 2.0});
+  };
+  const Viewer scale(savedAs(withMore(source), folder / "scale.glb", {StretchForm::scale, 8}));
+  const Document more = withMore(once);
+  const SavedEdits saved = editsOf(more, {.clean = true, .form = {StretchForm::volume, 8}});
+  REQUIRE(saveEdits(more, saved.edits, folder / "volume.glb"));
+  const double seen = between(scale, Viewer(folder / "volume.glb")).place / source.body.height;
+  CHECK(seen <= std::max(1e-5, 1.1 * saved.fit.worst));
+}
+
 TEST_CASE("A file with corners and the work gives the source back, in whatever form it is saved next") {
   const test::TemporaryFolder folder;
   const Document before = punch();

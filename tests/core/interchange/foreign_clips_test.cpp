@@ -60,6 +60,14 @@ TEST_CASE("A clip that a program named bears the file's name where it is the onl
   };
   moving(legs.clip, "Take 001");
   CHECK(names() == std::vector<std::string>{"figure"});
+  for (const char* const passedOn :
+       {"Armature|mixamo.com|Layer0", "Armature|Take 001|BaseLayer", "Armature|Take 001"}) {
+    legs.clip.mName = aiString(passedOn);
+    CHECK(names() == std::vector<std::string>{"figure"});
+  }
+  legs.clip.mName = aiString("Armature|Jab|Layer0");
+  CHECK(names() == std::vector<std::string>{"Armature|Jab|Layer0"});
+  legs.clip.mName = aiString("Take 001");
   moving(legs.scene.addClip("", 10.0), "Motion");
   CHECK(names() == std::vector<std::string>{"Take 001", "Motion"}); // The file's name would tell neither from
                                                                     // the other.

@@ -144,11 +144,12 @@ TEST_CASE(
 
 TEST_CASE("Nodes of an FBX that hang on each other, and on nothing that begins at the top, are told") {
   std::string text = test::twoBonesFbx();
-  CHECK_FALSE(tells(loadedText("bones.fbx", text), "do not hang on the top of the file"));
+  CHECK_FALSE(tells(loadedText("bones.fbx", text), "not hang on the top of the file"));
   const std::string whole = "C: \"OO\",11,10\n";
   REQUIRE(text.find(whole) != std::string::npos);
   text.replace(text.find(whole), whole.size(), "C: \"OO\",11,11\n");
-  CHECK(tells(loadedText("circle.fbx", text), "1 nodes do not hang on the top of the file"));
+  CHECK(
+      tells(loadedText("circle.fbx", text), "1 node does not hang on the top of the file, and is left out"));
 }
 
 TEST_CASE("A file without a byte is called empty") {

@@ -282,6 +282,60 @@ TEST_CASE(
   CHECK(worst < 6e-6);
 }
 
+TEST_CASE("A skin that lists a stretched joint twice has its vertices fitted by either of the two, and a "
+          "vertex that stays on too many joints gets no corners") {
+  Scene scene = ringOnThreeJoints(40);
+  scene.skins[0].joints = {NodeIndex(0), NodeIndex(2), NodeIndex(0)};
+  const bool areFew = GENERATE(false, true);
+  StretchKeys first = longer(Vec3(2.0, 0.6, 0.6));
+  StretchKeys second = longer(Vec3(4.0, 0.6, 0.6));
+  second.node = NodeIndex(2);
+  second.axes = {axisAngle(Vec3(0, 0, 1), 0.7)};
+  CornerOptions options;
+  options.moments.assign(2, frameOf(scene, restPose(scene), 0.0));
+  options.moments[0].stretch.assign(4, Mat3(1.0));
+  options.moments[1].stretch.assign(4, Mat3(1.0));
+  options.moments[1].stretch[0] = StretchFrame{first.axes.front(), first.scales.back()}.matrix();
+  options.moments[1].stretch[2] = StretchFrame{second.axes.front(), second.scales.back()}.matrix();
+  options.mostInfluences = areFew ? 2 : 4;
+  gltf::Edits edits;
+  const CornerFit fit = addBindCorners(scene, {{0, {first, second}}}, options, edits);
+  CHECK(fit.corners <= (areFew ? 32 : 48)); // two influences hold no vertex on three slots
+  for (const VertexInfluences& vertex : edits.boundMeshes[0].influences[0]) {
+    CHECK(std::accumulate(vertex.weights.begin(), vertex.weights.end(), 0.0F) == Approx(1.0));
+  }
+  // Those that enclose stand first under each joint.
+  for (const int joint : {0, 2}) {
+    const auto& nodes = edits.addedNodes;
+    const auto of = std::ranges::find(nodes, NodeIndex(joint), &gltf::AddedNode::parent);
+    REQUIRE(of != nodes.end());
+    CHECK(of->name == "_corner_1");
+  }
+}
+
+TEST_CASE("The file's corners that hold every vertex are known among the others, wherever they stand") {
+  const std::vector<Vec3> points = tube(slanted);
+  std::vector<Vec3> places = enclosingTetrahedron(points, slanted);
+  Scene scene = forearm({points.begin(), points.end()});
+  const std::size_t before = GENERATE(0U, 1U, 3U);
+  places.insert(places.begin(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(before));
+  BindChain chain{NodeIndex(0), NodeIndex::none, NodeIndex::none};
+  for (const Vec3& place : places) {
+    chain.corners.push_back({NodeIndex(static_cast<int>(chain.corners.size()) + 2), place, {}});
+  }
+  const CornerSet set = madeSet(scene, chain);
+  REQUIRE(set.enclosing == 4);
+  CHECK(std::ranges::equal(set.enclosingPlaces(), std::vector<Vec3>(places.end() - 4, places.end())));
+  CHECK(set.made.front().node == NodeIndex(static_cast<int>(before) + 2));
+  for (const bool hasTwo : {false, true}) { // ends, and a vertex's own
+    chain.corners.resize(0);
+    for (const Vec3& place : {Vec3(0.3, 0, 0), hasTwo ? Vec3(-0.1, 0, 0) : points[0], points[1], points[2]}) {
+      chain.corners.push_back({NodeIndex(2), place, {}});
+    }
+    CHECK(madeSet(scene, chain).enclosing == (hasTwo ? 2 : 1));
+  }
+}
+
 TEST_CASE("A mesh that hangs on a stretched joint rigidly becomes a skinned one at the top of the scene") {
   Scene scene = forearm({{0.1F, 0.0F, 0.0F}, {0.3F, 0.02F, 0.0F}});
   scene.nodes[1].mesh = -1;

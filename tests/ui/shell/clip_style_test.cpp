@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/command_ids.h"
+#include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/drawn.h"
 #include "tests/support/ui/editor_stage.h"
 
@@ -68,4 +69,50 @@ TEST_CASE("While the list of styles is open Enter keeps nothing, and the arrows 
   CHECK(state.style == style);
   CHECK(state.open);
   CHECK(stage.session().history().position() == 0);
+}
+
+TEST_CASE(
+    "A second style takes the place of the trails that the first one made, and of none that a hand changed") {
+  test::EditorStage stage;
+  test::withLimb(stage.work());
+  ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  const auto exaggerate = [&](double strength) {
+    stage.run(app::command::clipExaggerate);
+    stage.settle();
+    state.strength = strength;
+    state.changed = true;
+    state.accepted = true;
+    stage.frames(2);
+    stage.settle();
+    stage.frames(2);
+    REQUIRE_FALSE(state.open);
+    return stage.session().document().trails;
+  };
+  const std::vector<rig::Trail> gentle = exaggerate(0.5);
+  REQUIRE_FALSE(gentle.empty());
+  const std::vector<rig::Trail> strong = exaggerate(1.0);
+  CHECK(state.replaced.size() == gentle.size());
+  REQUIRE(strong.size() == gentle.size());
+  for (std::size_t i = 0; i < strong.size(); ++i) {
+    CHECK(strong[i].limb == gentle[i].limb);
+    CHECK(strong[i].settings.scale > gentle[i].settings.scale);
+  }
+
+  // One step back is the first style again, whose trails give way as well.
+  stage.session().undo();
+  CHECK(stage.session().document().trails == gentle);
+  const std::vector<rig::Trail> restyled = exaggerate(1.0);
+  REQUIRE(restyled.size() == strong.size());
+  CHECK(std::ranges::equal(restyled, strong, {}, &rig::Trail::settings, &rig::Trail::settings));
+
+  // A trail that a hand changed is the hand's.
+  rig::TrailSettings settings = strong.front().settings;
+  settings.scale += 0.3;
+  const app::Document changed =
+      *app::setTrailSettings(stage.session().document(), restyled.front().id, settings);
+  REQUIRE(stage.session().edit(changed, "Scale"));
+  const rig::Trail byHand = stage.session().document().trails.front();
+  const std::vector<rig::Trail> again = exaggerate(0.5);
+  CHECK(std::ranges::find(again, byHand) != again.end());
+  CHECK(state.replaced.size() == strong.size() - 1);
 }

@@ -142,6 +142,12 @@ TEST_CASE("A click on a message takes it away and does nothing below it") {
   CHECK(stage.ui.toasts.front().text != told);
   CHECK(session.view().selection.limbs() == std::vector<std::string>{"left-arm"});
 
+  // A running tool has every press.
+  stage.tool = KeysTool{};
+  stage.clickInViewport("toast/0");
+  CHECK(stage.ui.toasts.size() == before - 1);
+  stage.tool = std::monostate{};
+
   // The same place without a message is the picture's: a click beside everything drops the limb.
   stage.ui.toasts.clear();
   stage.showViewport();

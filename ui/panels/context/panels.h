@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include "ui/panels/context/panel_context.h"
 
 namespace stretch::ui {
@@ -64,8 +68,8 @@ struct MessageRoom {
 /// bar, ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
 /// takes news away; while a dialog is open only what went wrong is shown, over everything, beside the dialog
 /// where there is room. `place` is the one that was found in the frame before, which messages leave only for
-/// what is kept or spared. A click takes a message away. Returns whether the mouse is on one, so that the
-/// click does nothing below.
-bool drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under);
+/// what is kept or spared. Returns the messages that were drawn.
+std::vector<DrawnToast> drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place,
+                                     ImDrawList& under);
 
 } // namespace stretch::ui

@@ -224,25 +224,21 @@ std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style
   return placeToasts(theme, style, shown, places.front());
 }
 
-/// Draws a message and takes its seconds; answers whether the mouse is on it. While a dialog is open, the
-/// mouse is the dialog's.
-bool showToast(PanelContext& context, const ToastStyle& style, const PlacedToast& toast, bool takesMouse,
+/// Draws a message and takes its seconds, which wait while the mouse reads the whole of one that is cut.
+void showToast(PanelContext& context, const ToastStyle& style, const PlacedToast& toast, bool canBeRead,
                ImDrawList& list) {
   drawToast(context.theme, style, *toast.message, toast.place, list);
-  const bool isHeld = takesMouse && toast.place.box.contains(ImGui::GetMousePos());
-  if (isHeld && toast.place.isCut) {
+  const bool isRead = canBeRead && toast.place.isCut && toast.place.box.contains(ImGui::GetMousePos());
+  if (isRead) {
     tooltipNow(widgetsOf(context), {.text = toast.message->text});
   }
-  toast.message->secondsLeft -= isHeld && toast.place.isCut ? 0.0F : ImGui::GetIO().DeltaTime;
-  if (isHeld && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    toast.message->secondsLeft = 0.0F;
-  }
-  return isHeld;
+  toast.message->secondsLeft -= isRead ? 0.0F : ImGui::GetIO().DeltaTime;
 }
 
 } // namespace
 
-bool drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place, ImDrawList& under) {
+std::vector<DrawnToast> drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& place,
+                                     ImDrawList& under) {
   const Theme& theme = context.theme;
   const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
   const bool isAnyOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -262,15 +258,15 @@ bool drawMessages(PanelContext& context, const MessageRoom& room, std::size_t& p
   const MessageRoom placed = dialog != nullptr ? MessageRoom{room.picture, {}, {dialogBox}, {}} : room;
   const ToastStyle style = toastStyle(theme, room.picture);
   ImDrawList& list = dialog != nullptr ? *ImGui::GetForegroundDrawList() : under;
-  int count = 0;
-  bool isUnderMouse = false;
+  std::vector<DrawnToast> drawn;
   for (const PlacedToast& toast : placeFreely(theme, style, shown, places, placed, place)) {
-    isUnderMouse = showToast(context, style, toast, !isAnyOpen, list) || isUnderMouse;
-    context.items.add("toast/" + std::to_string(count++), toast.place.box.min, toast.place.box.max);
+    showToast(context, style, toast, dialog == nullptr, list);
+    context.items.add("toast/" + std::to_string(drawn.size()), toast.place.box.min, toast.place.box.max);
     context.items.items.back().explained = true; // By itself.
+    drawn.push_back({toast.place.box, toast.message->text});
   }
   std::erase_if(context.ui.toasts, [](const Toast& toast) { return toast.secondsLeft <= 0.0F; });
-  return isUnderMouse;
+  return drawn;
 }
 
 } // namespace stretch::ui

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/file_work.h"
+#include "ui/widgets/control.h"
 
 namespace stretch::ui {
 
@@ -14,6 +15,12 @@ struct Toast {
   ToastKind kind = ToastKind::info;
   std::string text;
   float secondsLeft = 4.0F;
+};
+
+/// A message where it was drawn.
+struct DrawnToast {
+  Rect box;
+  std::string text;
 };
 
 struct KeyHint {

@@ -62,9 +62,10 @@ struct ClipStyleState {
   std::vector<bool> on = {};              ///< Moments that are to be exaggerated.
   std::vector<app::AutoMoment> made = {}; ///< Outcome of those that are on, as last worked out.
   std::vector<int> trails = {};           ///< Trails that were made for them, and what goes along.
-  bool changed = false;                   ///< It is to be worked out anew.
-  bool working = false;                   ///< It is being worked out.
-  bool accepted = false;                  ///< It is to be kept, as soon as it is worked out.
+  std::vector<int> replaced = {}; ///< Trails of an earlier style that give way, and that nobody changed.
+  bool changed = false;           ///< It is to be worked out anew.
+  bool working = false;           ///< It is being worked out.
+  bool accepted = false;          ///< It is to be kept, as soon as it is worked out.
 
   static constexpr int usualStyle = 6; ///< The average of the measured ones.
 };

@@ -7,6 +7,7 @@
 
 #include "app/schema/import_settings.h"
 #include "app/schema/saved_form.h"
+#include "rig/rekey/key_places.h"
 #include "ui/panels/state/answers.h"
 #include "ui/panels/state/body_state.h"
 #include "ui/panels/state/dialog_state.h"

@@ -140,7 +140,11 @@ std::string progressText(const ClipStyleState& state) {
   }
   const std::string nothing = whyNothing(state);
   const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
-  return fmt::format("{} of {} moments are exaggerated{}.", done, state.moments.size(),
+  const std::string instead = state.replaced.empty()
+                                  ? ""
+                                  : fmt::format(", in place of {} earlier trail{}", state.replaced.size(),
+                                                state.replaced.size() == 1 ? "" : "s");
+  return fmt::format("{} of {} moments are exaggerated{}{}.", done, state.moments.size(), instead,
                      nothing.empty() ? ". Space plays the clip" : ": " + nothing);
 }
 

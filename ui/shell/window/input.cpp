@@ -15,7 +15,7 @@ namespace {
 
 using app::Key;
 
-constexpr std::array<std::pair<Key, int>, 17> functionalKeys{{{Key::escape, GLFW_KEY_ESCAPE},
+constexpr std::array<std::pair<Key, int>, 18> functionalKeys{{{Key::escape, GLFW_KEY_ESCAPE},
                                                               {Key::enter, GLFW_KEY_ENTER},
                                                               {Key::tab, GLFW_KEY_TAB},
                                                               {Key::backspace, GLFW_KEY_BACKSPACE},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<Key, int>, 17> functionalKeys{{{Key::escape, GLFW
                                                               {Key::end, GLFW_KEY_END},
                                                               {Key::numpadDecimal, GLFW_KEY_KP_DECIMAL},
                                                               {Key::numpadEnter, GLFW_KEY_KP_ENTER},
+                                                              {Key::numpadSubtract, GLFW_KEY_KP_SUBTRACT},
                                                               {Key::space, GLFW_KEY_SPACE}}};
 
 Key shifted(Key first, int steps) {
