@@ -492,7 +492,7 @@ std::string clipName(const aiAnimation& clip, unsigned clips, const std::string&
       "", "Motion", "mixamo.com", "Take 001", "Take 01", "Default Take", "Unreal Take", "Animation"};
   const std::string_view name = clip.mName.C_Str();
   const std::size_t bar = name.find('|');
-  const std::string_view part = bar == name.npos ? name : name.substr(bar + 1);
+  const std::string_view part = bar == std::string_view::npos ? name : name.substr(bar + 1);
   const bool isGiven =
       std::ranges::find(givenByPrograms, part.substr(0, part.find('|'))) != givenByPrograms.end();
   return isGiven && clips == 1 ? fileName : std::string(name);

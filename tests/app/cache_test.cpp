@@ -268,7 +268,7 @@ TEST_CASE("the cache sees every part of a pin that changes, and the shown keys f
 
 TEST_CASE("the cache sees that keys are to stand elsewhere") {
   const Document document =
-      orFail(applyTrail(test::withNewTrail(test::boxer(), {"left-arm", 4.0, 16.0, 3.0}), 1));
+      orFail(applyTrail(test::withNewTrail(test::boxer(), {"left-arm", 0.0, 10.0, 2.5}), 1));
   EvaluationCache cache;
   for (const rig::KeyPlaces places : {rig::KeyPlaces::needed, rig::KeyPlaces::wholeFrames,
                                       rig::KeyPlaces::everyFrame, rig::KeyPlaces::needed}) {
