@@ -274,7 +274,7 @@ TEST_CASE("the cache sees that keys are to stand elsewhere") {
                                       rig::KeyPlaces::everyFrame, rig::KeyPlaces::needed}) {
     CHECK(cache.keyed(document, 0, places) == EvaluationCache().keyed(document, 0, places));
   }
-  CHECK(cache.keyed(document, 0, rig::KeyPlaces::wholeFrames) !=
+  CHECK(cache.keyed(document, 0, rig::KeyPlaces::everyFrame) !=
         cache.keyed(document, 0, rig::KeyPlaces::needed));
 }
 
