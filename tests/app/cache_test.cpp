@@ -18,7 +18,6 @@
 #include "app/evaluate/keyed_clip.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
-#include "tests/support/app/new_trail.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -267,15 +266,22 @@ TEST_CASE("the cache sees every part of a pin that changes, and the shown keys f
 }
 
 TEST_CASE("the cache sees that keys are to stand elsewhere") {
-  const Document document =
-      orFail(applyTrail(test::withNewTrail(test::boxer(), {"left-arm", 0.0, 10.0, 2.5}), 1));
+  NewTrail bent;
+  bent.limb = "left-arm";
+  bent.settings.startFrame = 12.0;
+  bent.settings.endFrame = 18.0;
+  bent.settings.spheres = {{15.0, Vec3(0.0, 0.1, 0.0)}};
+  bent.connected = true;
+  const Result<CreatedTrail> created = createTrail(test::boxer(), bent);
+  REQUIRE(created);
+  const Document document = orFail(applyTrail(created->document, created->trailId));
   EvaluationCache cache;
   for (const rig::KeyPlaces places : {rig::KeyPlaces::needed, rig::KeyPlaces::wholeFrames,
                                       rig::KeyPlaces::everyFrame, rig::KeyPlaces::needed}) {
     CHECK(cache.keyed(document, 0, places) == EvaluationCache().keyed(document, 0, places));
   }
-  CHECK(cache.keyed(document, 0, rig::KeyPlaces::everyFrame) !=
-        cache.keyed(document, 0, rig::KeyPlaces::needed));
+  const Clip everyFrame = cache.keyed(document, 0, rig::KeyPlaces::everyFrame);
+  CHECK(everyFrame != cache.keyed(document, 0, rig::KeyPlaces::needed));
 }
 
 TEST_CASE("the cache tells two clips of one length apart, and the edited clip from its source") {
