@@ -16,13 +16,16 @@ namespace stretch::ui {
 
 namespace {
 
-Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
-  Result<app::Document> changed = app::exaggeratedWith(tool.targets, tool.modal);
+Status show(app::Session& session, Result<app::Document> changed) {
   if (!changed) {
     return changed.error();
   }
   session.preview(std::move(changed).value());
   return Success{};
+}
+
+Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
+  return show(session, app::exaggeratedWith(tool.targets, tool.modal));
 }
 
 /// The trail as the pull makes it.
@@ -41,12 +44,7 @@ Result<app::Document> pulled(const GrabTool& tool) {
 }
 
 Status previewGrab(app::Session& session, const GrabTool& tool) {
-  Result<app::Document> changed = pulled(tool);
-  if (!changed) {
-    return changed.error();
-  }
-  session.preview(std::move(changed).value());
-  return Success{};
+  return show(session, pulled(tool));
 }
 
 Status previewTool(app::Session& session, Tool& tool) {

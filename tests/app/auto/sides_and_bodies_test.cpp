@@ -187,6 +187,12 @@ rig::Moment stepOf(const char* leg, rig::MomentKind kind, double start, double t
   return moment;
 }
 
+rig::Moment strokeOf(const char* limb, double start, double tip, double strength) {
+  rig::Moment moment = stepOf(limb, rig::MomentKind::stroke, start, tip);
+  moment.strength = strength;
+  return moment;
+}
+
 } // namespace
 
 TEST_CASE("A step of a cycle is taken back while the ground carries the foot, without an overshoot") {
@@ -295,11 +301,6 @@ TEST_CASE("A weak partner that is left out after all takes no room from the way 
 TEST_CASE("Of two strokes that leave each other no time both sides choose the same") {
   const Document striking = withTracks(
       test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
-  const auto strokeOf = [](const char* arm, double start, double tip, double strength) {
-    rig::Moment moment = stepOf(arm, rig::MomentKind::stroke, start, tip);
-    moment.strength = strength;
-    return moment;
-  };
   const AutoClip made =
       exaggerateClip(striking, 0,
                      {strokeOf("left-arm", 4.0, 9.0, 31.0), strokeOf("right-arm", 9.0, 13.0, 30.0),
@@ -314,11 +315,6 @@ TEST_CASE("Of two strokes that leave each other no time both sides choose the sa
 TEST_CASE("What goes along with the other side waits for a stronger stroke of its limb that is its own") {
   const Document striking = withTracks(
       test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
-  const auto strokeOf = [](const char* arm, double start, double tip, double strength) {
-    rig::Moment moment = stepOf(arm, rig::MomentKind::stroke, start, tip);
-    moment.strength = strength;
-    return moment;
-  };
   const auto outcome = [&](double own) {
     const AutoClip made =
         exaggerateClip(striking, 0,
