@@ -250,9 +250,11 @@ void drawEverything(Editor& editor) {
   const PanelSet panels = panelSetOf(context);
   beginPanels(context);
   const float menuHeight = drawMenu(context);
-  const PaneRects rects =
-      dividePanes(shell.panes, static_cast<float>(size.width), static_cast<float>(size.height),
-                  shell.theme.scale, menuHeight, shell.theme.rowHeight() + shell.theme.px(6.0F));
+  const auto width = static_cast<float>(size.width);
+  const auto height = static_cast<float>(size.height);
+  const PaneSizes sizes = sizesBeside(shell.panes, shell.ui.time.tab, height / shell.theme.scale);
+  const PaneRects rects = dividePanes(sizes, width, height, shell.theme.scale, menuHeight,
+                                      shell.theme.rowHeight() + shell.theme.px(6.0F));
   drawSidePanes(context, panels, shell, rects);
   const double pixelsPerUnit = size.width > 0 ? static_cast<double>(size.framebufferWidth) / size.width : 1.0;
   ViewportContext viewport{context, shell.viewport, shell.tool};

@@ -41,10 +41,9 @@ Json child(const Json& json, const char* name) {
   return json.is_object() && json.contains(name) && json[name].is_object() ? json[name] : Json::object();
 }
 
-app::Setting<PaneSizes> paneSize(const char* name, float PaneSizes::*member) {
+app::Setting<PaneSizes> paneSize(const char* name, float PaneSizes::*member, double least = smallestPane) {
   return app::setting<PaneSizes>(
-      {.name = name, .minimum = smallestPane, .maximum = 900.0, .unit = "px", .help = "Size of a pane."},
-      member);
+      {.name = name, .minimum = least, .maximum = 900.0, .unit = "px", .help = "Size of a pane."}, member);
 }
 
 const app::Schema<PaneSizes>& paneSchema() {
@@ -52,6 +51,7 @@ const app::Schema<PaneSizes>& paneSchema() {
       paneSize("left", &PaneSizes::left),
       paneSize("right", &PaneSizes::right),
       paneSize("bottom", &PaneSizes::bottom),
+      paneSize("graph", &PaneSizes::graph, 0.0),
       app::setting<PaneSizes>({.name = "left_open", .help = "Whether it is open."}, &PaneSizes::leftOpen),
       app::setting<PaneSizes>({.name = "right_open", .help = "Whether it is open."}, &PaneSizes::rightOpen),
       app::setting<PaneSizes>({.name = "bottom_open", .help = "Whether it is open."},

@@ -39,10 +39,14 @@ void drawPane(const char* name, const Rect& box, PanelContext& context, void (*d
   ImGui::End();
 }
 
+PaneRects rectsOf(const Shell& shell) {
+  return dividePanes(sizesBeside(shell.panes, shell.ui.time.tab, windowHeight), windowWidth, windowHeight,
+                     1.0F, 28.0F, 32.0F);
+}
+
 /// Where the picture would stand between the panes.
 Rect pictureIn(const Shell& shell) {
-  const PaneRects rects = dividePanes(shell.panes, windowWidth, windowHeight, 1.0F, 28.0F, 32.0F);
-  return rects.viewport;
+  return rectsOf(shell).viewport;
 }
 
 void drawPanes(Shell& shell, PanelContext& context) {
@@ -50,7 +54,7 @@ void drawPanes(Shell& shell, PanelContext& context) {
     drawMenuBar(context);
     ImGui::EndMainMenuBar();
   }
-  const PaneRects rects = dividePanes(shell.panes, windowWidth, windowHeight, 1.0F, 28.0F, 32.0F);
+  const PaneRects rects = rectsOf(shell);
   const PanelSet panels = panelSetOf(context);
   if (shell.panes.leftOpen) {
     drawPane("left", rects.left, context, panels.left);

@@ -433,6 +433,13 @@ std::string shareOfPicture(const Shell& shell, const char* id) {
              : fmt::format("{:.2f}", (item->max.y - item->min.y) / (picture->max.y - picture->min.y));
 }
 
+/// Of the window's height, what lies below the handle of the bottom pane: "0.37"; "none" while it is folded.
+std::string shareBelowPicture(const Shell& shell) {
+  const Item* const handle = shell.items.find("splitter/bottom");
+  const float height = ImGui::GetIO().DisplaySize.y;
+  return handle == nullptr ? "none" : fmt::format("{:.2f}", 1.0F - handle->centre().y / height);
+}
+
 /// Whether a message covers the character, as it stood when the messages began to come.
 bool toastsCoverFigure(const Shell& shell) {
   const std::optional<Rect>& figure = shell.viewport.messages.figure;
@@ -515,6 +522,7 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
       {"toast.share", shareOfPicture(shell, "toast/0")},
       {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
       {"tour.share", shareOfPicture(shell, "tour")},
+      {"pane.bottom", shareBelowPicture(shell)},
       {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
       {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
                                    (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},

@@ -73,6 +73,18 @@ TEST_CASE("In a small window the panes shrink before the viewport") {
   CHECK(small.right.max.x == 640.0F);
 }
 
+TEST_CASE("The graph opens at a third of the window and has a height of its own") {
+  PaneSizes sizes;
+  CHECK(sizesBeside(sizes, BottomTab::graph, 900.0F).bottom == 300.0F);
+  CHECK(sizesBeside(sizes, BottomTab::timeline, 900.0F).bottom == 192.0F);
+  CHECK(sizesBeside(sizes, BottomTab::dopeSheet, 900.0F).bottom == 192.0F);
+  // A third of a low window is no less than what the timeline had.
+  CHECK(sizesBeside(sizes, BottomTab::graph, 480.0F).bottom == 192.0F);
+  sizes.graph = 410.0F;
+  CHECK(sizesBeside(sizes, BottomTab::graph, 900.0F).bottom == 410.0F);
+  CHECK(sizesBeside(sizes, BottomTab::timeline, 900.0F).bottom == 192.0F);
+}
+
 TEST_CASE("Settings survive the file, and a damaged file is harmless") {
   UiState ui;
   ui.theme = ThemeKind::highContrast;
@@ -82,6 +94,7 @@ TEST_CASE("Settings survive the file, and a damaged file is harmless") {
   ui.recentFiles = {"/a/b.glb"};
   PaneSizes panes;
   panes.left = 300.0F;
+  panes.graph = 333.0F;
   panes.bottomOpen = false;
   const std::string text = settingsText(ui, panes, {1000, 700, true});
 

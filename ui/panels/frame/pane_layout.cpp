@@ -23,6 +23,7 @@ struct Splitter {
   Rect box;
   bool upright;        ///< Drags left and right.
   float growDirection; ///< +1: dragging to the right or down makes the pane larger.
+  float shown;         ///< Size of the pane as it shows, window units.
   float* size;
   bool* open;
 };
@@ -46,8 +47,8 @@ void drawSplitter(PanelContext& context, const Splitter& splitter) {
     }
     if (control.held) {
       const ImVec2 moved = ImGui::GetIO().MouseDelta;
-      *splitter.size += splitter.growDirection * (splitter.upright ? moved.x : moved.y) / context.theme.scale;
-      *splitter.size = std::clamp(*splitter.size, smallestPane, 900.0F);
+      const float grown = splitter.shown + splitter.growDirection * (splitter.upright ? moved.x : moved.y);
+      *splitter.size = std::clamp(grown / context.theme.scale, smallestPane, 900.0F);
     }
     if (control.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       *splitter.open = false;
@@ -59,6 +60,14 @@ void drawSplitter(PanelContext& context, const Splitter& splitter) {
 }
 
 } // namespace
+
+PaneSizes sizesBeside(const PaneSizes& sizes, BottomTab tab, float windowHeight) {
+  PaneSizes shown = sizes;
+  if (tab == BottomTab::graph) {
+    shown.bottom = sizes.graph > 0.0F ? sizes.graph : std::max(sizes.bottom, windowHeight / 3.0F);
+  }
+  return shown;
+}
 
 PaneRects dividePanes(const PaneSizes& sizes, float width, float height, float scale, float menuHeight,
                       float statusHeight) {
@@ -91,6 +100,7 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                   {{rects.left.max.x - half, rects.left.min.y}, {rects.left.max.x + half, rects.left.max.y}},
                   true,
                   1.0F,
+                  rects.left.width(),
                   &sizes.left,
                   &sizes.leftOpen});
   }
@@ -100,6 +110,7 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                             {rects.right.min.x + half, rects.right.max.y}},
                            true,
                            -1.0F,
+                           rects.right.width(),
                            &sizes.right,
                            &sizes.rightOpen});
   }
@@ -109,7 +120,8 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                             {rects.bottom.max.x, rects.bottom.min.y + half}},
                            false,
                            -1.0F,
-                           &sizes.bottom,
+                           rects.bottom.height(),
+                           context.ui.time.tab == BottomTab::graph ? &sizes.graph : &sizes.bottom,
                            &sizes.bottomOpen});
   }
 }

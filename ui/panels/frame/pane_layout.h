@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/context/panel_context.h"
+#include "ui/panels/state/time_state.h"
 #include "ui/widgets/control.h"
 
 namespace stretch::ui {
@@ -10,6 +11,8 @@ struct PaneSizes {
   float left = 264.0F;
   float right = 320.0F;
   float bottom = 192.0F;
+  float graph = 0.0F; ///< Of the bottom pane while it shows the graph; 0: a third of the window, no less than
+                      ///< `bottom`.
   bool leftOpen = true;
   bool rightOpen = true;
   bool bottomOpen = true;
@@ -31,12 +34,15 @@ struct PaneRects {
 inline constexpr float smallestPane = 140.0F;
 inline constexpr float smallestViewport = 240.0F;
 
+/// Returns the sizes with `bottom` as the bottom pane shows now. The window's height is in design pixels.
+[[nodiscard]] PaneSizes sizesBeside(const PaneSizes& sizes, BottomTab tab, float windowHeight);
+
 /// Divides a window. Panes shrink before the viewport becomes too small for work; a folded pane has no size.
 [[nodiscard]] PaneRects dividePanes(const PaneSizes& sizes, float width, float height, float scale,
                                     float menuHeight, float statusHeight);
 
-/// Handles between the panes: dragging changes `sizes`, a double click folds the pane. Call outside of any
-/// window.
+/// Handles between the panes: dragging changes the size of `sizes` that shows, a double click folds the pane.
+/// Call outside of any window.
 void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& sizes);
 
 } // namespace stretch::ui
