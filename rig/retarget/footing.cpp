@@ -51,28 +51,40 @@ std::vector<Stand> joined(const FootMotion& foot, const std::vector<Stand>& runs
   return all;
 }
 
-// How far the ankle goes from the frame before: as the source's ball does where it is the ball that stands,
-// else as its heel does.
-Vec3 heldStep(const FootMotion& foot, std::size_t frame, const std::vector<bool>& heelStands,
-              const std::vector<bool>& ballStands) {
-  const bool isOnBall = ballStands[frame] && ballStands[frame - 1];
-  const bool isOnHeel = heelStands[frame] && heelStands[frame - 1];
-  const bool isNearBall = ballStands[frame] || ballStands[frame - 1];
-  if (isOnBall || (!isOnHeel && isNearBall)) {
-    return foot.balls[frame] - foot.balls[frame - 1] + foot.toAnkle[frame] - foot.toAnkle[frame - 1];
+// The point of a foot that stands at each frame, and the one that stands quite still.
+struct Footing {
+  std::vector<bool> heelStands;
+  std::vector<bool> ballStands;
+  std::vector<bool> heelIsHeld;
+  std::vector<bool> ballIsHeld;
+};
+
+// Whether the ankle follows the ball to this frame: where the ball stands quite still, or the heel does not
+// and it is the ball that stands.
+bool followsBall(const Footing& footing, std::size_t frame) {
+  const auto isOver = [frame](const std::vector<bool>& frames) { return frames[frame] && frames[frame - 1]; };
+  if (isOver(footing.ballIsHeld) || isOver(footing.heelIsHeld)) {
+    return isOver(footing.ballIsHeld);
   }
-  return foot.ankles[frame] - foot.ankles[frame - 1];
+  const bool isNearBall = footing.ballStands[frame] || footing.ballStands[frame - 1];
+  return isOver(footing.ballStands) || (!isOver(footing.heelStands) && isNearBall);
+}
+
+// How far the ankle goes from the frame before: as the source's ball does or as its heel does.
+Vec3 heldStep(const FootMotion& foot, std::size_t frame, const Footing& footing) {
+  return followsBall(footing, frame)
+             ? foot.balls[frame] - foot.balls[frame - 1] + foot.toAnkle[frame] - foot.toAnkle[frame - 1]
+             : foot.ankles[frame] - foot.ankles[frame - 1];
 }
 
 // How far the ankle has to be from its wanted place over a run, for what stands to stand: about nothing on
 // the mean.
-void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& heelStands,
-             const std::vector<bool>& ballStands, std::vector<Vec3>& offsets) {
+void holdRun(const FootMotion& foot, const Stand& run, const Footing& footing, std::vector<Vec3>& offsets) {
   Vec3 sum(0.0);
   offsets[run.first] = Vec3(0.0);
   for (std::size_t i = run.first + 1; i <= run.last; ++i) {
     const Vec3 wanted = foot.wanted[i] - foot.wanted[i - 1];
-    offsets[i] = offsets[i - 1] + heldStep(foot, i, heelStands, ballStands) - wanted;
+    offsets[i] = offsets[i - 1] + heldStep(foot, i, footing) - wanted;
     sum += offsets[i];
   }
   const Vec3 mean = sum / static_cast<double>(run.last - run.first + 1);
@@ -112,8 +124,9 @@ std::vector<bool> standingFrames(const FootMotion& foot) {
 }
 
 std::vector<Vec3> plantedAnkles(const FootMotion& foot) {
-  const std::vector<bool> heelStands = framesOf(foot.ankleStands, foot.wanted.size());
-  const std::vector<bool> ballStands = framesOf(foot.ballStands, foot.wanted.size());
+  const std::size_t count = foot.wanted.size();
+  const Footing footing{framesOf(foot.ankleStands, count), framesOf(foot.ballStands, count),
+                        framesOf(foot.heldAnkles, count), framesOf(foot.heldBalls, count)};
   const std::vector<Stand> runs = joined(foot, runsOf(standingFrames(foot)));
   std::vector<Vec3> places = foot.wanted;
   if (runs.empty()) {
@@ -121,7 +134,7 @@ std::vector<Vec3> plantedAnkles(const FootMotion& foot) {
   }
   std::vector<Vec3> offsets(places.size(), Vec3(0.0));
   for (const Stand& run : runs) {
-    holdRun(foot, run, heelStands, ballStands, offsets);
+    holdRun(foot, run, footing, offsets);
   }
   carryOver(runs, offsets);
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -20,6 +20,8 @@ struct FootMotion {
   std::vector<Vec3> wanted;       ///< Places where the ankle would be, if nothing had to stand.
   std::vector<Stand> ankleStands; ///< Times and places at which the source's heel and ball stand.
   std::vector<Stand> ballStands;
+  std::vector<Stand> heldAnkles; ///< Those of them over which `ankles` and `balls` keep one place.
+  std::vector<Stand> heldBalls;
   double shuffle = 0.0; ///< A foot that gets no farther from where it stood has shuffled: it goes as the
                         ///< source's does until it stands again.
 };

@@ -228,8 +228,10 @@ private:
       path.foot.ankleStands = standsOf(path.sourceAnkles, times_, leg);
       path.foot.ballStands = standsOf(path.sourceBalls, times_, leg);
       path.foot.shuffle = shuffled * to_.legs[side].length;
-      path.foot.ankles = heldInPlace(path.foot.ankles, groundedIn(path.sourceAnkles));
-      path.foot.balls = heldInPlace(path.foot.balls, groundedIn(path.sourceBalls));
+      path.foot.heldAnkles = groundedIn(path.sourceAnkles);
+      path.foot.heldBalls = groundedIn(path.sourceBalls);
+      path.foot.ankles = heldInPlace(path.foot.ankles, path.foot.heldAnkles);
+      path.foot.balls = heldInPlace(path.foot.balls, path.foot.heldBalls);
       path.ankles = plantedAnkles(path.foot);
       const std::vector<bool> isStanding = standingFrames(path.foot);
       for (std::size_t frame = 0; frame < times_.size(); ++frame) {

@@ -114,6 +114,36 @@ TEST_CASE("A heel stands until the ball does, without a slip in the frame betwee
   }
 }
 
+TEST_CASE(
+    "A heel that stands quite still keeps its place while the ball of a longer foot turns slowly about it") {
+  // Over all frames heel and ball are slow enough to stand; the heel alone keeps its place.
+  FootMotion foot;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = 0.01 * static_cast<double>(i);
+    const Vec3 forward(std::sin(turn), 0.0, std::cos(turn));
+    foot.ankles.emplace_back(0.0);
+    foot.balls.push_back(0.2 * forward);
+    foot.toAnkle.push_back(-0.3 * forward);
+    foot.wanted.emplace_back(0.0, 0.0, 0.01 * static_cast<double>(i));
+  }
+  foot.ankleStands = foot.ballStands = foot.heldAnkles = {{0, count - 1}};
+  const auto wander = [](const std::vector<Vec3>& places) { return wanderIn(places, {0, count - 1}); };
+  CHECK(wander(plantedAnkles(foot)) < 1e-9);
+  // The ball where it is the ball that does, and where both do.
+  const auto ballsOf = [&](const std::vector<Vec3>& ankles) {
+    std::vector<Vec3> balls;
+    for (std::size_t i = 0; i < count; ++i) {
+      balls.push_back(ankles[i] - foot.toAnkle[i]);
+    }
+    return balls;
+  };
+  foot.heldBalls = foot.heldAnkles;
+  foot.balls.assign(count, Vec3(0.0, 0.0, 0.2));
+  CHECK(wander(ballsOf(plantedAnkles(foot))) < 1e-9);
+  foot.heldAnkles.clear();
+  CHECK(wander(ballsOf(plantedAnkles(foot))) < 1e-9);
+}
+
 TEST_CASE("A ball of the foot that stands in the source stands, while a longer foot turns about it") {
   const FootMotion foot = turningFoot();
   const std::vector<Vec3> ankles = plantedAnkles(foot);
