@@ -218,6 +218,7 @@ void foldCorners(Scene& scene) {
       continue;
     }
     for (Primitive& primitive : scene.meshes[at(node.mesh)].primitives) {
+      primitive.onCorners = primitive.influences;
       for (VertexInfluences& vertex : primitive.influences) {
         follow(slots->second, vertex);
       }

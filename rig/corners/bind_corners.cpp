@@ -96,7 +96,9 @@ private:
       const std::vector<VertexInfluences> influences = influencesOf(primitive, mesh);
       auto& answers = splits.emplace_back();
       for (std::size_t v = 0; v < influences.size(); ++v) {
-        answers.push_back(split.of(influences[v], Vec3(primitive.positions[v])));
+        const VertexInfluences* const onCorners =
+            mesh.skin < 0 || primitive.onCorners.empty() ? nullptr : &primitive.onCorners[v];
+        answers.push_back(split.of(influences[v], onCorners, Vec3(primitive.positions[v])));
         if (answers.back().isMoved) {
           misses_.push_back(answers.back().miss / options_.height);
           fit_.fitted += answers.back().isFitted ? 1 : 0;

@@ -30,7 +30,20 @@ VertexSplit::VertexSplit(const MovedMesh& mesh, std::map<NodeIndex, CornerSet>& 
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     const auto found = sets.find(mesh.joints[slot]);
     slots_[slot].corners = found == sets.end() ? nullptr : &found->second;
+    const std::size_t made = found == sets.end() ? 0 : found->second.made.size();
+    for (std::size_t corner = 0; corner < made; ++corner) {
+      const std::map<int, int>& slotOf = found->second.made[corner].slotOf;
+      if (const auto own = slotOf.find(mesh.skin); own != slotOf.end()) {
+        made_[static_cast<std::uint16_t>(own->second)] = {static_cast<std::uint16_t>(slot),
+                                                          static_cast<int>(corner), 0.0};
+      }
+    }
   }
+}
+
+// Whether the joint gets corners that the file has not.
+bool VertexSplit::isNew(std::uint16_t slot) const {
+  return slot < slots_.size() && slots_[slot].corners != nullptr && slots_[slot].corners->made.empty();
 }
 
 const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
@@ -44,7 +57,7 @@ const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
     slot.matrices.push_back(world * mesh_.inverseBind[index]);
     std::vector<Vec3>& offsets = slot.offsets.emplace_back();
     const Mat3 stretch = moment.stretch.empty() ? Mat3(1.0) : moment.stretch[at(joint)];
-    for (std::size_t k = 0; slot.corners != nullptr && k < slot.corners->offered; ++k) {
+    for (std::size_t k = 0; slot.corners != nullptr && k < slot.corners->places.size(); ++k) {
       const Vec3& corner = slot.corners->places[k];
       offsets.push_back(transformVector(world, stretch * corner - corner));
     }
@@ -52,30 +65,50 @@ const VertexSplit::Slot& VertexSplit::prepared(std::uint16_t index) {
   return slot;
 }
 
-VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const Vec3& place) {
-  const VertexInfluences vertex = withoutRepeats(asRead);
-  Answer answer;
+// What a vertex follows: the new corners around it in the place of their joints, and all else as the file has
+// it, whose weights may have been fitted.
+std::vector<CornerInfluence> VertexSplit::partsOf(const VertexInfluences& vertex,
+                                                  const VertexInfluences& written, const Vec3& place) const {
+  std::vector<CornerInfluence> parts;
+  const auto add = [&](const CornerInfluence& part) {
+    if (!(part.weight < unseen)) {
+      parts.push_back(part);
+    }
+  };
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-    const auto weight = static_cast<double>(vertex.weights[i]);
     const std::uint16_t slot = vertex.joints[i];
-    if (!(weight > 0.0) || slot >= slots_.size()) {
+    if (!isNew(slot)) {
       continue;
     }
-    const CornerSet* const set = slots_[slot].corners;
-    answer.isMoved = answer.isMoved || set != nullptr;
+    const auto weight = static_cast<double>(vertex.weights[i]);
+    const std::vector<double> shares = affineCoordinates(slots_[slot].corners->enclosingPlaces(),
+                                                         transformPoint(mesh_.inverseBind[slot], place));
     double ofJoint = 1.0;
-    if (set != nullptr) {
-      const std::vector<double> shares =
-          affineCoordinates(set->enclosingPlaces(), transformPoint(mesh_.inverseBind[slot], place));
-      for (std::size_t k = 0; k < shares.size(); ++k) {
-        ofJoint -= shares[k];
-        answer.parts.push_back({slot, static_cast<int>(k), weight * shares[k]});
-      }
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      ofJoint -= shares[k];
+      add({slot, static_cast<int>(k), weight * shares[k]});
     }
-    answer.parts.push_back({slot, -1, weight * ofJoint});
+    add({slot, -1, weight * ofJoint});
   }
-  std::erase_if(answer.parts, [](const CornerInfluence& part) { return part.weight < unseen; });
-  if (answer.isMoved && answer.parts.size() > options_.mostInfluences) {
+  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+    const auto corner = made_.find(written.joints[i]);
+    CornerInfluence part =
+        corner == made_.end() ? CornerInfluence{written.joints[i], -1, 0.0} : corner->second;
+    part.weight = static_cast<double>(written.weights[i]);
+    if (part.slot < slots_.size() && !isNew(part.slot)) {
+      add(part);
+    }
+  }
+  return parts;
+}
+
+VertexSplit::Answer VertexSplit::of(const VertexInfluences& asRead, const VertexInfluences* onCorners,
+                                    const Vec3& place) {
+  const VertexInfluences vertex = withoutRepeats(asRead);
+  Answer answer;
+  answer.parts = partsOf(vertex, onCorners == nullptr ? vertex : withoutRepeats(*onCorners), place);
+  answer.isMoved = std::ranges::any_of(answer.parts, [&](const auto& part) { return isNew(part.slot); });
+  if (answer.parts.size() > options_.mostInfluences) {
     std::vector<CornerInfluence> exact = answer.parts;
     fit(answer, vertex, place);
     const double most = options_.mostInfluences < VertexInfluences::capacity ? missOfFewer : missOfEight;
@@ -134,8 +167,9 @@ int VertexSplit::ownCorner(std::uint16_t index, const Vec3& own) const {
   return found == set->places.end() && isFull ? -1 : static_cast<int>(found - set->places.begin());
 }
 
-// Every offered corner of the joints that a vertex follows, and they themselves.
-std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& vertex) const {
+// Every offered corner of the joints that a vertex follows, and they themselves; corners that it has.
+std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& vertex,
+                                                       const std::vector<CornerInfluence>& exact) const {
   std::vector<CornerInfluence> candidates;
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
     const std::uint16_t slot = vertex.joints[i];
@@ -146,6 +180,12 @@ std::vector<CornerInfluence> VertexSplit::candidatesOf(const VertexInfluences& v
     const int corners = set == nullptr ? 0 : static_cast<int>(set->offered);
     for (int corner = -1; corner < corners; ++corner) {
       candidates.push_back({slot, corner, 0.0});
+    }
+  }
+  for (const CornerInfluence& part : exact) {
+    const CornerSet* const set = slots_[part.slot].corners;
+    if (set != nullptr && part.corner >= static_cast<int>(set->offered)) {
+      candidates.push_back({part.slot, part.corner, 0.0});
     }
   }
   return candidates;
@@ -176,7 +216,7 @@ void VertexSplit::addShading(const std::vector<CornerInfluence>& exact,
 }
 
 void VertexSplit::fit(Answer& answer, const VertexInfluences& vertex, const Vec3& place) {
-  std::vector<CornerInfluence> candidates = candidatesOf(vertex);
+  std::vector<CornerInfluence> candidates = candidatesOf(vertex, answer.parts);
   const auto placeOf = [&](const CornerInfluence& part, std::size_t moment) {
     const Slot& slot = prepared(part.slot);
     const Vec3 ofJoint = transformPoint(slot.matrices[moment], place);
