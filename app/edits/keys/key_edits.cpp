@@ -194,6 +194,20 @@ KeySelection allKeys(const Document& document, int clip, std::span<const KeyRow>
   return keysBetween(document, clip, rows, -1e9, 1e9);
 }
 
+KeySelection keysOffFrames(const Document& document, int clip) {
+  KeySelection off;
+  for (PickedRow& picked : allKeys(document, clip, keyedRows(document, clip))) {
+    const std::vector<double> frames = keyFramesOf(document, clip, picked.row);
+    std::erase_if(picked.keys, [&](const PickedKey& key) {
+      return sameFrame(frames[at(key.key)], std::round(frames[at(key.key)]));
+    });
+    if (!picked.keys.empty()) {
+      off.push_back(std::move(picked));
+    }
+  }
+  return off;
+}
+
 KeySelection joined(const KeySelection& a, const KeySelection& b) {
   KeySelection both = a;
   for (const PickedRow& more : b) {

@@ -36,6 +36,8 @@ struct EditedKeys {
 /// The keys of the rows from one frame to another, both included.
 [[nodiscard]] KeySelection keysBetween(const Document& document, int clip, std::span<const KeyRow> rows,
                                        double firstFrame, double lastFrame);
+/// Every key of the clip that stands between frames.
+[[nodiscard]] KeySelection keysOffFrames(const Document& document, int clip);
 /// Both together.
 [[nodiscard]] KeySelection joined(const KeySelection& a, const KeySelection& b);
 /// Without what the document does not have any more.

@@ -361,6 +361,17 @@ TEST_CASE("Keys between frames are snapped to whole ones", "[keys]") {
   CHECK(sameDocument(documentOf(snapKeys(off, 0, oneKey(armTurns, 1))), start));
 }
 
+TEST_CASE("The keys that stand between frames are found on every row of the clip, those of controllers too",
+          "[keys]") {
+  const Document start = withHandKeys();
+  CHECK(keysOffFrames(start, 0).empty());
+  const Document arm = documentOf(moveKeys(start, 0, oneKey(armTurns, 1), {0.3, 0.0}));
+  const Document both = documentOf(moveKeys(arm, 0, oneKey(handRow, 2), {-0.25, 0.0}));
+  CHECK(keysOffFrames(arm, 0) == oneKey(armTurns, 1));
+  CHECK(keyCount(keysOffFrames(both, 0)) == 2);
+  CHECK(keysOffFrames(documentOf(snapKeys(both, 0, keysOffFrames(both, 0))), 0).empty());
+}
+
 TEST_CASE("Offset keys are edited by the same edits", "[keys]") {
   const Document start = withHandKeys();
   const Document moved = documentOf(moveKeys(start, 0, oneKey(handRow, 1, 1U), {2.0, 0.5}));

@@ -81,7 +81,7 @@ void keyNumbers(PanelContext& context, bool isNarrow) {
               .step = 1.0,
               .fineStep = 0.1,
               .decimals = frameDecimals(frame),
-              .prefix = isNarrow ? "" : "Frame ",
+              .prefix = isNarrow || frameDecimals(frame) > 0 ? "" : "Frame ",
               .hardMaximum = 1e5,
               .showsFill = false,
               .width = width,
@@ -260,15 +260,32 @@ void aheadRows(PanelContext& context) {
   }
 }
 
+/// Picks the keys that a retime has left between frames, for a clip that had none there, and says how they
+/// come onto whole ones.
+void pickLeftBetweenFrames(PanelContext& context, bool hadSome) {
+  app::Session& session = context.character();
+  const app::KeySelection off = app::keysOffFrames(session.document(), session.view().clip);
+  if (hadSome || off.empty()) {
+    return;
+  }
+  app::pickKeys(session, off, false);
+  const CommandInfo* const snap = findCommand(context, command::keysSnap);
+  tell(context.ui, ToastKind::info,
+       fmt::format("{} keys stand between frames now and are picked: Keys, {} moves them to whole ones",
+                   app::keyCount(off), snap == nullptr ? "Snap keys" : snap->label));
+}
+
 void retime(PanelContext& context) {
   const RetimeState& state = context.ui.time.retime;
   const app::Session& session = context.character();
+  const bool hadSome = !app::keysOffFrames(session.document(), session.view().clip).empty();
   const app::Retime wanted = wantedRetime(state);
   const std::string whose = state.limb.empty() ? "the clip" : app::limbTitle(session.document(), state.limb);
   editOnce(context,
            fmt::format("Retime {}: frames {:g} to {:g} take {:g}", whose, state.firstFrame, state.lastFrame,
                        std::round(state.newFrames * 100.0) / 100.0),
            app::retimed(session.document(), session.view().clip, wanted));
+  pickLeftBetweenFrames(context, hadSome);
 }
 
 } // namespace

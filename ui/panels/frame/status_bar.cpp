@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "ui/panels/context/panel_support.h"
@@ -65,8 +66,10 @@ std::string selectionText(const app::Session& session) {
                ? "Locator " + view.selection.locators().front()
                : std::to_string(view.selection.locators().size()) + " locators";
   }
+  const std::string keys =
+      app::hasPickedKeys(session) ? app::selectionTitle(session.document(), view.pickedKeys) : std::string();
   if (view.selection.limbs().empty()) {
-    return "Nothing selected";
+    return keys.empty() ? "Nothing selected" : capitalised(keys);
   }
   std::string text;
   for (const std::string& limb : view.selection.limbs()) {
@@ -77,6 +80,7 @@ std::string selectionText(const app::Session& session) {
     text += one ? ", sphere at frame " + shortNumber(view.selection.spheres().front(), 1)
                 : ", " + std::to_string(view.selection.spheres().size()) + " spheres";
   }
+  text += keys.empty() ? keys : ", " + keys;
   return capitalised(text);
 }
 

@@ -128,6 +128,21 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
+/// Copies what its keys copy: the pose where no trail can be.
+void editMenu(PanelContext& context) {
+  using namespace command;
+  const auto isOn = [&](const char* id) {
+    const CommandInfo* const info = findCommand(context, id);
+    return info != nullptr && info->enabled;
+  };
+  const bool isPosing = isOn(poseCopy) && !isOn(copyTrail);
+  drawMenu(context,
+           isPosing
+               ? Menu{"Edit", {undo, redo, history, "", poseCopy, posePaste, posePasteMirrored, "", settings}}
+               : Menu{"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+}
+
 void poseMenu(PanelContext& context) {
   using namespace command;
   drawMenu(context,
@@ -274,8 +289,7 @@ void drawMenuBar(PanelContext& context) {
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
              fileExportClean, fileFilm, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
+  editMenu(context);
   drawLimbMenu(context);
   drawRigMenu(context);
   poseMenu(context);
