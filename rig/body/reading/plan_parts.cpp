@@ -52,6 +52,12 @@ private:
     return pair.word(word) >= namedShare;
   }
 
+  // The joint that both sides hang from, whatever one of them has between.
+  [[nodiscard]] int carrierOf(const ExtremityPair& pair) const {
+    const int carrier = view_.commonAncestor(pair.negative.attach, pair.positive.attach);
+    return carrier >= 0 ? carrier : pair.positive.attach;
+  }
+
   // By name, else by what it does; nothing for ears, teeth and what is too small to be a limb.
   [[nodiscard]] std::optional<LimbKind> kindOf(const ExtremityPair& pair) const {
     const bool large = pair.length() > 0.08 * view_.size;
@@ -99,8 +105,7 @@ private:
       return;
     }
     std::erase_if(parts_.pairs, [&](const KindredPair& one) {
-      return one.kind == LimbKind::chain && view_.isAboveOrSelf(head, one.pair.positive.attach) &&
-             view_.isAboveOrSelf(head, one.pair.negative.attach);
+      return one.kind == LimbKind::chain && view_.isAboveOrSelf(head, carrierOf(one.pair));
     });
   }
 
@@ -177,8 +182,7 @@ private:
   // Of a body on six or eight legs: what spreads beside them are wings, what the head carries none.
   [[nodiscard]] LimbKind feelerOrWing(const ExtremityPair& pair) const {
     const Vec3 along = pair.positive.points.back() - pair.positive.points.front();
-    const bool isAtHead =
-        parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, pair.positive.attach);
+    const bool isAtHead = parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, carrierOf(pair));
     const bool spreads = std::abs(glm::dot(along, plane_.normal)) > 0.7 * glm::length(along);
     return spreads && !isAtHead && pair.length() > 0.25 * view_.size ? LimbKind::wing : LimbKind::feeler;
   }
@@ -223,10 +227,10 @@ private:
     double score = 2.0 * (row.word(PartWord::head) > 0.0 ? 1.0 : 0.0) -
                    2.0 * (row.word(PartWord::tail) > 0.0 ? 1.0 : 0.0) + 0.1 * row.length / view_.size;
     for (const KindredPair& one : parts_.pairs) {
-      score += isOn(row.path, one.pair.positive.attach) ? 0.5 : 0.0;
+      score += isOn(row.path, carrierOf(one.pair)) ? 0.5 : 0.0;
     }
     for (const ExtremityPair* ornament : ornaments_) {
-      score += isOn(row.path, ornament->positive.attach) ? 0.5 : 0.0;
+      score += isOn(row.path, carrierOf(*ornament)) ? 0.5 : 0.0;
     }
     return score - (row.word(PartWord::ornament) > 0.0 ? 0.5 : 0.0);
   }
@@ -338,8 +342,7 @@ private:
 
   [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
     return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-      return (countsChains || one.kind != LimbKind::chain) &&
-             view_.isAboveOrSelf(joint, one.pair.positive.attach);
+      return (countsChains || one.kind != LimbKind::chain) && view_.isAboveOrSelf(joint, carrierOf(one.pair));
     });
   }
 
@@ -452,7 +455,7 @@ private:
     const auto legCount = legs().size();
     for (const KindredPair& one : parts_.pairs) {
       const bool counts = one.kind == LimbKind::leg || (legCount < 2 && one.kind != LimbKind::feeler);
-      const int place = counts ? placeOn(parts_.axis.row, one.pair.positive.attach) : -1;
+      const int place = counts ? placeOn(parts_.axis.row, carrierOf(one.pair)) : -1;
       if (place < 0) {
         continue;
       }

@@ -75,6 +75,37 @@ TEST_CASE("Legs of an insect are counted from front to back, and its feelers are
   CHECK(findLimb(read, {LimbKind::tail}) != nullptr);
 }
 
+TEST_CASE(
+    "A joint more at one leg of an unnamed body on many legs changes no limb, on whichever side it is") {
+  const int rows = GENERATE(3, 4);
+  const std::string side = GENERATE(".l", ".r");
+  const std::string hip = GENERATE("coxa0", "coxa1", "coxa2", "antenna0");
+  const bool isSpur = GENERATE(true, false);
+  CAPTURE(rows, side, hip, isSpur);
+  SyntheticBiped body = makeManyLegged(rows);
+  const BuiltBiped plain = build(body);
+  const std::string coxa = hip + side;
+  const Vec3 place = jointOf(body, coxa).position;
+  if (isSpur) {
+    body.joints.push_back({"spur", coxa, place + Vec3(side == ".l" ? 0.05 : -0.05, 0.12, 0.0)});
+  } else {
+    body.joints.push_back({"plate", jointOf(body, coxa).parent, place * Vec3(0.5, 1.0, 1.0)});
+    jointOf(body, coxa).parent = "plate";
+  }
+  const BuiltBiped more = build(body);
+  const Body read = detectBody(more.scene);
+  CHECK(read.plan == detectBody(plain.scene).plan);
+  CHECK(describe(more, read, biped::neck) == describe(plain, detectBody(plain.scene), biped::neck));
+  CHECK(describe(more, read, {LimbKind::tail}) == "tail0 tail1 -> tail2");
+  for (int leg = 1; leg <= rows; ++leg) {
+    const std::string number = std::to_string(leg - 1);
+    for (const auto& [at, name] : {std::pair(LimbSide::left, ".l"), std::pair(LimbSide::right, ".r")}) {
+      CHECK(describe(more, read, {LimbKind::leg, at, leg}) ==
+            "femur" + number + name + " tibia" + number + name + " -> tarsus" + number + name);
+    }
+  }
+}
+
 TEST_CASE("A bird has wings, and its legs stand on their toes") {
   SyntheticBiped body = makeBird();
   const bool named = GENERATE(true, false);
