@@ -91,8 +91,13 @@ void momentRow(PanelContext& context, ClipStyleState& state, std::size_t place) 
   const std::string text = fmt::format("{}, {} {:g}\xE2\x80\x93{:g}", limb, rig::momentKindName(moment.kind),
                                        moment.startFrame, moment.tipFrame);
   const app::AutoMoment* const made = outcomeOf(state, moment);
-  if (toggle(widgets, "clip-style/moment-" + std::to_string(place), text, state.on[place],
-             {text, "Exaggerates this moment, or not.", {}})) {
+  const bool isLeftOut = state.on[place] && made != nullptr && made->trailId <= 0;
+  if (toggle(widgets, "clip-style/moment-" + std::to_string(place), text, state.on[place] && !isLeftOut,
+             {text,
+              isLeftOut ? "Left out for the reason below; it comes back where that goes."
+                        : "Exaggerates this moment, or not.",
+              {}},
+             !isLeftOut)) {
     state.on[place] = !state.on[place];
     state.changed = true;
   }
