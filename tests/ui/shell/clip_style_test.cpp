@@ -55,6 +55,30 @@ TEST_CASE("Left and Right go through the styles, Page up and down change the str
   CHECK(stage.shell.ui.trails.clipStyle.open);
 }
 
+TEST_CASE("The switch of a moment that is left out takes no click, and works again once the moment is not") {
+  test::EditorStage stage;
+  test::withLimb(stage.work());
+  stage.run(app::command::clipExaggerate);
+  stage.settle();
+  ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  const auto withStrength = [&](double strength) {
+    state.strength = strength;
+    state.changed = true;
+    stage.frames(2);
+    stage.settle();
+    stage.frames(2);
+    REQUIRE(stage.shell.items.find("clip-style/moment-0") != nullptr);
+    return stage.shell.items.find("clip-style/moment-0")->enabled;
+  };
+  CHECK_FALSE(withStrength(0.0));
+  stage.click("clip-style/moment-0");
+  CHECK(state.on[0]);
+  CHECK(withStrength(1.0));
+  stage.click("clip-style/moment-0");
+  CHECK_FALSE(state.on[0]);
+  CHECK(withStrength(0.0));
+}
+
 TEST_CASE("While the list of styles is open Enter keeps nothing, and the arrows leave the style") {
   test::EditorStage stage;
   test::withLimb(stage.work());
