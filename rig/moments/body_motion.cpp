@@ -41,14 +41,19 @@ void setVelocities(PlaceMotion& motion, double samplesPerSecond) {
   }
 }
 
-// What a limb of this kind weighs: the trunk carries the limbs that act, a tail follows them. A serpent's
-// trunk has nothing to carry.
-double weightOf(const Limb& limb, bool hasOuterLimbs) {
+// What a limb weighs: the trunk carries the limbs that act, a tail follows them, the more the longer it is. A
+// serpent's trunk has nothing to carry. A beast's neck bears the head, which bites and butts, and counts in
+// lengths of its own where it is short. `lengths`: its reach in those of the body.
+double weightOf(const Limb& limb, bool hasOuterLimbs, bool isBiped, double lengths) {
   constexpr double trunk = 0.6;
   constexpr double follower = 0.35;
-  return isTrunk(limb) && hasOuterLimbs                                 ? trunk
-         : limb.kind == LimbKind::tail || limb.kind == LimbKind::feeler ? follower
-                                                                        : 1.0;
+  if (limb.kind == LimbKind::neck && !isBiped) {
+    return 1.0 / std::min(1.0, lengths);
+  }
+  if (limb.kind == LimbKind::tail || limb.kind == LimbKind::feeler) {
+    return follower / std::sqrt(std::max(1.0, lengths));
+  }
+  return isTrunk(limb) && hasOuterLimbs ? trunk : 1.0;
 }
 
 // The middle of the bases of the limbs of one side; nothing to go by where there are none.
@@ -168,11 +173,15 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
   dropLonePoses(motion);
   const bool hasOuterLimbs = std::ranges::any_of(limbs, [](const Limb& limb) { return reachesOut(limb); });
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    motion.limbs[i].weight = weightOf(limbs[i], hasOuterLimbs);
+    motion.limbs[i].isLeg = isLeg(limbs[i]);
     setVelocities(motion.limbs[i], motion.samplesPerSecond);
   }
   setVelocities(motion.hips, motion.samplesPerSecond);
   setReaches(motion);
+  for (std::size_t i = 0; i < limbs.size() && motion.reach > 0.0; ++i) {
+    motion.limbs[i].weight =
+        weightOf(limbs[i], hasOuterLimbs, body.plan == "biped", motion.limbs[i].reach / motion.reach);
+  }
   return motion;
 }
 

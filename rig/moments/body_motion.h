@@ -20,9 +20,11 @@ struct PlaceMotion {
 /// A limb's motion seen from its base: d(t) = the place that leads minus the place that stays, and where the
 /// place that leads is in the world.
 struct LimbMotion : PlaceMotion {
-  double weight = 1.0; ///< 1 for limbs that act, less for the trunk that carries them and tails that follow.
+  double weight = 1.0; ///< 1 for limbs that act, less for the trunk that carries them and tails that follow,
+                       ///< more for a beast's short neck, whose head acts.
   double reach = 0.0;  ///< Longest |d| in the clip.
   std::vector<Vec3> ends; ///< World space.
+  bool isLeg = false;
 };
 
 /// The motion of a body over a clip, without any trail.

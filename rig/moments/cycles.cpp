@@ -10,6 +10,7 @@ namespace stretch::rig {
 namespace {
 
 constexpr double sameShare = 0.55; // Of how far the limb strays from its middle: nearer is the same.
+constexpr double limpShare = 0.4;  // Likewise of legs that do not step in even time.
 constexpr double seamSteps = 1.5;  // Longest steps of a frame: no farther is the end from the beginning.
 constexpr double leastMove = 0.01; // Of the reach: what strays less from its middle stands still.
 constexpr std::size_t fewestSamples = 8;
@@ -54,13 +55,15 @@ Vec3 placeAt(const std::vector<Vec3>& places, double sample, double period) {
   return glm::mix(places[before], places[before + 1], at - std::floor(at));
 }
 
-/// Whether the places are those of the other list `part` of the way round later.
-bool isSame(const std::vector<Vec3>& places, const std::vector<Vec3>& other, double part, double period) {
+/// How far the places are from those of the other list `part` of the way round later, as a share of how far
+/// they stray from their middle.
+double shareApart(const std::vector<Vec3>& places, const std::vector<Vec3>& other, double part,
+                  double period) {
   std::vector<Vec3> apart;
   for (std::size_t i = 0; i < places.size(); ++i) {
     apart.push_back(places[i] - placeAt(other, static_cast<double>(i) + part * period, period));
   }
-  return meanSquare(apart) < sameShare * sameShare * meanSquare(places);
+  return std::sqrt(meanSquare(apart) / meanSquare(places));
 }
 
 /// How many samples the limb takes to come round: as many as there are steps, or one frame more where the
@@ -100,10 +103,14 @@ bool goesRound(const BodyMotion& motion, const std::vector<Limb>& limbs, std::si
   const std::vector<Vec3> mirror = opposite == nullptr ? places : mirroredPlaces(other);
   return std::ranges::any_of(periodsOf(places), [&](double period) {
     const auto isAgain = [&](const std::vector<Vec3>& later, double part) {
-      return isSame(places, later, part, period);
+      return shareApart(places, later, part, period) < sameShare;
+    };
+    const auto limps = [&](double part) {
+      return isLeg(limbs[limb]) && shareApart(places, other, part, period) < limpShare;
     };
     return isAgain(places, 1.0 / 2.0) || isAgain(places, 1.0 / 3.0) || isAgain(places, 1.0 / 4.0) ||
-           isAgain(other, 1.0 / 2.0) || isAgain(mirror, 1.0 / 2.0) || isAgain(mirror, 1.0 / 4.0);
+           isAgain(other, 1.0 / 2.0) || isAgain(mirror, 1.0 / 2.0) || isAgain(mirror, 1.0 / 4.0) ||
+           limps(3.0 / 8.0) || limps(5.0 / 8.0);
   });
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "core/anim/frames.h"
 #include "rig/moments/cycles.h"
 #include "rig/moments/landings.h"
@@ -12,6 +14,24 @@
 namespace stretch::rig {
 
 namespace {
+
+// Whether there are feet and all of them stay where they are.
+bool feetStand(const BodyMotion& motion) {
+  constexpr double still = 0.05; // Of the reach.
+  const auto isFoot = [](const LimbMotion& limb) { return limb.isLeg; };
+  return std::ranges::any_of(motion.limbs, isFoot) &&
+         std::ranges::all_of(motion.limbs, [](const LimbMotion& limb) {
+           return !limb.isLeg || std::ranges::all_of(limb.ends, [&](const Vec3& end) {
+             return glm::distance(end, limb.ends.front()) <= still * limb.reach;
+           });
+         });
+}
+
+// What goes round so slowly on feet that stand breathes, sways or looks about: it is idle.
+bool isSway(const BodyMotion& motion, const LimbMotion& limb) {
+  constexpr double slow = 2.0; // R per second.
+  return std::ranges::max(limb.speeds) < slow * motion.reach;
+}
 
 // Whole frames, where animators key: half a frame is given to the stroke.
 Moment momentOf(const std::string& limb, MomentKind kind, const SampledStroke& stroke, double last) {
@@ -95,10 +115,14 @@ std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& 
   }
   const double last = endInFrames(clip);
   const std::vector<bool> cycles = limbsInCycles(motion, limbs);
+  const bool stands = feetStand(motion);
   bool steps = false;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     steps = steps || (cycles[i] && isLeg(limbs[i]));
     const MomentKind kind = cycles[i] ? MomentKind::cycle : MomentKind::stroke;
+    if (cycles[i] && stands && isSway(motion, motion.limbs[i])) {
+      continue;
+    }
     for (const SampledStroke& stroke : strokesOf(motion, motion.limbs[i], cycles[i])) {
       moments.push_back(momentOf(limbs[i].id, kind, stroke, last));
     }

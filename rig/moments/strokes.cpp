@@ -49,6 +49,27 @@ double seenShare(double travel, double travelInWorld) {
   return std::clamp(travelInWorld / travel, leastShare, 1.0);
 }
 
+/// Whether it is a step: a foot that skims over the ground and is put down to carry.
+bool isStep(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke) {
+  constexpr double highest = 0.25; // Of the reach, above its lowest place: a kick or a stamp goes higher.
+  constexpr double still = 0.05;   // Likewise.
+  constexpr double seconds = 0.1;
+  const std::size_t stood =
+      stroke.tip + static_cast<std::size_t>(std::ceil(seconds * motion.samplesPerSecond));
+  if (!limb.isLeg || stood >= limb.ends.size()) {
+    return false;
+  }
+  const double low = std::ranges::min(limb.ends, {}, &Vec3::y).y;
+  double lift = 0.0;
+  double after = 0.0;
+  for (std::size_t i = stroke.start; i <= stood; ++i) {
+    lift = std::max(lift, limb.ends[i].y - low);
+    after = i > stroke.tip ? std::max(after, glm::length(limb.ends[i] - limb.ends[stroke.tip])) : 0.0;
+  }
+  return lift < highest * limb.reach && limb.ends[stroke.tip].y - low < still * limb.reach &&
+         after < still * limb.reach;
+}
+
 double strengthOf(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke) {
   constexpr double forwardGain = 0.4;
   const double travel = glm::length(limb.places[stroke.tip] - limb.places[stroke.start]);
@@ -63,6 +84,24 @@ double strengthOf(const BodyMotion& motion, const LimbMotion& limb, const Sample
 bool isPeak(const std::vector<double>& speeds, std::size_t i) {
   return speeds[i] > 0.0 && (i == 0 || speeds[i] > speeds[i - 1]) &&
          (i + 1 == speeds.size() || speeds[i] >= speeds[i + 1]);
+}
+
+void dropWeak(std::vector<SampledStroke>& strokes) {
+  std::erase_if(strokes, [](const SampledStroke& stroke) { return stroke.strength < leastStrength; });
+}
+
+/// A step or two only carry the body along; more of them are a gait that does not close.
+void lessenSteps(const BodyMotion& motion, const LimbMotion& limb, std::vector<SampledStroke>& strokes) {
+  constexpr double stepShare = 0.3;
+  constexpr std::ptrdiff_t fewSteps = 2;
+  const auto steps = [&](const SampledStroke& stroke) { return isStep(motion, limb, stroke); };
+  if (std::ranges::count_if(strokes, steps) <= fewSteps) {
+    for (SampledStroke& stroke : strokes) {
+      stroke.strength *= steps(stroke) ? stepShare : 1.0;
+    }
+    dropWeak(strokes);
+    std::ranges::stable_sort(strokes, std::ranges::greater{}, &SampledStroke::strength);
+  }
 }
 
 } // namespace
@@ -81,7 +120,7 @@ std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion&
       all.push_back(stroke);
     }
   }
-  std::erase_if(all, [](const SampledStroke& stroke) { return stroke.strength < leastStrength; });
+  dropWeak(all);
   std::ranges::stable_sort(all, std::ranges::greater{}, &SampledStroke::strength);
   std::vector<SampledStroke> apart;
   for (const SampledStroke& stroke : all) {
@@ -91,6 +130,9 @@ std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion&
     if (isApart) {
       apart.push_back(stroke);
     }
+  }
+  if (!goesRound) {
+    lessenSteps(motion, limb, apart);
   }
   return apart;
 }

@@ -16,7 +16,8 @@ struct SampledStroke {
 };
 
 /// The strokes of one limb of the motion, strongest first; they share at most their ends. `goesRound`: the
-/// limb is in a cycle, where every way leads back to the beginning.
+/// limb is in a cycle, where every way leads back to the beginning and a leg's ways are steps; elsewhere one
+/// or two steps only carry the body and count less.
 [[nodiscard]] std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb,
                                                    bool goesRound);
 

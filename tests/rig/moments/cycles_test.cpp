@@ -170,6 +170,18 @@ TEST_CASE("legs of one body go together, whichever of them it is that goes round
         Answers{true, false, false});
 }
 
+TEST_CASE("legs go round in uneven time as well, three eighths of the clip later, arms do not") {
+  const Course once = circle(1.0);
+  for (const double part : {3.0 / 8.0, 5.0 / 8.0}) {
+    CAPTURE(part);
+    const Course behind = later(once, part);
+    CHECK(cyclesOf({{biped::leftLeg, once}, {biped::rightLeg, behind}}) == Answers{true, true});
+    CHECK(cyclesOf({{biped::leftArm, once}, {biped::rightArm, behind}}) == Answers{false, false});
+  }
+  CHECK(cyclesOf({{biped::leftLeg, once}, {biped::rightLeg, later(once, 0.25)}}) == Answers{false, false});
+  CHECK(cyclesOf({{biped::leftLeg, once}, {biped::rightLeg, resting}}) == Answers{false, false});
+}
+
 TEST_CASE("what hardly moves, or is too short to be seen twice, does not go round") {
   CHECK(goesRound(chain, circle(2.0, 0.0101)));
   CHECK_FALSE(goesRound(chain, circle(2.0, 0.0099)));

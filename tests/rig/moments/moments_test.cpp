@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/moments/body_motion.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/moving_creatures.h"
 
@@ -237,6 +238,30 @@ TEST_CASE("What stands still, trembles or creeps has no moment") {
   CHECK(momentsOf(creeping).empty());
 }
 
+TEST_CASE("An idle has no moment: it sways from foot to foot, breathes, looks about") {
+  const auto swaying = [](double times) { // A second or so to each side.
+    MovingBiped idle = stillBiped();
+    std::vector<Turn> sway;
+    std::vector<Turn> nod;
+    for (int frame = 0; frame <= 48; ++frame) {
+      const double angle = 2.0 * pi * times * frame / 48.0;
+      sway.push_back({static_cast<double>(frame), 16.0 * std::sin(angle)});
+      nod.push_back({static_cast<double>(frame), 25.0 * std::sin(angle)});
+    }
+    turn(idle, "upperArm.l", up, sway);
+    turn(idle, "upperArm.r", up, sway);
+    turn(idle, "spine0", rightwards, {{0, 0}, {12, 2}, {24, 0}, {36, 2}, {48, 0}});
+    turn(idle, "neck0", up, nod);
+    return idle;
+  };
+  CHECK(momentsOf(swaying(2.0)).empty());
+  CHECK_FALSE(momentsOf(swaying(8.0)).empty()); // A drummer.
+  MovingBiped walking = swaying(2.0);
+  const std::vector<Turn> steps{{0, -20}, {12, 20}, {24, -20}, {36, 20}, {48, -20}};
+  turn(walking, "thigh.l", rightwards, steps);
+  CHECK(momentOf(momentsOf(walking), "left-arm"));
+}
+
 TEST_CASE("Steps are cycles, and so is what swings along with them, the arm that strikes meanwhile is none") {
   const std::vector<Turn> forth{{0, -30}, {12, 30}, {24, -30}};
   const std::vector<Turn> back{{0, 30}, {12, -30}, {24, 30}};
@@ -368,6 +393,33 @@ TEST_CASE("The trunk carries the limbs that act and a tail follows them: both we
   std::ranges::find(asChain.body.limbs, "spine", &Limb::id)->kind = LimbKind::chain;
   CHECK(strengthOf(momentsOf(bow), "spine") ==
         Approx(0.6 * strengthOf(momentsOf(asChain), "spine")).epsilon(1e-6));
+}
+
+TEST_CASE("A beast's neck counts in its own lengths, a person's does not, a tail the less the longer it is") {
+  MovingBiped horse = test::pawingHorse();
+  turn(horse, "neck0", rightwards, {{0, 0}, {4, 60}, {24, 60}});
+  MovingBiped person = horse;
+  REQUIRE(horse.body.plan == "quadruped");
+  person.body.plan = "biped";
+  std::vector<double> reaches;
+  for (const LimbMotion& limb : motionOfBody(horse.scene, horse.clip, horse.body, horse.body.limbs).limbs) {
+    reaches.push_back(limb.reach);
+  }
+  const auto placeOf = [&](const char* limb) {
+    return static_cast<std::size_t>(std::ranges::find(horse.body.limbs, limb, &Limb::id) -
+                                    horse.body.limbs.begin());
+  };
+  const double reach = motionOfBody(horse.scene, horse.clip, horse.body, horse.body.limbs).reach;
+  REQUIRE(reaches[placeOf("neck")] < 0.8 * reach);
+  CHECK(strengthOf(momentsOf(horse), "neck") * reaches[placeOf("neck")] / reach ==
+        Approx(strengthOf(momentsOf(person), "neck") / 0.6));
+  MovingBiped longTailed = test::pawingHorse();
+  longTailed.scene.nodes[at(longTailed.node.at("tail1"))].rest.translation *= 9.0;
+  const BodyMotion motion =
+      motionOfBody(longTailed.scene, longTailed.clip, longTailed.body, longTailed.body.limbs);
+  const LimbMotion& tail = motion.limbs[placeOf("tail")];
+  REQUIRE(tail.reach > 1.5 * motion.reach);
+  CHECK(tail.weight == Approx(0.35 / std::sqrt(tail.reach / motion.reach)));
 }
 
 TEST_CASE("A chain that the user picked has its moments beside the body's limbs") {

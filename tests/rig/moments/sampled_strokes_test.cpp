@@ -352,6 +352,68 @@ TEST_CASE("a stroke turns where its way comes past a right angle, not at one") {
   }
 }
 
+namespace {
+
+/// Steps of a leg, 0.6 forwards in a third of a second each, lifted so high, after which the foot stands.
+struct Steps {
+  int count = 1;
+  double lift = 0.1;
+  double comesDownTo = 0.0; ///< Above where it stood.
+  double creeps = 0.0;      ///< How fast it goes on after it is put down.
+};
+
+LimbMotion stepping(const Steps& steps, bool isLeg = true) {
+  std::vector<Vec3> velocities(10, Vec3(0.0));
+  for (int i = 0; i < steps.count; ++i) {
+    for (int sample = 0; sample < 20; ++sample) {
+      const double part = (sample + 0.5) / 20.0;
+      const double height = sample < 10 ? steps.lift : steps.comesDownTo - steps.lift;
+      velocities.emplace_back(0.0, height / 10.0 * samplesPerSecond,
+                              0.3 * pi * std::sin(pi * part) / 20.0 * samplesPerSecond);
+    }
+    velocities.insert(velocities.end(), 12, Vec3(0.0, 0.0, steps.creeps));
+  }
+  LimbMotion limb = movedBy(Vec3(0.0, -1.0, -0.3), velocities);
+  limb.isLeg = isLeg;
+  return limb;
+}
+
+double strengthOfSteps(const LimbMotion& limb, bool goesRound = false) {
+  const std::vector<SampledStroke> strokes = strokesOf(bodyOf(limb.places.size(), 1.0), limb, goesRound);
+  return strokes.empty() ? 0.0 : strokes.front().strength;
+}
+
+/// Share of what the same way of any other limb counts.
+double shareOfSteps(const Steps& steps) {
+  return strengthOfSteps(stepping(steps)) / strengthOfSteps(stepping(steps, false));
+}
+
+} // namespace
+
+TEST_CASE("a foot that skims over the ground and is put down to stand steps, which counts three tenths") {
+  CHECK(shareOfSteps({.count = 1}) == Approx(0.3));
+  CHECK(shareOfSteps({.count = 2}) == Approx(0.3));
+  CHECK(shareOfSteps({.count = 3}) == 1.0);                       // a gait
+  CHECK(shareOfSteps({.lift = 0.4}) == 1.0);                      // a stamp
+  CHECK(shareOfSteps({.lift = 0.2, .comesDownTo = 0.15}) == 1.0); // a kick
+  CHECK(shareOfSteps({.creeps = 0.8}) == 1.0);                    // it slides on
+  CHECK(strengthOfSteps(stepping({}), true) == strengthOfSteps(stepping({}, false), true));
+}
+
+TEST_CASE("a step at the end of a clip, of which nobody sees whether the foot stands, counts whole") {
+  for (const auto& [left, share] : {std::pair{10, 0.3}, std::pair{2, 1.0}}) {
+    LimbMotion leg = stepping({});
+    for (std::vector<Vec3>* const list : {&leg.places, &leg.ends, &leg.velocities}) {
+      list->resize(list->size() - 12 + static_cast<std::size_t>(left));
+    }
+    leg.speeds.resize(leg.places.size());
+    LimbMotion other = leg;
+    other.isLeg = false;
+    CAPTURE(left);
+    CHECK(strengthOfSteps(leg) == Approx(share * strengthOfSteps(other)));
+  }
+}
+
 TEST_CASE("landings are those that a slower way finds, sample by sample") {
   Row row(77);
   std::size_t found = 0;
