@@ -86,20 +86,17 @@ bool isPeak(const std::vector<double>& speeds, std::size_t i) {
          (i + 1 == speeds.size() || speeds[i] >= speeds[i + 1]);
 }
 
-void dropWeak(std::vector<SampledStroke>& strokes) {
-  std::erase_if(strokes, [](const SampledStroke& stroke) { return stroke.strength < leastStrength; });
-}
-
-/// A step or two only carry the body along; more of them are a gait that does not close.
+/// A step or two only carry the body along, and are the weakest of moments at least; more of them are a gait
+/// that does not close.
 void lessenSteps(const BodyMotion& motion, const LimbMotion& limb, std::vector<SampledStroke>& strokes) {
   constexpr double stepShare = 0.3;
   constexpr std::ptrdiff_t fewSteps = 2;
   const auto steps = [&](const SampledStroke& stroke) { return isStep(motion, limb, stroke); };
   if (std::ranges::count_if(strokes, steps) <= fewSteps) {
     for (SampledStroke& stroke : strokes) {
-      stroke.strength *= steps(stroke) ? stepShare : 1.0;
+      stroke.strength =
+          steps(stroke) ? std::max(leastStrength, stepShare * stroke.strength) : stroke.strength;
     }
-    dropWeak(strokes);
     std::ranges::stable_sort(strokes, std::ranges::greater{}, &SampledStroke::strength);
   }
 }
@@ -120,7 +117,7 @@ std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion&
       all.push_back(stroke);
     }
   }
-  dropWeak(all);
+  std::erase_if(all, [](const SampledStroke& stroke) { return stroke.strength < leastStrength; });
   std::ranges::stable_sort(all, std::ranges::greater{}, &SampledStroke::strength);
   std::vector<SampledStroke> apart;
   for (const SampledStroke& stroke : all) {

@@ -378,8 +378,9 @@ LimbMotion stepping(const Steps& steps, bool isLeg = true) {
   return limb;
 }
 
-double strengthOfSteps(const LimbMotion& limb, bool goesRound = false) {
-  const std::vector<SampledStroke> strokes = strokesOf(bodyOf(limb.places.size(), 1.0), limb, goesRound);
+double strengthOfSteps(const LimbMotion& limb, bool goesRound = false, double bodyReach = 1.0) {
+  const std::vector<SampledStroke> strokes =
+      strokesOf(bodyOf(limb.places.size(), bodyReach), limb, goesRound);
   return strokes.empty() ? 0.0 : strokes.front().strength;
 }
 
@@ -398,6 +399,8 @@ TEST_CASE("a foot that skims over the ground and is put down to stand steps, whi
   CHECK(shareOfSteps({.lift = 0.2, .comesDownTo = 0.15}) == 1.0); // a kick
   CHECK(shareOfSteps({.creeps = 0.8}) == 1.0);                    // it slides on
   CHECK(strengthOfSteps(stepping({}), true) == strengthOfSteps(stepping({}, false), true));
+  const double whole = strengthOfSteps(stepping({}, false));
+  CHECK(strengthOfSteps(stepping({}), false, whole) == 0.5); // Of 1: a step stays a moment.
 }
 
 TEST_CASE("a step at the end of a clip, of which nobody sees whether the foot stands, counts whole") {
