@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/anim/frames.h"
@@ -88,27 +89,47 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
                               [&](const CopyOnWrite<Track>& track) { return carriesIt(track->node); });
 }
 
-// See StandingFloor::flies. Legs that rest tell nothing: they hang still in the air, too.
+// How far places of a limb stray from where they are at first, world units.
+struct Stray {
+  std::vector<Vec3> first = {};
+  double base = 0.0;
+  double end = 0.0;
+
+  void add(const std::vector<Vec3>& points) {
+    first = first.empty() ? points : first;
+    base = std::max(base, glm::distance(points.front(), first.front()));
+    end = std::max(end, glm::distance(points.back(), first.back()));
+  }
+};
+
+double lowestOf(const std::vector<rig::Limb>& limbs, bool (*isAsked)(const rig::LimbPlace&),
+                const FrameState& pose) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const rig::Limb& limb : limbs) {
+    lowest = isAsked(limb) ? std::min(lowest, std::ranges::min(rig::limbPoints(limb, pose), {}, &Vec3::y).y)
+                           : lowest;
+  }
+  return lowest;
+}
+
+bool isWing(const rig::LimbPlace& limb) {
+  return limb.kind == rig::LimbKind::wing;
+}
+
+// See StandingFloor::flies. Legs that rest as the body does tell nothing: they hang still in the air, too.
 bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& places) {
-  constexpr double clearly = 0.1; // of the height
-  constexpr double often = 0.25;  // of the frames
+  const double clearly = 0.1 * document.body.height;
+  const double still = 0.02 * document.body.height;
+  constexpr double often = 0.25; // of the frames
   constexpr double mostFrames = 240.0;
   const std::vector<rig::Limb> limbs = allLimbs(document);
-  const auto isWing = [](const rig::Limb& limb) { return limb.kind == rig::LimbKind::wing; };
   if (std::ranges::none_of(limbs, isWing)) {
     return false;
   }
   FrameState pose;
-  const auto lowestOf = [&](const auto& isAsked) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const rig::Limb& limb : limbs) {
-      lowest = isAsked(limb) ? std::min(lowest, std::ranges::min(rig::limbPoints(limb, pose), {}, &Vec3::y).y)
-                             : lowest;
-    }
-    return lowest;
-  };
   pose.worlds = places.worlds;
-  double standing = lowestOf([](const rig::Limb&) { return true; });
+  double standing = lowestOf(
+      limbs, [](const rig::LimbPlace&) { return true; }, pose);
   for (const Bounds& mesh : places.meshes) {
     standing = mesh.empty() ? standing : std::min(standing, mesh.low.y);
   }
@@ -116,12 +137,24 @@ bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& pl
   const double last = wholeFrameAtMost(endInFrames(motion));
   int looked = 0;
   int below = 0;
+  Vec2 wingsFromTo(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  std::vector<Stray> strays(limbs.size());
   for (double frame = 0.0; frame <= last; frame += std::max(1.0, last / mostFrames), ++looked) {
     pose = rig::sampledFrame(*document.scene, motion, frame / motion.framesPerSecond);
-    const double feet = lowestOf([](const rig::Limb& limb) { return isLeg(limb); });
-    below += lowestOf(isWing) < std::min(standing, feet) - clearly * document.body.height ? 1 : 0;
+    const double feet = lowestOf(limbs, rig::isLeg, pose);
+    const double wings = lowestOf(limbs, isWing, pose);
+    wingsFromTo = {std::min(wingsFromTo.x, wings), std::max(wingsFromTo.y, wings)};
+    below += wings < std::min(standing, feet) - clearly ? 1 : 0;
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+      strays[i].add(rig::limbPoints(limbs[i], pose));
+    }
   }
-  return below > 0 && below >= often * looked;
+  const auto stands = [&](const rig::Limb& limb) {
+    const Stray& stray = strays[static_cast<std::size_t>(&limb - limbs.data())];
+    return isLeg(limb) && stray.end <= still && stray.base > still;
+  };
+  const bool beat = wingsFromTo.y - wingsFromTo.x > clearly;
+  return beat && below > 0 && below >= often * looked && std::ranges::none_of(limbs, stands);
 }
 
 } // namespace

@@ -121,8 +121,15 @@ Document beater() {
 }
 
 // The stepper with a tail, and with long wings for arms that reach below its feet, on its way down a slope.
-// Of the wings and the tail those named go straight down once, for 8 frames; or the wings all the time.
-Document descending(const std::vector<const char*>& dips, bool beats) {
+// Of the wings and the tail those named go straight down.
+enum class Down {
+  once,     ///< For 8 frames.
+  beating,  ///< All the time, in the air.
+  hanging,  ///< From beginning to end, on a perch.
+  crouching ///< All the time, on a perch on which the foot stands while the body sinks.
+};
+
+Document descending(const std::vector<const char*>& limbs, Down goes) {
   Document document = stepper();
   std::vector<Track> tracks{*document.clips->front().tracks.front()};
   Scene scene = *document.scene;
@@ -141,13 +148,14 @@ Document descending(const std::vector<const char*>& dips, bool beats) {
   tail.restLength = 1.7;
   document.body.limbs.push_back(tail);
   document.scene = std::make_shared<const Scene>(std::move(scene));
-  for (const char* const limb : dips) {
+  for (const char* const limb : limbs) {
     tracks.push_back(turnsOf(document, limb));
     const Vec3 axis = std::string(limb) == "tail"        ? Vec3(-1.0, 0.0, 0.0)
                       : std::string(limb) == "left-wing" ? Vec3(0.0, 0.0, -1.0)
                                                          : Vec3(0.0, 0.0, 1.0);
     for (int frame = 0; frame <= 50; ++frame) {
-      const double down = beats                      ? 0.5 - 0.5 * std::cos(2.0 * pi * frame / 10.0)
+      const double down = goes == Down::hanging      ? 1.0
+                          : goes != Down::once       ? 0.5 - 0.5 * std::cos(2.0 * pi * frame / 10.0)
                           : frame < 20 || frame > 27 ? 0.0
                                                      : 1.0;
       addKey(tracks.back(), frame, glm::angleAxis(0.5 * pi * down, axis));
@@ -158,7 +166,17 @@ Document descending(const std::vector<const char*>& dips, bool beats) {
   sinks.channel = Channel::translation;
   sinks.width = 3;
   sinks.times = {0.0F, 50.0F / 30.0F};
-  sinks.values = {0.0F, 1.0F, 0.0F, 0.0F, beats ? 1.0F : 0.7F, 0.0F};
+  const float lower = goes == Down::once || goes == Down::crouching ? 0.7F : 1.0F;
+  sinks.values = {0.0F, 1.0F, 0.0F, 0.0F, lower, 0.0F};
+  if (goes == Down::crouching) {
+    Track foot = sinks;
+    foot.node = findLimb(document, "left-leg")->endNode;
+    const Vec3 rest = document.scene->nodes[at(foot.node)].rest.translation;
+    for (std::size_t i = 0; i < foot.values.size(); ++i) {
+      foot.values[i] = static_cast<float>(rest[static_cast<int>(i % 3)]) + (i == 4 ? 1.0F - lower : 0.0F);
+    }
+    tracks.front() = foot; // It does not step.
+  }
   return withTracks(document, tracks);
 }
 
@@ -365,15 +383,25 @@ TEST_CASE("A body that walks down a slope and dips its tail or a wing keeps its 
           "has none") {
   for (const char* const limb : {"tail", "left-wing"}) {
     CAPTURE(limb);
-    const StandingFloor walks = standingOf(descending({limb}, false));
+    const StandingFloor walks = standingOf(descending({limb}, Down::once));
     CHECK_FALSE(walks.flies);
     CHECK(walks.floor.has_value());
   }
-  const Document beating = descending({"left-wing", "right-wing"}, true);
+  const Document beating = descending({"left-wing", "right-wing"}, Down::beating);
   REQUIRE(rig::standingHeight(*beating.scene, beating.clips->front(), *findLimb(beating, "left-leg")));
   CHECK(standingOf(beating).flies); // though its leg hangs still
   CHECK_FALSE(standingOf(beating).floor);
   CHECK_FALSE(floorHeight(beating, 0));
+}
+
+TEST_CASE(
+    "A body on a perch, whose wings hang below its feet or beat there while a foot stands, does not fly") {
+  for (const Down goes : {Down::hanging, Down::crouching}) {
+    const Document perched = descending({"left-wing", "right-wing"}, goes);
+    CAPTURE(static_cast<int>(goes));
+    CHECK_FALSE(standingOf(perched).flies);
+    CHECK(standingOf(perched).floor.has_value());
+  }
 }
 
 TEST_CASE("A trail along the ground that cannot be done takes its own grips along when it is left out") {
