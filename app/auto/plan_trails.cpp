@@ -26,6 +26,7 @@ constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker 
 constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
                                      // says
 constexpr double fullChain = 2.0;    // likewise of necks, tails and the like, which are as long as the body
+constexpr double calmClip = 0.5;     // of what is full: a clip whose strongest has that gets all of it, too
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
 constexpr double nearStrongest = 0.6;   // of the clip's strongest: what is weaker gets less, as a wind-up
                                         // beside its strike
@@ -38,7 +39,8 @@ constexpr double farthestElbow = 0.7;   // of all bones: from the line between i
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
-constexpr double sharedWay = 0.5;         // of the next range: until then it has hardly begun
+constexpr double swungAlong = 0.5;  // of the exaggeration: a tail beside a stronger limb only follows it
+constexpr double sharedWay = 0.5;   // of the next range: until then it has hardly begun
 constexpr double carriedBack = 0.5; // of what a scale adds: where the limb itself goes so far, it is no jump
 constexpr double fullOvershoot = 1.0 / 3.0; // seconds of a way back: in less it would be a jerk the other way
 
@@ -211,10 +213,17 @@ private:
     return rig::isTrunk(limb) || limb.kind == rig::LimbKind::tail || limb.kind == rig::LimbKind::feeler;
   }
 
-  // Share of the style's exaggeration: of the moment's own strength, less beside the clip's strongest, and
-  // beside a stronger limb at the same time.
+  [[nodiscard]] bool isFollower(const std::string& limb) const {
+    const rig::LimbKind kind = findLimb(ground_.document, limb)->kind;
+    return kind == rig::LimbKind::tail || kind == rig::LimbKind::feeler;
+  }
+
+  // Share of the style's exaggeration: of the moment's own strength, which counts by the clip's strongest
+  // where that is calm, as in a slow walk; less beside the clip's strongest, and beside a stronger limb at
+  // the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double full = isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
+    const double most = isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
+    const double full = std::clamp(strongest_, calmClip * most, most);
     const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
                        std::min(1.0, moment.strength / (nearStrongest * strongest_));
     const bool follows = moment.kind == rig::MomentKind::stroke &&
@@ -222,7 +231,8 @@ private:
                            return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
                                   overlap(moment, other) && moment.strength < asStrong * other.strength;
                          });
-    return own * (follows ? settings_.style.spread.limbs : 1.0);
+    const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
+    return own * (follows ? swung * settings_.style.spread.limbs : 1.0);
   }
 
   // A style's numbers are of limbs as long as people have them.
@@ -413,17 +423,19 @@ private:
 
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
   // where the clip is no loop, before its end. A step of a cycle is taken back for as long as the ground
-  // carries the foot: in less the foot would skate.
+  // carries the foot: in less the foot would skate. A tail settles for as long as it went out, and gets no
+  // shorter than it is: long as it is, it would pop.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
       rig::TrailSettings& settings = planned.trail.settings;
       const double wanted = settings.releaseFrames.value_or(0.5 * (settings.endFrame - settings.startFrame));
       const double carried = isStep(planned) ? roomAfter(planned.trail, 0.0) : 0.0;
-      const double release =
-          std::clamp(roomAfter(planned.trail, sharedWay), 0.0, std::max({wanted, seenFrames(), carried}));
+      const double settles = isFollower(planned.trail.limb) ? settings.endFrame - settings.startFrame : 0.0;
+      const double release = std::clamp(roomAfter(planned.trail, sharedWay), 0.0,
+                                        std::max({wanted, seenFrames(), carried, settles}));
       settings.releaseFrames = release;
       const double time = std::min(1.0, release / ground_.framesPerSecond / fullOvershoot);
-      settings.overshoot *= isStep(planned) ? 0.0 : time * time;
+      settings.overshoot *= isStep(planned) || settles > 0.0 ? 0.0 : time * time;
     }
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }

@@ -92,25 +92,34 @@ constexpr const char* isWeak = "it is weak beside the clip's strongest";
 
 } // namespace
 
-TEST_CASE("A moment gets all of a style from six reaches a second on, a fifth of it at least", "[plan]") {
+TEST_CASE(
+    "A moment gets all of a style from six reaches a second on, the strongest of a calm clip from three",
+    "[plan]") {
   const Document document = striking();
   const ClipGround ground = plannedGround(document);
-  for (const auto& [strength, share] : {std::pair(12.0, 1.0),
-                                        {6.0, 1.0},
-                                        {5.9, 5.9 / 6.0},
-                                        {3.0, 0.5},
-                                        {1.3, 1.3 / 6.0},
-                                        {1.1, 0.2},
-                                        {1.0, 0.2}}) {
+  for (const auto& [strength, share] :
+       {std::pair(12.0, 1.0), {5.9, 1.0}, {3.0, 1.0}, {2.9, 2.9 / 3.0}, {1.3, 1.3 / 3.0}, {1.0, 1.0 / 3.0}}) {
     CAPTURE(strength);
     CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, strength)}), 0) == Approx(share));
   }
   AutoSettings half = twiceAsLong();
   half.strength = 0.5;
-  CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, 3.0)}, half), 0) == Approx(0.25));
-  // Of a spine, which is as long as the body, from two on.
-  CHECK(shareOf(planFor(ground, {stroke("spine", 0, 10, 2.0)}), 0) == Approx(1.0));
-  CHECK(shareOf(planFor(ground, {stroke("spine", 0, 10, 1.5)}), 0) == Approx(0.75));
+  CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, 1.5)}, half), 0) == Approx(0.25));
+  // Of a spine, which is as long as the body, from one on, beside a stronger limb from two.
+  CHECK(shareOf(planFor(ground, {stroke("spine", 0, 10, 1.0)}), 0) == Approx(1.0));
+  const auto beside = [&](double strength) {
+    return shareOf(planFor(ground, {stroke("left-arm", 20, 30, 2.0), stroke("spine", 0, 10, strength)}), 1);
+  };
+  CHECK(beside(2.0) == Approx(1.0));
+  CHECK(beside(1.5) == Approx(0.75));
+  // So is what there is beside it in a calm clip.
+  const auto second = [&](double strongest) {
+    return shareOf(planFor(ground, {stroke("left-arm", 0, 10, strongest), stroke("left-arm", 40, 50, 3.0)}),
+                   1);
+  };
+  CHECK(second(4.0) == Approx(0.75));
+  CHECK(second(5.0) == Approx(0.6));
+  CHECK(second(9.0) == Approx(0.5 * 3.0 / 5.4));
   CHECK(whyNot(ground, stroke("left-arm", 0, 10, 0.99)) == "it is too weak to be an action");
 }
 
@@ -152,7 +161,7 @@ TEST_CASE("A moment that is refused makes no other one weak, and tells why it is
   CHECK(planFor(ground, moments).leftOut[1] == isWeak);
   const AutoPlan plan = planTrails(ground, moments, twiceAsLong(), {{0, "it cannot be"}});
   CHECK(plan.leftOut == std::vector<std::string>{"it cannot be", ""});
-  CHECK(shareOf(plan, 1) == Approx(5.0 / 6.0));
+  CHECK(shareOf(plan, 1) == Approx(1.0));
   // What is refused is told by its place among those that are asked for, not among those beside them.
   AutoSettings settings = twiceAsLong();
   settings.beside = {stroke("left-arm", 70, 80, 60.0)};
@@ -239,6 +248,28 @@ TEST_CASE("A way back is as long as the style asks, a sixth of a second at least
   CHECK(releaseOf(0, 10) == Approx(10.0));
   ground.framesPerSecond = 6.0;
   CHECK(releaseOf(0, 5) == Approx(2.0)); // Never less than two frames.
+}
+
+TEST_CASE("A tail or a feeler settles for as long as it went out, where there is room", "[plan]") {
+  Document document = striking();
+  for (const auto& [kind, release] :
+       {std::pair(rig::LimbKind::tail, 40.0), {rig::LimbKind::feeler, 40.0}, {rig::LimbKind::wing, 8.0}}) {
+    document.body.limbs[0].kind = kind;
+    const ClipGround ground = plannedGround(document);
+    const auto releaseOf = [&](double startFrame, double endFrame) {
+      return *plannedSettings(planFor(ground, {stroke("left-arm", startFrame, endFrame, 9.0)})).releaseFrames;
+    };
+    CAPTURE(release);
+    CHECK(releaseOf(0, 40) == Approx(release));
+    CHECK(releaseOf(40, 84) == Approx(6.0)); // The clip ends.
+    AutoSettings settings = twiceAsLong();
+    settings.style.overshoot = 0.2;
+    const bool follows = kind != rig::LimbKind::wing;
+    CHECK((plannedSettings(planFor(ground, {stroke("left-arm", 0, 20, 9.0)}, settings)).overshoot == 0.0) ==
+          follows);
+    const std::vector<rig::Moment> beside{stroke("right-arm", 0, 10, 20.0), stroke("left-arm", 0, 10, 15.0)};
+    CHECK(shareOf(planFor(ground, beside), 1) == Approx(follows ? 0.5 : 1.0));
+  }
 }
 
 TEST_CASE("A way back ends before the next stroke of its limb has gone half of its way", "[plan]") {

@@ -559,7 +559,7 @@ TEST_CASE(
     }
     rig::Moment moment = momentsOf(still, 0).front();
     moment.limb = limb;
-    moment.strength = 2.0;
+    moment.strength = 1.0;
     const AutoClip made = exaggerateClip(withTracks(still, {track}), 0, {moment}, in("Opera"));
     REQUIRE(made.trailIds.size() == 1);
     CAPTURE(limb);
