@@ -6,7 +6,7 @@
 For each file the two clips with the strongest moments, each in the styles in turn (--all-styles: in each of them):
 - no limb's end and no vertex lower than the lowest of the source in the clip (FLOOR of the height), on every frame, of a
   body that is not in the air: one whose source's wings end far below the ground, y = 0, and its feet (FLIGHT of the height), on
-  BEATS of the frames or more, as StandingFloor::flies has it;
+  BEATS of the frames or more (StandingFloor::flies asks as well that they beat, and that no foot stands);
 - no limb longer than the style's largest scale of its own length, or of the source's where that is more;
 - a clip whose last pose is its first still closes (1 cm and 0.1 m/s of a person more than in the source);
 - trails of one limb share no time, and each moment has a trail or says why not;
