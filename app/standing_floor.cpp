@@ -112,6 +112,18 @@ double lowestOf(const std::vector<rig::Limb>& limbs, bool (*isAsked)(const rig::
   return lowest;
 }
 
+// How far the wings reach down from where they hang, 0 at most.
+double wingsDown(const std::vector<rig::Limb>& limbs, const FrameState& pose) {
+  double down = 0.0;
+  for (const rig::Limb& limb : limbs) {
+    if (limb.kind == rig::LimbKind::wing) {
+      const std::vector<Vec3> points = rig::limbPoints(limb, pose);
+      down = std::min(down, std::ranges::min(points, {}, &Vec3::y).y - points.front().y);
+    }
+  }
+  return down;
+}
+
 bool isWing(const rig::LimbPlace& limb) {
   return limb.kind == rig::LimbKind::wing;
 }
@@ -137,13 +149,14 @@ bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& pl
   const double last = wholeFrameAtMost(endInFrames(motion));
   int looked = 0;
   int below = 0;
-  Vec2 wingsFromTo(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  Vec2 downFromTo(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
   std::vector<Stray> strays(limbs.size());
   for (double frame = 0.0; frame <= last; frame += std::max(1.0, last / mostFrames), ++looked) {
     pose = rig::sampledFrame(*document.scene, motion, frame / motion.framesPerSecond);
     const double feet = lowestOf(limbs, rig::isLeg, pose);
     const double wings = lowestOf(limbs, isWing, pose);
-    wingsFromTo = {std::min(wingsFromTo.x, wings), std::max(wingsFromTo.y, wings)};
+    const double down = wingsDown(limbs, pose);
+    downFromTo = {std::min(downFromTo.x, down), std::max(downFromTo.y, down)};
     below += wings < std::min(standing, feet) - clearly ? 1 : 0;
     for (std::size_t i = 0; i < limbs.size(); ++i) {
       strays[i].add(rig::limbPoints(limbs[i], pose));
@@ -153,7 +166,7 @@ bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& pl
     const Stray& stray = strays[static_cast<std::size_t>(&limb - limbs.data())];
     return isLeg(limb) && stray.end <= still && stray.base > still;
   };
-  const bool beat = wingsFromTo.y - wingsFromTo.x > clearly;
+  const bool beat = downFromTo.y - downFromTo.x > clearly;
   return beat && below > 0 && below >= often * looked && std::ranges::none_of(limbs, stands);
 }
 

@@ -11,9 +11,9 @@ namespace stretch::app {
 
 /// Heights that legs stand at in a clip, world units along +Y. Nothing where no leg stands.
 struct StandingFloor {
-  /// Whether a body with wings is in the air: they beat clearly below where the body stands in the bind pose
-  /// and below its feet, on a quarter of the clip or more, and no foot keeps its place while its leg's base
-  /// moves. What only dips or hangs there is not. No leg stands then.
+  /// Whether a body with wings is in the air: they beat, seen from where they hang, and clearly below where
+  /// the body stands in the bind pose and below its feet, on a quarter of the clip or more, and no foot keeps
+  /// its place while its leg's base moves. What only dips or hangs there is not. No leg stands then.
   bool flies = false;
   std::optional<double> ankles = {}; ///< Ends of legs where they stand lowest.
   std::optional<double> floor = {};  ///< What stands on it is as far below the ankle as in the bind pose.

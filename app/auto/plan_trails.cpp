@@ -423,8 +423,8 @@ private:
 
   // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
   // where the clip is no loop, before its end. A step of a cycle is taken back for as long as the ground
-  // carries the foot: in less the foot would skate. A tail settles for as long as it went out, and gets no
-  // shorter than it is: long as it is, it would pop.
+  // carries the foot: in less the foot would skate. A tail settles for as long as it went out at least, and
+  // gets no shorter than it is: long as it is, it would pop.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
       rig::TrailSettings& settings = planned.trail.settings;

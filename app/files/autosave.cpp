@@ -43,7 +43,8 @@ Json readAutosave(const fs::path& file) {
   return ours ? json : Json();
 }
 
-/// When a process began, in ticks since the system did (proc(5), stat, the 22nd field); 0: unknown.
+/// When a process began, in ticks since the system did (proc(5), stat, the 22nd field); 0: unknown, or it has
+/// ended and nobody has asked how yet.
 std::uint64_t beginOf(long process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::string line;
@@ -52,12 +53,14 @@ std::uint64_t beginOf(long process) {
   const std::size_t end = line.rfind(')');
   std::istringstream fields(end == std::string::npos ? std::string() : line.substr(end + 1));
   std::string word;
-  for (int field = 3; field < 22; ++field) {
+  std::string state;
+  fields >> state;
+  for (int field = 4; field < 22; ++field) {
     fields >> word;
   }
   std::uint64_t ticks = 0;
   fields >> ticks;
-  return fields ? ticks : 0;
+  return fields && state != "Z" && state != "X" ? ticks : 0;
 }
 
 /// The numbers of processes are given out again: the one that kept the work is the one that began when it

@@ -14,7 +14,7 @@ struct FileFacts {
     std::string name; ///< Empty where the file gives none.
     double seconds = 0.0;
   };
-  std::string kind; ///< "Binary glTF", "VRM avatar", "One mesh of a sequence"; empty: not a file to open.
+  std::string kind; ///< "Binary glTF", "VRM avatar", "OBJ mesh"; empty: not a file to open.
   std::uintmax_t bytes = 0;
   bool isScene = false; ///< The numbers below were read.
   int meshes = 0;

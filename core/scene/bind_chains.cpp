@@ -191,12 +191,16 @@ bool isMovedByOneSkin(const Scene& scene, int mesh) {
   return skins.size() == 1;
 }
 
-void follow(const std::map<std::uint16_t, std::uint16_t>& jointOfCorner, VertexInfluences& vertex) {
+// Answers whether the vertex follows a corner.
+bool follow(const std::map<std::uint16_t, std::uint16_t>& jointOfCorner, VertexInfluences& vertex) {
+  bool isOnCorners = false;
   for (std::uint16_t& slot : vertex.joints) {
     const auto joint = jointOfCorner.find(slot);
+    isOnCorners = isOnCorners || joint != jointOfCorner.end();
     slot = joint == jointOfCorner.end() ? slot : joint->second;
   }
   vertex = withoutRepeats(vertex);
+  return isOnCorners;
 }
 
 void foldCorners(Scene& scene) {
@@ -218,10 +222,12 @@ void foldCorners(Scene& scene) {
       continue;
     }
     for (Primitive& primitive : scene.meshes[at(node.mesh)].primitives) {
-      primitive.onCorners = primitive.influences;
+      std::vector<VertexInfluences> asWritten = primitive.influences;
+      bool isOnCorners = false;
       for (VertexInfluences& vertex : primitive.influences) {
-        follow(slots->second, vertex);
+        isOnCorners = follow(slots->second, vertex) || isOnCorners;
       }
+      primitive.onCorners = isOnCorners ? std::move(asWritten) : std::vector<VertexInfluences>();
     }
   }
 }

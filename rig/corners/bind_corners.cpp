@@ -99,7 +99,7 @@ private:
         const VertexInfluences* const onCorners =
             mesh.skin < 0 || primitive.onCorners.empty() ? nullptr : &primitive.onCorners[v];
         answers.push_back(split.of(influences[v], onCorners, Vec3(primitive.positions[v])));
-        if (answers.back().isMoved) {
+        if (answers.back().isMoved || answers.back().isFitted) {
           misses_.push_back(answers.back().miss / options_.height);
           fit_.fitted += answers.back().isFitted ? 1 : 0;
         }

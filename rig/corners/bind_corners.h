@@ -17,12 +17,12 @@ struct CornerOptions {
   std::vector<FrameState> moments;
 };
 
-/// Cost of fitting: distances of vertices from where the scale of leaves would have them, as shares of the
-/// height, at the moments that were looked at.
+/// Cost of fitting: distances of vertices from where the scale of leaves would have them, those on corners of
+/// the file from where these have them, as shares of the height, at the moments that were looked at.
 struct CornerFit {
   std::size_t joints = 0;   ///< Joints that corners carry.
   std::size_t corners = 0;  ///< Corners in use.
-  std::size_t vertices = 0; ///< Vertices that they move.
+  std::size_t vertices = 0; ///< Vertices that new ones move, or that are fitted.
   std::size_t fitted = 0;   ///< Vertices with more influences than allowed, which are fitted.
   double median = 0.0;
   double percentile99 = 0.0;

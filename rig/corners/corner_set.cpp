@@ -161,7 +161,7 @@ CornerSet setOf(const Scene& scene, NodeIndex joint, const std::vector<const Str
     if (isEnough) {
       return set;
     }
-    set = {joint, {}, 0, 0, {}};
+    set = {joint, {}, 0, 0, {}, made->nodes()};
   }
   const Vec3 direction = axisOf(*stretches.front());
   const bool hasEnds = onlyLengthen(stretches, direction);

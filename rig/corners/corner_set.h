@@ -13,7 +13,8 @@ struct CornerSet {
   std::vector<Vec3> places;  ///< In the joint's space, at rest.
   std::size_t enclosing = 0; ///< The first of them, which hold every vertex.
   std::size_t offered = 0; ///< The first of them, which any vertex is fitted by; the rest stand at vertices.
-  std::vector<BindCorner> made; ///< The file's own, by place, which are used again; empty: new ones.
+  std::vector<BindCorner> made;        ///< The file's own, by place, which are used again; empty: new ones.
+  std::vector<NodeIndex> givenUp = {}; ///< The file's own that are not enough, which vertices leave.
 
   [[nodiscard]] std::vector<Vec3> enclosingPlaces() const {
     return {places.begin(), places.begin() + static_cast<std::ptrdiff_t>(enclosing)};

@@ -30,6 +30,9 @@ VertexSplit::VertexSplit(const MovedMesh& mesh, std::map<NodeIndex, CornerSet>& 
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     const auto found = sets.find(mesh.joints[slot]);
     slots_[slot].corners = found == sets.end() ? nullptr : &found->second;
+    slots_[slot].isGivenUp = std::ranges::any_of(sets, [&](const auto& set) {
+      return std::ranges::find(set.second.givenUp, mesh.joints[slot]) != set.second.givenUp.end();
+    });
     const std::size_t made = found == sets.end() ? 0 : found->second.made.size();
     for (std::size_t corner = 0; corner < made; ++corner) {
       const std::map<int, int>& slotOf = found->second.made[corner].slotOf;
@@ -95,7 +98,7 @@ std::vector<CornerInfluence> VertexSplit::partsOf(const VertexInfluences& vertex
     CornerInfluence part =
         corner == made_.end() ? CornerInfluence{written.joints[i], -1, 0.0} : corner->second;
     part.weight = static_cast<double>(written.weights[i]);
-    if (part.slot < slots_.size() && !isNew(part.slot)) {
+    if (part.slot < slots_.size() && !slots_[part.slot].isGivenUp && !isNew(part.slot)) {
       add(part);
     }
   }

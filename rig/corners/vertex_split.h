@@ -37,6 +37,7 @@ public:
 private:
   struct Slot {
     CornerSet* corners = nullptr;
+    bool isGivenUp = false;                 // a corner of the file whose joint has new ones
     std::vector<Mat4> matrices;             // of the joint, without its stretch; for each moment
     std::vector<std::vector<Vec3>> offsets; // of the corners, by moment
   };

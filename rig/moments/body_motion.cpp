@@ -47,8 +47,9 @@ void setVelocities(PlaceMotion& motion, double samplesPerSecond) {
 double weightOf(const Limb& limb, bool hasOuterLimbs, bool isBiped, double lengths) {
   constexpr double trunk = 0.6;
   constexpr double follower = 0.35;
+  constexpr double leastNeck = 0.2; // of the body's reach: what is shorter trembles
   if (limb.kind == LimbKind::neck && !isBiped) {
-    return 1.0 / std::min(1.0, lengths);
+    return 1.0 / std::clamp(lengths, leastNeck, 1.0);
   }
   if (limb.kind == LimbKind::tail || limb.kind == LimbKind::feeler) {
     return follower / std::sqrt(std::max(1.0, lengths));

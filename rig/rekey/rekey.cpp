@@ -115,9 +115,14 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
                   const RekeyOptions& options) {
   ExactMotion exact(scene, clip, motion);
   const std::vector<KeyedPart> parts = keyedParts(motion);
-  const ChosenKeys chosen = chooseKeys(exact, parts, placedFor(clip, options));
+  const RekeyOptions placed = placedFor(clip, options);
+  const ChosenKeys chosen = chooseKeys(exact, parts, placed);
+  std::vector<ChannelKeys> channels = keysOfChannels(chosen.parts);
+  for (ChannelKeys& channel : channels) {
+    channel.framesPerSecond = placed.places == KeyPlaces::wholeFrames ? clip.framesPerSecond : 0.0;
+  }
   RekeyedClip rekeyed;
-  rekeyed.tracks = buildTracks(exact, keysOfChannels(chosen.parts));
+  rekeyed.tracks = buildTracks(exact, channels);
   std::vector<StretchWindows> stretched;
   for (const auto& [node, frames] : chosen.frames) {
     std::vector<KeyWindow> windows = windowsOfStretch(node, chosen.parts);

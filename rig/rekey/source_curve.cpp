@@ -73,10 +73,17 @@ bool follows(const SourceCurve& curve, const Key& from, const Key& to) {
   return true;
 }
 
+// Of two times, or the even one that is nearest to it.
+float middleOf(const Key& from, const Key& to, double perSecond) {
+  const double middle = 0.5 * (static_cast<double>(from.time) + static_cast<double>(to.time));
+  return static_cast<float>(perSecond > 0.0 ? std::round(middle * perSecond) / perSecond : middle);
+}
+
 void addJointsTo(const SourceCurve& curve, const Key& from, const Key& to, int depth, std::vector<Key>& out) {
-  const auto middle =
-      static_cast<float>(0.5 * (static_cast<double>(from.time) + static_cast<double>(to.time)));
-  if (depth == 0 || !(from.time < middle && middle < to.time) || follows(curve, from, to)) {
+  const float middle = middleOf(from, to, curve.jointsPerSecond());
+  const float least =
+      curve.jointsPerSecond() > 0.0 ? static_cast<float>(0.1 / curve.jointsPerSecond()) : 0.0F;
+  if (depth == 0 || !(from.time + least < middle && middle < to.time - least) || follows(curve, from, to)) {
     return;
   }
   const Key joint = curve.cutAt(middle);

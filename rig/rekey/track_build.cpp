@@ -141,7 +141,7 @@ void joinSource(const ChannelKeys& keys, const Key& cut, int outside, Key& key) 
 void joinOutside(const ChannelKeys& keys, std::size_t index, const Key& cut, int outside,
                  std::vector<Key>& out) {
   const Track& source = *keys.channel.source;
-  const SourceCurve curve(source);
+  const SourceCurve curve(source, keys.framesPerSecond);
   const auto after = std::upper_bound(source.times.begin(), source.times.end(), cut.time);
   const auto notBefore = std::lower_bound(source.times.begin(), source.times.end(), cut.time);
   if (outside > 0 && after != source.times.end()) {

@@ -16,6 +16,7 @@ struct KeyWindow {
 struct ChannelKeys {
   ChangedChannel channel;
   std::vector<KeyWindow> windows; ///< Disjoint, ascending.
+  double framesPerSecond = 0.0;   ///< Above 0: what is added beside the windows stands on whole frames alone.
 };
 
 /// The whole tracks, one for each channel: keys of the source outside the windows bit for bit, the exact

@@ -181,7 +181,7 @@ def worse_than_goal(report, target):
     problems = []
     source, own = report["source"], report["result"]
     if own["slide_percent"] is not None and own["slide_percent"] > 100 * LARGEST_SLIDE:
-        problems.append(f"a foot slides by {own['slide_percent']:.2f} % as told, the source's by {source['slide_percent']:.2f}")
+        problems.append(f"a foot slides by {own['slide_percent']:.2f} % as told, the source's by {source['slide_percent']}")
     if own["hands_widths"] is not None and not str(target).endswith(SHORT_ARMS) and own["hands_widths"] > MOST_HANDS:
         problems.append(f"hands that work together are {own['hands_widths']:.3f} widths of the shoulders off")
     mapped = report["mapped"]

@@ -252,7 +252,8 @@ void drawEverything(Editor& editor) {
   const float menuHeight = drawMenu(context);
   const auto width = static_cast<float>(size.width);
   const auto height = static_cast<float>(size.height);
-  const PaneSizes sizes = sizesBeside(shell.panes, shell.ui.time.tab, height / shell.theme.scale);
+  const PaneSizes sizes =
+      sizesBeside(shell.panes, showsGraph(shell.open, shell.ui.time.tab), height / shell.theme.scale);
   const PaneRects rects = dividePanes(sizes, width, height, shell.theme.scale, menuHeight,
                                       shell.theme.rowHeight() + shell.theme.px(6.0F));
   drawSidePanes(context, panels, shell, rects);

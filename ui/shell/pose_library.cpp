@@ -197,7 +197,7 @@ void tryPose(Shell& shell) {
     work.begun = true;
     work.unkeyed = std::exchange(session.view().unkeyed, {});
   }
-  tellProblem(shell, app::previewKeyed(session, app::blended(*work.blend, state.amount)));
+  tellProblem(shell, app::previewAsSeen(session, app::blended(*work.blend, state.amount)));
 }
 
 void takePosePicture(Shell& shell) {
@@ -224,7 +224,7 @@ void acceptPose(Shell& shell) {
   takeOffPose(shell);
   if (blend) {
     app::Session& session = *shell.open.character();
-    const Status taken = app::poseAll(session, app::blended(*blend, state.amount), "Take the pose " + name);
+    const Status taken = app::poseAsSeen(session, app::blended(*blend, state.amount), "Take the pose " + name);
     tellProblem(shell, taken);
     if (const std::string held = app::heldPoseText(session); taken && !held.empty()) {
       tell(shell, ToastKind::info, held);

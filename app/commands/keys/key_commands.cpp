@@ -24,6 +24,11 @@ Need rowsNeeded() {
   return {hasKeyRows, "open the graph or the dope sheet first"};
 }
 
+Need snapNeeded() {
+  return {[](const Session& session) { return hasPickedKeys(session) || hasKeyRows(session); },
+          "open the graph or the dope sheet first"};
+}
+
 Need copiedNeeded() {
   return {[](const Session& session) { return session.view().copiedKeys.has_value(); }, "copy keys first"};
 }
@@ -55,8 +60,15 @@ Status pasteHere(Session& session) {
                   "Paste");
 }
 
+// Without a pick, every key of the clip that stands between frames.
 Status snapPicked(Session& session) {
-  return editKeys(session, snapKeys(session.document(), session.view().clip, pickedKeys(session)), "Snap");
+  const Document& document = session.document();
+  const int clip = session.view().clip;
+  const KeySelection keys = hasPickedKeys(session) ? pickedKeys(session) : keysOffFrames(document, clip);
+  if (keys.empty()) {
+    return Error{"every key of the clip stands on a whole frame", "", "pick keys to move them"};
+  }
+  return editKeys(session, snapKeys(document, clip, keys), "Snap");
 }
 
 void pickAll(Session& session) {
@@ -110,8 +122,10 @@ std::vector<DocumentCommand> keyCommands() {
             pasteHere),
       entry(command::keysAll, "Pick all keys", "Picks every key that the graph or the dope sheet shows.", {},
             rowsNeeded(), doing(pickAll)),
-      entry(command::keysSnap, "Snap keys", "Moves the picked keys to whole frames.", {}, pickedNeeded(),
-            snapPicked),
+      entry(command::keysSnap, "Snap keys",
+            "Moves the picked keys to whole frames; with none picked, every key of the clip that stands "
+            "between.",
+            {}, snapNeeded(), snapPicked),
       kindCommand(command::keysAuto, "Auto tangents", "The curve passes the keys without overshooting.",
                   rig::KeyInterpolation::automatic),
       kindCommand(command::keysFlat, "Flat tangents", "The curve is level at the keys.",

@@ -155,9 +155,9 @@ Status pasteSeen(Session& session, const SeenPose& pose, const char* verb) {
   if (posed->offsets.empty()) {
     return Error{"the character stands so already", "", "move the playhead, or copy another pose"};
   }
-  return poseAll(session, posed->offsets,
-                 poseLabel(session.document(), verb, idsOf(posed->offsets.offsets)) +
-                     (posed->missed.empty() ? "" : "; " + missedText(session.document(), posed->missed)));
+  return poseAsSeen(session, posed->offsets,
+                    poseLabel(session.document(), verb, idsOf(posed->offsets.offsets)) +
+                        (posed->missed.empty() ? "" : "; " + missedText(session.document(), posed->missed)));
 }
 
 /// By names; the attributes that are as they were on both sides get no key.

@@ -98,6 +98,22 @@ KeyRange keyRange(const Session& session) {
   return {Vec2(std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last))};
 }
 
+KeyRange seenPoseRange(const Session& session) {
+  const ViewState& view = session.view();
+  const KeyRange range = keyRange(session);
+  const std::vector<double> frames = keyFrames(session.document(), view.clip, {});
+  if (range.rangeFrames || view.wholeClip || frames.empty()) {
+    return range;
+  }
+  constexpr double leastSeconds = 1.0 / 6.0; // a clip may have a key on every frame
+  const double least = leastSeconds * clipOf(session.document(), view.clip).framesPerSecond - frameTolerance;
+  const auto after = std::ranges::lower_bound(frames, view.frame + least);
+  const auto before = std::ranges::upper_bound(frames, view.frame - least);
+  const Vec2 between(before == frames.begin() ? 0.0 : *(before - 1),
+                     after == frames.end() ? lastFrame(session.document(), view.clip) : *after);
+  return between.y - between.x > frameTolerance ? KeyRange{between} : KeyRange{};
+}
+
 ControllerOffset shownOffset(const Session& session, const std::string& id) {
   const ViewState& view = session.view();
   const auto unkeyed = view.unkeyed.offsets.find(id);
@@ -273,44 +289,72 @@ bool endsAtOnce(const Session& session, bool first) {
 
 std::string heldPoseText(const Session& session) {
   const ViewState& view = session.view();
-  const auto isHeld = [&](const rig::Adjustment& adjustment) {
-    return adjustment.clip == view.clip && !adjustment.rangeFrames && adjustment.keys.size() == 1 &&
-           sameFrame(adjustment.keys.front().frame, view.frame);
+  const auto isHere = [&](const rig::OffsetKey& key) { return sameFrame(key.frame, view.frame); };
+  const auto begins = [&](const rig::Adjustment& adjustment) {
+    const Vec2 range = adjustment.rangeFrames.value_or(Vec2(view.frame));
+    return adjustment.clip == view.clip && std::ranges::any_of(adjustment.keys, isHere) &&
+           std::ranges::all_of(adjustment.keys, [&](const rig::OffsetKey& key) {
+             return isHere(key) || sameFrame(key.frame, range.x) || sameFrame(key.frame, range.y);
+           });
   };
-  return view.autoKey && std::ranges::any_of(session.document().adjustments, isHeld)
-             ? "The pose is held over the whole clip: a second key, or a range set before, ends it"
-             : std::string();
+  const std::vector<rig::Adjustment>& all = session.document().adjustments;
+  const auto first = std::ranges::find_if(all, begins);
+  if (!view.autoKey || keyRange(session).rangeFrames || first == all.end()) {
+    return {};
+  }
+  return first->rangeFrames
+             ? fmt::format(
+                   "The pose comes in from frame {:g} and is gone at {:g}, where the clip has keys: a range "
+                   "set before says otherwise",
+                   first->rangeFrames->x, first->rangeFrames->y)
+             : "The pose is held over the whole clip: a second key, or a range set before, ends it";
 }
 
-Status keyPose(Session& session, const OffsetPose& pose, const std::string& label) {
+namespace {
+
+Status keyPoseIn(Session& session, const OffsetPose& pose, const std::string& label, const KeyRange& range) {
   ViewState& view = session.view();
-  Status done = finish(
-      session,
-      setOffsets(session.document(), view.clip, view.frame, pose.offsets, pose.values, keyRange(session)),
-      label.c_str());
+  Status done =
+      finish(session, setOffsets(session.document(), view.clip, view.frame, pose.offsets, pose.values, range),
+             label.c_str());
   if (done) {
     forgetUnkeyed(view, pose);
   }
   return done;
 }
 
-Status poseAll(Session& session, const OffsetPose& pose, const std::string& label) {
-  return session.view().autoKey ? keyPose(session, pose, label) : poseWithoutKey(session, pose);
-}
-
-Status previewPose(Session& session, const OffsetPose& pose) {
-  return session.view().autoKey ? previewKeyed(session, pose) : poseWithoutKey(session, pose);
-}
-
-Status previewKeyed(Session& session, const OffsetPose& pose) {
+Status previewIn(Session& session, const OffsetPose& pose, const KeyRange& range) {
   const ViewState& view = session.view();
   Result<Document> keyed =
-      setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets, pose.values, keyRange(session));
+      setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets, pose.values, range);
   if (!keyed) {
     return keyed.error();
   }
   session.preview(std::move(keyed).value());
   return Success{};
+}
+
+} // namespace
+
+Status keyPose(Session& session, const OffsetPose& pose, const std::string& label) {
+  return keyPoseIn(session, pose, label, keyRange(session));
+}
+
+Status poseAll(Session& session, const OffsetPose& pose, const std::string& label) {
+  return session.view().autoKey ? keyPose(session, pose, label) : poseWithoutKey(session, pose);
+}
+
+Status poseAsSeen(Session& session, const OffsetPose& pose, const std::string& label) {
+  return session.view().autoKey ? keyPoseIn(session, pose, label, seenPoseRange(session))
+                                : poseWithoutKey(session, pose);
+}
+
+Status previewPose(Session& session, const OffsetPose& pose) {
+  return session.view().autoKey ? previewIn(session, pose, keyRange(session)) : poseWithoutKey(session, pose);
+}
+
+Status previewAsSeen(Session& session, const OffsetPose& pose) {
+  return previewIn(session, pose, seenPoseRange(session));
 }
 
 std::string poseLabel(const Document& document, const std::string& verb, std::span<const std::string> ids) {

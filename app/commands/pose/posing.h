@@ -17,6 +17,11 @@ namespace stretch::app {
 /// the user chose so.
 [[nodiscard]] KeyRange keyRange(const Session& session);
 
+/// Returns the range in which a pose acts that is taken as it was seen elsewhere: that of a first key, and
+/// where no range is set between the keys of the clip beside the playhead, a sixth of a second from it or
+/// more. On the whole clip where the user chose so, or the clip has no key there.
+[[nodiscard]] KeyRange seenPoseRange(const Session& session);
+
 /// Returns the offset of a controller at the playhead, keyed or not.
 [[nodiscard]] ControllerOffset shownOffset(const Session& session, const std::string& id);
 [[nodiscard]] double shownValue(const Session& session, const std::string& id);
@@ -69,19 +74,22 @@ Status endOffsetsHere(Session& session, bool start);
 /// at the playhead, at the first (`first`) or last frame of its range; never at the ends of the clip.
 [[nodiscard]] bool endsAtOnce(const Session& session, bool first);
 
-/// Tells that what was posed at the playhead is held over the whole clip by its one key; else empty.
+/// Tells how far a pose reaches that was taken at the playhead as it was seen, where no range was set: over
+/// the whole clip, or between keys of the clip; else empty.
 [[nodiscard]] std::string heldPoseText(const Session& session);
 
 /// Keys at the playhead, as one step, whether auto-key is on or not.
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label);
 
-/// One finished step: keyed at the playhead, or shown without a key while auto-key is off.
+/// One finished step: keyed at the playhead, or shown without a key while auto-key is off. The second one
+/// acts in seenPoseRange.
 Status poseAll(Session& session, const OffsetPose& pose, const std::string& label);
+Status poseAsSeen(Session& session, const OffsetPose& pose, const std::string& label);
 
 /// Poses within a drag that was begun; each preview is made from the state at its beginning.
 Status previewPose(Session& session, const OffsetPose& pose);
-/// Poses with keys there, also while auto-key is off.
-Status previewKeyed(Session& session, const OffsetPose& pose);
+/// Poses as seen elsewhere, with keys, also while auto-key is off.
+Status previewAsSeen(Session& session, const OffsetPose& pose);
 
 /// "Move the left hand", "Turn 3 controllers".
 [[nodiscard]] std::string poseLabel(const Document& document, const std::string& verb,

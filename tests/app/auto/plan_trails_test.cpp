@@ -120,6 +120,9 @@ TEST_CASE(
   CHECK(second(4.0) == Approx(0.75));
   CHECK(second(5.0) == Approx(0.6));
   CHECK(second(9.0) == Approx(0.5 * 3.0 / 5.4));
+  // A fifth of a style at least.
+  CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, 6.0), stroke("left-arm", 40, 50, 1.0)}), 1) ==
+        Approx(0.2 / 3.6));
   CHECK(whyNot(ground, stroke("left-arm", 0, 10, 0.99)) == "it is too weak to be an action");
 }
 

@@ -126,6 +126,7 @@ enum class Down {
   once,     ///< For 8 frames.
   beating,  ///< All the time, in the air.
   hanging,  ///< From beginning to end, on a perch.
+  sinking,  ///< Likewise, while the whole body goes down.
   crouching ///< All the time, on a perch on which the foot stands while the body sinks.
 };
 
@@ -154,7 +155,7 @@ Document descending(const std::vector<const char*>& limbs, Down goes) {
                       : std::string(limb) == "left-wing" ? Vec3(0.0, 0.0, -1.0)
                                                          : Vec3(0.0, 0.0, 1.0);
     for (int frame = 0; frame <= 50; ++frame) {
-      const double down = goes == Down::hanging      ? 1.0
+      const double down = goes == Down::hanging || goes == Down::sinking ? 1.0
                           : goes != Down::once       ? 0.5 - 0.5 * std::cos(2.0 * pi * frame / 10.0)
                           : frame < 20 || frame > 27 ? 0.0
                                                      : 1.0;
@@ -166,7 +167,7 @@ Document descending(const std::vector<const char*>& limbs, Down goes) {
   sinks.channel = Channel::translation;
   sinks.width = 3;
   sinks.times = {0.0F, 50.0F / 30.0F};
-  const float lower = goes == Down::once || goes == Down::crouching ? 0.7F : 1.0F;
+  const float lower = goes == Down::beating || goes == Down::hanging ? 1.0F : 0.7F;
   sinks.values = {0.0F, 1.0F, 0.0F, 0.0F, lower, 0.0F};
   if (goes == Down::crouching) {
     Track foot = sinks;
@@ -402,6 +403,7 @@ TEST_CASE(
     CHECK_FALSE(standingOf(perched).flies);
     CHECK(standingOf(perched).floor.has_value());
   }
+  CHECK_FALSE(standingOf(descending({"left-wing", "right-wing"}, Down::sinking)).flies);
 }
 
 TEST_CASE("A trail along the ground that cannot be done takes its own grips along when it is left out") {

@@ -7,6 +7,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/seen_posing.h"
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/mirror_edits.h"
 #include "app/edits/trail/trail_edits.h"
@@ -92,6 +93,38 @@ TEST_CASE("A copied pose is what is seen: pasted at another frame every controll
   }
   session.undo();
   CHECK(session.document().adjustments.empty());
+}
+
+TEST_CASE("A pose that is pasted without a range comes in and goes between the keys of the clip beside it") {
+  Session source(bundled());
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  REQUIRE(run(session, command::poseCopy).empty());
+  const double frame = GENERATE(0.0, 3.0, 49.0, 60.0);
+  session.view().frame = frame;
+  REQUIRE(run(session, command::posePaste).empty());
+  Vec2 beside(0.0, 60.0);
+  for (const double key : keyFrames(session.document(), 0, {})) {
+    beside.x = key <= frame - 4.0 ? key : beside.x; // a sixth of a second
+    beside.y = key >= frame + 4.0 ? std::min(key, beside.y) : beside.y;
+  }
+  REQUIRE_FALSE(session.document().adjustments.empty());
+  for (const rig::Adjustment& adjustment : session.document().adjustments) {
+    REQUIRE(adjustment.rangeFrames);
+    CHECK(*adjustment.rangeFrames == beside);
+  }
+  for (double other = 0.0; other <= 60.0; other += 1.0) {
+    CAPTURE(other);
+    if (other < beside.x || other > beside.y) {
+      CHECK(apart(placedAt(session, other, "left-hand"), placedAt(source, other, "left-hand")) < 1e-9);
+    }
+  }
+  CHECK(heldPoseText(session).starts_with("The pose comes in from frame"));
+  session.undo();
+  session.view().wholeClip = true;
+  REQUIRE(run(session, command::posePaste).empty());
+  CHECK_FALSE(session.document().adjustments.front().rangeFrames);
+  CHECK(heldPoseText(session).starts_with("The pose is held over the whole clip"));
 }
 
 TEST_CASE("What a trail makes of a limb is seen, and so is copied") {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -32,6 +34,29 @@ int keysBetween(const Rekeyed& rekeyed) {
   return count;
 }
 
+/// The same keys on a cubic spline that swings wide between them, so that a piece of it is no cubic any more.
+void makeCubic(Track& track) {
+  const std::size_t width = track.values.size() / track.times.size();
+  std::vector<float> values;
+  for (std::size_t key = 0; key < track.times.size(); ++key) {
+    const std::size_t next = std::min(key + 1, track.times.size() - 1);
+    const std::size_t previous = key == 0 ? 0 : key - 1;
+    const float span = std::max(track.times[next] - track.times[previous], 1e-3F);
+    std::vector<float> slopes;
+    for (std::size_t i = 0; i < width; ++i) {
+      const float change = track.values[next * width + i] - track.values[previous * width + i];
+      slopes.push_back(2.5F * change / span + 0.2F);
+    }
+    values.insert(values.end(), slopes.begin(), slopes.end());
+    for (std::size_t i = 0; i < width; ++i) {
+      values.push_back(track.values[key * width + i]);
+    }
+    values.insert(values.end(), slopes.begin(), slopes.end());
+  }
+  track.values = std::move(values);
+  track.interpolation = Interpolation::cubicSpline;
+}
+
 void pushSecondKey(CopyOnWrite<Track>& track, double frames) {
   track.edit([&](Track& changed) { changed.times[1] += static_cast<float>(frames / 24.0); });
 }
@@ -60,6 +85,28 @@ TEST_CASE("keys on whole frames alone are right there, and what they miss betwee
   CHECK(atFrames <= tolerance);
   CHECK(atHalves > tolerance);
   CHECK(atHalves <= 1.2 * whole.keys.largestMiss);
+}
+
+TEST_CASE("what is left of a turning cubic span beside a window is keyed on whole frames too") {
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
+    track.edit([](Track& changed) {
+      if (changed.channel == Channel::rotation) {
+        makeCubic(changed);
+      }
+    });
+  }
+  const auto trail = GENERATE(connectedTrail("left-arm", 4, 14, 3.0), connectedTrail("left-arm", 3, 7, 1.5),
+                              connectedTrail("left-leg", 9, 13, 2.0));
+  const Rekeyed needed = rekeyedOf(moving, {trail});
+  const Rekeyed whole = rekeyedOf(moving, {trail}, {.places = KeyPlaces::wholeFrames});
+  REQUIRE(keysBetween(needed) > 0);
+  CHECK(keysBetween(whole) == 0);
+  for (int frame = 0; frame <= 24; ++frame) {
+    CAPTURE(frame);
+    CHECK(largestNodeMiss(poseOf(moving, whole.clip, frame), atFrame(moving, whole.motion, frame)) <=
+          0.5e-4 * moving.body.height);
+  }
 }
 
 TEST_CASE("a clip that is keyed between whole frames keeps its own keys") {

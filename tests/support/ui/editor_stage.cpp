@@ -40,8 +40,8 @@ void drawPane(const char* name, const Rect& box, PanelContext& context, void (*d
 }
 
 PaneRects rectsOf(const Shell& shell) {
-  return dividePanes(sizesBeside(shell.panes, shell.ui.time.tab, windowHeight), windowWidth, windowHeight,
-                     1.0F, 28.0F, 32.0F);
+  return dividePanes(sizesBeside(shell.panes, showsGraph(shell.open, shell.ui.time.tab), windowHeight),
+                     windowWidth, windowHeight, 1.0F, 28.0F, 32.0F);
 }
 
 /// Where the picture would stand between the panes.

@@ -440,6 +440,13 @@ std::string shareBelowPicture(const Shell& shell) {
   return handle == nullptr ? "none" : fmt::format("{:.2f}", 1.0F - handle->centre().y / height);
 }
 
+/// Of the window's width, what lies left of the handle of the left pane: "0.21"; "none" while it is folded.
+std::string shareLeftOfPicture(const Shell& shell) {
+  const Item* const handle = shell.items.find("splitter/left");
+  return handle == nullptr ? "none"
+                           : fmt::format("{:.2f}", handle->centre().x / ImGui::GetIO().DisplaySize.x);
+}
+
 /// Whether a message covers the character, as it stood when the messages began to come.
 bool toastsCoverFigure(const Shell& shell) {
   const std::optional<Rect>& figure = shell.viewport.messages.figure;
@@ -523,6 +530,7 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
       {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
       {"tour.share", shareOfPicture(shell, "tour")},
       {"pane.bottom", shareBelowPicture(shell)},
+      {"pane.left", shareLeftOfPicture(shell)},
       {"clip-style-open", yesNo(shell.ui.trails.clipStyle.open)},
       {"clip-style-working", yesNo(shell.ui.trails.clipStyle.open &&
                                    (shell.ui.trails.clipStyle.working || shell.ui.trails.clipStyle.changed))},

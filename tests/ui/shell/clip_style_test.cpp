@@ -7,20 +7,33 @@
 
 using namespace stretch;
 
-TEST_CASE(
-    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog") {
-  test::EditorStage stage;
+namespace {
+
+ui::ClipStyleState& openedDialog(test::EditorStage& stage) {
   test::withLimb(stage.work());
   stage.run(app::command::clipExaggerate);
   stage.settle();
+  return stage.shell.ui.trails.clipStyle;
+}
+
+void setStrength(test::EditorStage& stage, double strength) {
   ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  state.strength = strength;
+  state.changed = true;
+  stage.frames(2);
+  stage.settle();
+  stage.frames(2);
+}
+
+} // namespace
+
+TEST_CASE(
+    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog") {
+  test::EditorStage stage;
+  ui::ClipStyleState& state = openedDialog(stage);
   const auto keep = [&](double strength) {
-    state.strength = strength;
-    state.changed = true;
     state.accepted = true;
-    stage.frames(2);
-    stage.settle();
-    stage.frames(2);
+    setStrength(stage, strength);
     return !state.open;
   };
   CHECK_FALSE(keep(0.0));
@@ -33,10 +46,7 @@ TEST_CASE(
 
 TEST_CASE("Left and Right go through the styles, Page up and down change the strength, within their ends") {
   test::EditorStage stage;
-  test::withLimb(stage.work());
-  stage.run(app::command::clipExaggerate);
-  stage.settle();
-  ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  ui::ClipStyleState& state = openedDialog(stage);
   state.style = 0;
   state.strength = 1.0;
   stage.pressWidgetKey(ImGuiKey_LeftArrow);
@@ -57,16 +67,9 @@ TEST_CASE("Left and Right go through the styles, Page up and down change the str
 
 TEST_CASE("The switch of a moment that is left out takes no click, and works again once the moment is not") {
   test::EditorStage stage;
-  test::withLimb(stage.work());
-  stage.run(app::command::clipExaggerate);
-  stage.settle();
-  ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  ui::ClipStyleState& state = openedDialog(stage);
   const auto withStrength = [&](double strength) {
-    state.strength = strength;
-    state.changed = true;
-    stage.frames(2);
-    stage.settle();
-    stage.frames(2);
+    setStrength(stage, strength);
     REQUIRE(stage.shell.items.find("clip-style/moment-0") != nullptr);
     return stage.shell.items.find("clip-style/moment-0")->enabled;
   };
@@ -81,10 +84,7 @@ TEST_CASE("The switch of a moment that is left out takes no click, and works aga
 
 TEST_CASE("While the list of styles is open Enter keeps nothing, and the arrows leave the style") {
   test::EditorStage stage;
-  test::withLimb(stage.work());
-  stage.run(app::command::clipExaggerate);
-  stage.settle();
-  ui::ClipStyleState& state = stage.shell.ui.trails.clipStyle;
+  ui::ClipStyleState& state = openedDialog(stage);
   stage.frames(2);
   stage.click("clip-style/style");
   const int style = state.style;

@@ -103,7 +103,7 @@ TEST_CASE("What is taken from the library is one step that says which pose it wa
   CHECK(stage.session().history().undoLabel() == "Take the pose Pose 1");
   CHECK(stage.session().history().position() == 1);
   const auto isHeld = [](const Toast& toast) {
-    return toast.text.starts_with("The pose is held over the whole clip");
+    return toast.text.starts_with("The pose comes in from frame ");
   };
   CHECK(std::ranges::any_of(stage.shell.ui.toasts, isHeld));
   stage.session().undo();

@@ -75,14 +75,16 @@ TEST_CASE("In a small window the panes shrink before the viewport") {
 
 TEST_CASE("The graph opens at a third of the window and has a height of its own") {
   PaneSizes sizes;
-  CHECK(sizesBeside(sizes, BottomTab::graph, 900.0F).bottom == 300.0F);
-  CHECK(sizesBeside(sizes, BottomTab::timeline, 900.0F).bottom == 192.0F);
-  CHECK(sizesBeside(sizes, BottomTab::dopeSheet, 900.0F).bottom == 192.0F);
+  CHECK(sizesBeside(sizes, true, 900.0F).bottom == 300.0F);
+  CHECK(sizesBeside(sizes, false, 900.0F).bottom == 192.0F);
   // A third of a low window is no less than what the timeline had.
-  CHECK(sizesBeside(sizes, BottomTab::graph, 480.0F).bottom == 192.0F);
+  CHECK(sizesBeside(sizes, true, 480.0F).bottom == 192.0F);
   sizes.graph = 410.0F;
-  CHECK(sizesBeside(sizes, BottomTab::graph, 900.0F).bottom == 410.0F);
-  CHECK(sizesBeside(sizes, BottomTab::timeline, 900.0F).bottom == 192.0F);
+  CHECK(sizesBeside(sizes, true, 900.0F).bottom == 410.0F);
+  CHECK(sizesBeside(sizes, false, 900.0F).bottom == 192.0F);
+  CHECK_FALSE(showsGraph(app::OpenDocument(), BottomTab::graph)); // nothing is open that has one
+  sizes.graph = 10.0F;                                            // as no hand can make it
+  CHECK(sizesBeside(sizes, true, 900.0F).bottom == smallestPane);
 }
 
 TEST_CASE("Settings survive the file, and a damaged file is harmless") {

@@ -55,9 +55,10 @@ TEST_CASE("What undo tells takes the place of news about what has gone, and warn
   CHECK_FALSE(stage.isTold("Undone: Loop"));
 }
 
-TEST_CASE("A pose that is pasted at a first key without a range says that the whole clip holds it") {
+TEST_CASE("A pose that is pasted at a first key without a range says how far it reaches") {
   Told stage;
-  constexpr std::string_view held = "The pose is held over the whole clip";
+  constexpr std::string_view held = "The pose comes in from frame ";
+  constexpr std::string_view heldThroughout = "The pose is held over the whole clip";
   app::Session& session = stage.session();
   session.view().frame = 0.0;
   stage.run(command::poseCopy);
@@ -67,6 +68,11 @@ TEST_CASE("A pose that is pasted at a first key without a range says that the wh
   CHECK(session.history().undoLabel().starts_with("Paste the pose"));
   stage.run(command::undo);
   CHECK_FALSE(stage.isTold(held));
+  session.view().wholeClip = true;
+  stage.run(command::posePaste);
+  CHECK(stage.isTold(heldThroughout));
+  stage.run(command::undo);
+  session.view().wholeClip = false;
   session.view().rangeStart = 15.0;
   session.view().rangeEnd = 25.0;
   stage.run(command::posePaste);

@@ -271,8 +271,9 @@ void pickLeftBetweenFrames(PanelContext& context, bool hadSome) {
   app::pickKeys(session, off, false);
   const CommandInfo* const snap = findCommand(context, command::keysSnap);
   tell(context.ui, ToastKind::info,
-       fmt::format("{} keys stand between frames now and are picked: Keys, {} moves them to whole ones",
-                   app::keyCount(off), snap == nullptr ? "Snap keys" : snap->label));
+       fmt::format("Between frames now, and picked: {}. Keys, {} moves what is picked to whole frames",
+                   app::selectionTitle(session.document(), off),
+                   snap == nullptr ? "Snap keys" : snap->label));
 }
 
 void retime(PanelContext& context) {

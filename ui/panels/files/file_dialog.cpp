@@ -391,7 +391,8 @@ void keyboard(PanelContext& context) {
 void typedField(PanelContext& context, bool focus) {
   FileDialogState& dialog = context.ui.dialogs.file;
   const char* hint = isSaving(dialog.purpose) ? "Name of the file" : "Type a name or a path";
-  if (textField(widgetsOf(context), "files/typed", hint, dialog.typed, 0.0F, focus)) {
+  const bool proposes = isSaving(dialog.purpose);
+  if (editText(widgetsOf(context), "files/typed", hint, dialog.typed, 0.0F, focus, proposes).changed) {
     jumpToTyped(dialog);
   }
 }

@@ -69,7 +69,9 @@ void fileFacts(PanelContext& context, const std::filesystem::path& path) {
       note(widgets, "It " + dialog.facts.problem + ".");
     } else if (dialog.facts.isScene) {
       sceneLines(context, dialog.facts);
-    } else if (!dialog.facts.kind.empty()) {
+    } else if (dialog.facts.kind.ends_with(" scene") || dialog.facts.kind.ends_with(" motion capture")) {
+      note(widgets, "What it holds is read when it is taken.");
+    } else if (dialog.facts.kind.ends_with(" mesh")) {
       note(widgets, "One of the frames: open the folder as a mesh sequence for all of them.");
     }
   }

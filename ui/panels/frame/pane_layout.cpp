@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/commands/table/frames.h"
+
 namespace stretch::ui {
 
 namespace {
@@ -23,7 +25,7 @@ struct Splitter {
   Rect box;
   bool upright;        ///< Drags left and right.
   float growDirection; ///< +1: dragging to the right or down makes the pane larger.
-  float shown;         ///< Size of the pane as it shows, window units.
+  float shown;         ///< Size that it starts from, window units.
   float* size;
   bool* open;
 };
@@ -45,9 +47,10 @@ void drawSplitter(PanelContext& context, const Splitter& splitter) {
       ImGui::GetWindowDrawList()->AddRectFilled(splitter.box.min, splitter.box.max,
                                                 context.theme.colours.accent, context.theme.px(2.0F));
     }
-    if (control.held) {
-      const ImVec2 moved = ImGui::GetIO().MouseDelta;
-      const float grown = splitter.shown + splitter.growDirection * (splitter.upright ? moved.x : moved.y);
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    const float moved = splitter.upright ? delta.x : delta.y;
+    if (control.held && moved != 0.0F) {
+      const float grown = splitter.shown + splitter.growDirection * moved;
       *splitter.size = std::clamp(grown / context.theme.scale, smallestPane, 900.0F);
     }
     if (control.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -61,10 +64,17 @@ void drawSplitter(PanelContext& context, const Splitter& splitter) {
 
 } // namespace
 
-PaneSizes sizesBeside(const PaneSizes& sizes, BottomTab tab, float windowHeight) {
+bool showsGraph(const app::OpenDocument& open, BottomTab tab) {
+  const app::Session* const session = open.character();
+  return tab == BottomTab::graph && session != nullptr &&
+         app::hasClip(session->document(), session->view().clip);
+}
+
+PaneSizes sizesBeside(const PaneSizes& sizes, bool graphShows, float windowHeight) {
   PaneSizes shown = sizes;
-  if (tab == BottomTab::graph) {
-    shown.bottom = sizes.graph > 0.0F ? sizes.graph : std::max(sizes.bottom, windowHeight / 3.0F);
+  if (graphShows) {
+    shown.bottom = sizes.graph > 0.0F ? std::max(sizes.graph, smallestPane)
+                                      : std::max(sizes.bottom, windowHeight / 3.0F);
   }
   return shown;
 }
@@ -100,7 +110,7 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                   {{rects.left.max.x - half, rects.left.min.y}, {rects.left.max.x + half, rects.left.max.y}},
                   true,
                   1.0F,
-                  rects.left.width(),
+                  sizes.left * context.theme.scale,
                   &sizes.left,
                   &sizes.leftOpen});
   }
@@ -110,7 +120,7 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                             {rects.right.min.x + half, rects.right.max.y}},
                            true,
                            -1.0F,
-                           rects.right.width(),
+                           sizes.right * context.theme.scale,
                            &sizes.right,
                            &sizes.rightOpen});
   }
@@ -121,7 +131,7 @@ void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& siz
                            false,
                            -1.0F,
                            rects.bottom.height(),
-                           context.ui.time.tab == BottomTab::graph ? &sizes.graph : &sizes.bottom,
+                           showsGraph(context.open, context.ui.time.tab) ? &sizes.graph : &sizes.bottom,
                            &sizes.bottomOpen});
   }
 }

@@ -35,7 +35,10 @@ inline constexpr float smallestPane = 140.0F;
 inline constexpr float smallestViewport = 240.0F;
 
 /// Returns the sizes with `bottom` as the bottom pane shows now. The window's height is in design pixels.
-[[nodiscard]] PaneSizes sizesBeside(const PaneSizes& sizes, BottomTab tab, float windowHeight);
+[[nodiscard]] PaneSizes sizesBeside(const PaneSizes& sizes, bool graphShows, float windowHeight);
+
+/// Whether the bottom pane shows the graph: of a character's clip, where its tab is chosen.
+[[nodiscard]] bool showsGraph(const app::OpenDocument& open, BottomTab tab);
 
 /// Divides a window. Panes shrink before the viewport becomes too small for work; a folded pane has no size.
 [[nodiscard]] PaneRects dividePanes(const PaneSizes& sizes, float width, float height, float scale,

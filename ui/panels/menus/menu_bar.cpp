@@ -128,14 +128,14 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
-/// Copies what its keys copy: the pose where no trail can be.
+/// Copies and pastes the pose where no trail can be copied or pasted.
 void editMenu(PanelContext& context) {
   using namespace command;
   const auto isOn = [&](const char* id) {
     const CommandInfo* const info = findCommand(context, id);
     return info != nullptr && info->enabled;
   };
-  const bool isPosing = isOn(poseCopy) && !isOn(copyTrail);
+  const bool isPosing = isOn(poseCopy) && !isOn(copyTrail) && !isOn(pasteTrail);
   drawMenu(context,
            isPosing
                ? Menu{"Edit", {undo, redo, history, "", poseCopy, posePaste, posePasteMirrored, "", settings}}

@@ -132,8 +132,10 @@ void installCallbacks(GLFWwindow* window, InputQueue& queue) {
 void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, int action, int mods) {
   queue.anything = true;
   const auto& pressed = queue.pressedKeys;
+  // A key that went down since the last frame is seen down in the next one, and what it is pressed with, too.
+  const bool wasTapped = std::find(pressed.begin(), pressed.end(), key) != pressed.end();
   // The widgets would take Tab and others for themselves while no text field is open.
-  if (action == GLFW_RELEASE && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {
+  if (action == GLFW_RELEASE && (wasTapped || (isModifier(key) && !pressed.empty()))) {
     queue.lateReleases.push_back(key);
   } else if (queue.guiTakesKeys || isModifier(key) || action == GLFW_RELEASE) {
     ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
