@@ -74,9 +74,9 @@ struct Primitive {
   std::vector<glm::vec4> colors;            ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
   std::vector<VertexInfluences> onCorners;  ///< Those of the file, where what it gives to corners is the
-                                           ///< joints' in `influences` (Scene::bindChains); else empty.
-  bool areInfluencesMended = false;   ///< Some weights of the file are no numbers: saving writes these.
-  std::vector<std::uint32_t> indices; ///< Three for each triangle.
+                                            ///< joints' in `influences` (Scene::bindChains); else empty.
+  bool areInfluencesMended = false;         ///< Some weights of the file are no numbers: saving writes these.
+  std::vector<std::uint32_t> indices;       ///< Three for each triangle.
   std::vector<MorphTarget> morphTargets;
   int material = -1;
 };

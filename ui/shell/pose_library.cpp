@@ -224,7 +224,8 @@ void acceptPose(Shell& shell) {
   takeOffPose(shell);
   if (blend) {
     app::Session& session = *shell.open.character();
-    const Status taken = app::poseAsSeen(session, app::blended(*blend, state.amount), "Take the pose " + name);
+    const Status taken =
+        app::poseAsSeen(session, app::blended(*blend, state.amount), "Take the pose " + name);
     tellProblem(shell, taken);
     if (const std::string held = app::heldPoseText(session); taken && !held.empty()) {
       tell(shell, ToastKind::info, held);

@@ -27,6 +27,7 @@
 #include "rig/limb.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/ui_driver/kept_state.h"
+#include "tests/support/ui_driver/shown_places.h"
 #include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/style_work.h"
@@ -408,74 +409,10 @@ bool showsTooltip() {
   });
 }
 
-/// Whether every message stands inside the picture, so that none covers what is worked with; "none" without
-/// any.
-std::string toastsInPicture(const Shell& shell) {
-  const Item* const picture = shell.items.find("viewport");
-  std::string inside = "none";
-  for (const Item& item : shell.items.items) {
-    if (picture == nullptr || !item.id.starts_with("toast/")) {
-      continue;
-    }
-    const bool isInside = item.min.x >= picture->min.x && item.min.y >= picture->min.y &&
-                          item.max.x <= picture->max.x && item.max.y <= picture->max.y;
-    inside = isInside && inside != "no" ? "yes" : "no";
-  }
-  return inside;
-}
-
-/// Of the picture's height, that of an item: "0.22"; "none" without it.
-std::string shareOfPicture(const Shell& shell, const char* id) {
-  const Item* const picture = shell.items.find("viewport");
-  const Item* const item = shell.items.find(id);
-  return picture == nullptr || item == nullptr
-             ? "none"
-             : fmt::format("{:.2f}", (item->max.y - item->min.y) / (picture->max.y - picture->min.y));
-}
-
-/// Of the window's height, what lies below the handle of the bottom pane: "0.37"; "none" while it is folded.
-std::string shareBelowPicture(const Shell& shell) {
-  const Item* const handle = shell.items.find("splitter/bottom");
-  const float height = ImGui::GetIO().DisplaySize.y;
-  return handle == nullptr ? "none" : fmt::format("{:.2f}", 1.0F - handle->centre().y / height);
-}
-
-/// Of the window's width, what lies left of the handle of the left pane: "0.21"; "none" while it is folded.
-std::string shareLeftOfPicture(const Shell& shell) {
-  const Item* const handle = shell.items.find("splitter/left");
-  return handle == nullptr ? "none"
-                           : fmt::format("{:.2f}", handle->centre().x / ImGui::GetIO().DisplaySize.x);
-}
-
-/// Whether a message covers the character, as it stood when the messages began to come.
-bool toastsCoverFigure(const Shell& shell) {
-  const std::optional<Rect>& figure = shell.viewport.messages.figure;
-  return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
-           return item.id.starts_with("toast/") && figure->overlaps({item.min, item.max});
-         });
-}
-
 /// "1280x720"
 std::string windowSize() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   return fmt::format("{}x{}", size.x, size.y);
-}
-
-/// Whether the menu at the mouse lies over the middle of a bar of the timeline.
-bool menuCoversBar(const Shell& shell) {
-  const Item* const menu = shell.items.find("context-menu");
-  return std::any_of(shell.items.items.begin(), shell.items.items.end(), [&](const Item& item) {
-    const bool isBar = item.id.starts_with("timeline/trail-") && item.id.ends_with("/body");
-    return menu != nullptr && isBar && Rect{menu->min, menu->max}.contains(item.centre());
-  });
-}
-
-/// Whether the whole menu at the mouse is in the window.
-bool menuIsInWindow(const Shell& shell) {
-  const Item* const menu = shell.items.find("context-menu");
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  return menu != nullptr && menu->min.x >= 0.0F && menu->min.y >= 0.0F && menu->max.x <= window.x &&
-         menu->max.y <= window.y;
 }
 
 /// The file that the dialog's list stands on, as its facts tell of it.

@@ -11,8 +11,8 @@ struct PaneSizes {
   float left = 264.0F;
   float right = 320.0F;
   float bottom = 192.0F;
-  float graph = 0.0F; ///< Of the bottom pane while it shows the graph; 0: a third of the window, no less than
-                      ///< `bottom`.
+  float graph = 0.0F; ///< Height of the bottom pane while it shows the graph; 0: a third of the window, no
+                      ///< less than `bottom`.
   bool leftOpen = true;
   bool rightOpen = true;
   bool bottomOpen = true;
