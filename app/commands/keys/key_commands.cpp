@@ -64,11 +64,16 @@ Status pasteHere(Session& session) {
 Status snapPicked(Session& session) {
   const Document& document = session.document();
   const int clip = session.view().clip;
-  const KeySelection keys = hasPickedKeys(session) ? pickedKeys(session) : keysOffFrames(document, clip);
+  if (hasPickedKeys(session)) {
+    return editKeys(session, snapKeys(document, clip, pickedKeys(session)), "Snap");
+  }
+  const KeySelection keys = keysOffFrames(document, clip);
   if (keys.empty()) {
     return Error{"every key of the clip stands on a whole frame", "", "pick keys to move them"};
   }
-  return editKeys(session, snapKeys(document, clip, keys), "Snap");
+  Status done = editKeys(session, snapKeys(document, clip, keys), "Snap");
+  pickKeys(session, {}, false); // rows that do not show are among them
+  return done;
 }
 
 void pickAll(Session& session) {

@@ -1,6 +1,7 @@
 #include "app/commands/pose/posing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/core.h>
@@ -110,7 +111,7 @@ KeyRange seenPoseRange(const Session& session) {
   const auto after = std::ranges::lower_bound(frames, view.frame + least);
   const auto before = std::ranges::upper_bound(frames, view.frame - least);
   const Vec2 between(before == frames.begin() ? 0.0 : *(before - 1),
-                     after == frames.end() ? lastFrame(session.document(), view.clip) : *after);
+                     after == frames.end() ? endInFrames(clipOf(session.document(), view.clip)) : *after);
   return between.y - between.x > frameTolerance ? KeyRange{between} : KeyRange{};
 }
 
@@ -289,44 +290,43 @@ bool endsAtOnce(const Session& session, bool first) {
 
 std::string heldPoseText(const Session& session) {
   const ViewState& view = session.view();
-  const auto isHere = [&](const rig::OffsetKey& key) { return sameFrame(key.frame, view.frame); };
-  const auto begins = [&](const rig::Adjustment& adjustment) {
-    const Vec2 range = adjustment.rangeFrames.value_or(Vec2(view.frame));
-    return adjustment.clip == view.clip && std::ranges::any_of(adjustment.keys, isHere) &&
-           std::ranges::all_of(adjustment.keys, [&](const rig::OffsetKey& key) {
-             return isHere(key) || sameFrame(key.frame, range.x) || sameFrame(key.frame, range.y);
-           });
-  };
   const std::vector<rig::Adjustment>& all = session.document().adjustments;
-  const auto first = std::ranges::find_if(all, begins);
-  if (!view.autoKey || keyRange(session).rangeFrames || first == all.end()) {
+  const auto isHere = [&](const rig::Adjustment& adjustment) {
+    return adjustment.clip == view.clip &&
+           std::ranges::any_of(adjustment.keys,
+                               [&](const rig::OffsetKey& key) { return sameFrame(key.frame, view.frame); });
+  };
+  const auto ranged = std::ranges::find_if(
+      all, [&](const rig::Adjustment& adjustment) { return isHere(adjustment) && adjustment.rangeFrames; });
+  const auto held = std::ranges::find_if(all, [&](const rig::Adjustment& adjustment) {
+    return isHere(adjustment) && !adjustment.rangeFrames && adjustment.keys.size() == 1;
+  });
+  if (!view.autoKey || keyRange(session).rangeFrames || (ranged == all.end() && held == all.end())) {
     return {};
   }
-  return first->rangeFrames
+  return ranged != all.end()
              ? fmt::format(
-                   "The pose comes in from frame {:g} and is gone at {:g}, where the clip has keys: a range "
-                   "set before says otherwise",
-                   first->rangeFrames->x, first->rangeFrames->y)
+                   "The pose comes in from frame {:g} and is gone at {:g}; a range set before says otherwise",
+                   ranged->rangeFrames->x, ranged->rangeFrames->y)
              : "The pose is held over the whole clip: a second key, or a range set before, ends it";
 }
 
 namespace {
 
-Status keyPoseIn(Session& session, const OffsetPose& pose, const std::string& label, const KeyRange& range) {
+Status keyPoseIn(Session& session, const OffsetPose& pose, const std::string& label, const Document& document,
+                 const KeyRange& range) {
   ViewState& view = session.view();
-  Status done =
-      finish(session, setOffsets(session.document(), view.clip, view.frame, pose.offsets, pose.values, range),
-             label.c_str());
+  Status done = finish(session, setOffsets(document, view.clip, view.frame, pose.offsets, pose.values, range),
+                       label.c_str());
   if (done) {
     forgetUnkeyed(view, pose);
   }
   return done;
 }
 
-Status previewIn(Session& session, const OffsetPose& pose, const KeyRange& range) {
+Status previewIn(Session& session, const OffsetPose& pose, const Document& document, const KeyRange& range) {
   const ViewState& view = session.view();
-  Result<Document> keyed =
-      setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets, pose.values, range);
+  Result<Document> keyed = setOffsets(document, view.clip, view.frame, pose.offsets, pose.values, range);
   if (!keyed) {
     return keyed.error();
   }
@@ -334,10 +334,46 @@ Status previewIn(Session& session, const OffsetPose& pose, const KeyRange& range
   return Success{};
 }
 
+// As far as a range goes that is to hold another one too, between those of the same controller beside it.
+Vec2 widened(const Document& document, const rig::Adjustment& present, const Vec2& wanted) {
+  const Vec2 range = *present.rangeFrames;
+  Vec2 wide(std::min(range.x, wanted.x), std::max(range.y, wanted.y));
+  for (const rig::Adjustment& other : document.adjustments) {
+    if (other.controller != present.controller || other.clip != present.clip || !other.rangeFrames) {
+      continue;
+    }
+    wide.y = other.rangeFrames->x >= range.y ? std::min(wide.y, other.rangeFrames->x) : wide.y;
+    wide.x = other.rangeFrames->y <= range.x ? std::max(wide.x, other.rangeFrames->y) : wide.x;
+  }
+  return wide;
+}
+
+// The document with time for the pose to come in and go where an earlier one ends at the playhead or shortly
+// after.
+Document withRoom(const Session& session, Document document, const OffsetPose& pose) {
+  const ViewState& view = session.view();
+  const KeyRange wanted = seenPoseRange(session);
+  std::vector<std::string> ids;
+  std::ranges::transform(pose.offsets, std::back_inserter(ids), &ControllerOffset::id);
+  std::ranges::transform(pose.values, std::back_inserter(ids), &AttributeValue::id);
+  for (const std::string& id : ids) {
+    const rig::Adjustment* const present = adjustmentAt(document, view.clip, view.frame, id);
+    if (!wanted.rangeFrames || keyRange(session).rangeFrames || present == nullptr || !present->rangeFrames) {
+      continue;
+    }
+    const KeyRange wide{widened(document, *present, *wanted.rangeFrames)};
+    Result<Document> roomy = setOffsetRange(document, view.clip, view.frame, {&id, 1}, wide);
+    if (roomy) {
+      document = std::move(roomy).value();
+    }
+  }
+  return document;
+}
+
 } // namespace
 
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label) {
-  return keyPoseIn(session, pose, label, keyRange(session));
+  return keyPoseIn(session, pose, label, session.document(), keyRange(session));
 }
 
 Status poseAll(Session& session, const OffsetPose& pose, const std::string& label) {
@@ -345,16 +381,18 @@ Status poseAll(Session& session, const OffsetPose& pose, const std::string& labe
 }
 
 Status poseAsSeen(Session& session, const OffsetPose& pose, const std::string& label) {
-  return session.view().autoKey ? keyPoseIn(session, pose, label, seenPoseRange(session))
+  return session.view().autoKey ? keyPoseIn(session, pose, label, withRoom(session, session.document(), pose),
+                                            seenPoseRange(session))
                                 : poseWithoutKey(session, pose);
 }
 
 Status previewPose(Session& session, const OffsetPose& pose) {
-  return session.view().autoKey ? previewIn(session, pose, keyRange(session)) : poseWithoutKey(session, pose);
+  return session.view().autoKey ? previewIn(session, pose, session.atBegin(), keyRange(session))
+                                : poseWithoutKey(session, pose);
 }
 
 Status previewAsSeen(Session& session, const OffsetPose& pose) {
-  return previewIn(session, pose, seenPoseRange(session));
+  return previewIn(session, pose, withRoom(session, session.atBegin(), pose), seenPoseRange(session));
 }
 
 std::string poseLabel(const Document& document, const std::string& verb, std::span<const std::string> ids) {

@@ -166,7 +166,7 @@ private:
       all.push_back(offset);
     }
     Result<Document> posed =
-        setOffsets(session_.document(), view_.clip, view_.frame, all, values_, keyRange(session_));
+        setOffsets(session_.document(), view_.clip, view_.frame, all, values_, seenPoseRange(session_));
     if (!posed) {
       return posed.error();
     }

@@ -328,11 +328,19 @@ Result<EditedKeys> snapKeys(const Document& document, int clip, const KeySelecti
     return noKeys();
   }
   return changeRows(document, clip, selection, RowDetail::times, [](HeldRow& held) -> Status {
+    // The second key of a jump goes with the first, by as little behind it as single precision tells.
+    constexpr double precision = 2.5e-7;
+    double before = -1e9;
+    double there = before;
     forPicked(held, [&](HeldKey& key) {
       const RowPart& part = held.row.parts[at(key.key.part)];
-      const double whole = std::round(key.key.frame);
+      const double frame = key.key.frame;
+      const double behind = there + std::max(frame - before, precision * std::max(1.0, there));
+      const double whole = sameFrame(frame, before) ? behind : std::round(frame);
       const bool fits = whole >= part.firstFrame && whole <= part.lastFrame;
-      key.key.frame = fits && std::abs(whole - key.key.frame) > 1e-4 ? whole : key.key.frame;
+      key.key.frame = fits && (whole == behind || std::abs(whole - frame) > 1e-4) ? whole : frame;
+      before = frame;
+      there = key.key.frame;
     });
     return Success{};
   });

@@ -127,6 +127,26 @@ TEST_CASE("A pose that is pasted without a range comes in and goes between the k
   CHECK(heldPoseText(session).starts_with("The pose is held over the whole clip"));
 }
 
+TEST_CASE("A pose that is pasted where the one before it ends gets time of its own") {
+  Session session(bundled());
+  session.view().frame = punchFrame;
+  selectController(session, "left-hand", false);
+  REQUIRE(run(session, command::poseCopy).empty());
+  session.view().frame = 5.0;
+  REQUIRE(run(session, command::posePaste).empty());
+  const Vec2 first = *session.document().adjustments.front().rangeFrames;
+  session.view().frame = GENERATE_COPY(first.y, first.y - 1.0);
+  REQUIRE(run(session, command::posePaste).empty());
+  const Vec2 wide = *session.document().adjustments.front().rangeFrames;
+  CHECK(wide.x == first.x);
+  CHECK(wide.y >= session.view().frame + 4.0);
+  CHECK(glm::length(offsetAt(session.document(), 0, session.view().frame + 1.0, "left-hand").move) > 0.05);
+  CHECK(heldPoseText(session).find("is gone at " + std::to_string(static_cast<int>(wide.y))) !=
+        std::string::npos);
+  session.undo();
+  CHECK(*session.document().adjustments.front().rangeFrames == first);
+}
+
 TEST_CASE("What a trail makes of a limb is seen, and so is copied") {
   Session session(bundled());
   NewTrail wanted;

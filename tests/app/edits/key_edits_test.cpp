@@ -361,6 +361,30 @@ TEST_CASE("Keys between frames are snapped to whole ones", "[keys]") {
   CHECK(sameDocument(documentOf(snapKeys(off, 0, oneKey(armTurns, 1))), start));
 }
 
+TEST_CASE("Both keys of a jump between frames are snapped, and it stays one", "[keys]") {
+  Document start = test::boxer();
+  std::vector<Clip> clips = *start.clips;
+  const double frame = GENERATE(10.4, 14.6); // the second comes to where numbers are coarser
+  const auto jumping = static_cast<std::size_t>(findTrack(clips[0], armTurns.node, armTurns.channel));
+  clips[0].tracks[jumping].edit([&](Track& track) {
+    track.times = {0.0F, static_cast<float>(frame / 30.0), 1.0F};
+    track.times.insert(track.times.begin() + 2, std::nextafter(track.times[1], 1.0F));
+    track.values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.6F, 0.8F,
+                    0.0F, 0.6F, 0.0F, 0.8F, 0.0F, 0.0F, 0.0F, 1.0F};
+    track.interpolation = Interpolation::linear;
+  });
+  start.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  REQUIRE(keyCount(keysOffFrames(start, 0)) == 2);
+  const Document snapped = documentOf(snapKeys(start, 0, keysOffFrames(start, 0)));
+  const Track& track = trackAt(snapped);
+  REQUIRE(track.times.size() == 4);
+  CHECK(track.times[1] == Approx(std::round(frame) / 30.0).epsilon(1e-6));
+  CHECK(track.times[2] > track.times[1]);
+  CHECK(track.times[2] - track.times[1] < 1e-5F);
+  CHECK(numbersAt(track, 1) == numbersAt(trackAt(start), 1));
+  CHECK(numbersAt(track, 2) == numbersAt(trackAt(start), 2));
+}
+
 TEST_CASE("The keys that stand between frames are found on every row of the clip, those of controllers too",
           "[keys]") {
   const Document start = withHandKeys();

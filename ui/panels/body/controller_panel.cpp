@@ -254,12 +254,15 @@ void actsOnRow(PanelContext& context) {
   labelledRow(widgets, "Acts on", help);
   const std::string frames =
       range ? fmt::format("{} to {}", shortNumber(range->x, 1), shortNumber(range->y, 1)) : "Range";
-  const int chosen =
-      segmented(widgets, "controller/acts-on",
-                {{frames, {"The range", "Set it with [ and ], or in the timeline.", {}}, isSet || !whole},
-                 {"Whole clip", help}},
-                whole ? 1 : 0);
-  if (chosen >= 0 && (chosen == 1) != whole) {
+  const int chosen = segmented(widgets, "controller/acts-on",
+                               {{frames,
+                                 {"The range", "Set it with [ and ], or in the timeline.", {}},
+                                 isSet || !whole || view.wholeClip},
+                                {"Whole clip", help}},
+                               whole ? 1 : 0);
+  if (chosen == 1 && whole) {
+    context.character().view().wholeClip = true; // what is pasted, too
+  } else if (chosen >= 0 && (chosen == 1) != whole) {
     request(context, command::poseWholeClip);
   }
   for (const bool first : {true, false}) {
