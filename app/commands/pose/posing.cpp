@@ -350,9 +350,8 @@ Vec2 widened(const Document& document, const rig::Adjustment& present, const Vec
 
 // The document with time for the pose to come in and go where an earlier one ends at the playhead or shortly
 // after.
-Document withRoom(const Session& session, Document document, const OffsetPose& pose) {
+Document withRoom(const Session& session, Document document, const OffsetPose& pose, const KeyRange& wanted) {
   const ViewState& view = session.view();
-  const KeyRange wanted = seenPoseRange(session);
   std::vector<std::string> ids;
   std::ranges::transform(pose.offsets, std::back_inserter(ids), &ControllerOffset::id);
   std::ranges::transform(pose.values, std::back_inserter(ids), &AttributeValue::id);
@@ -381,9 +380,11 @@ Status poseAll(Session& session, const OffsetPose& pose, const std::string& labe
 }
 
 Status poseAsSeen(Session& session, const OffsetPose& pose, const std::string& label) {
-  return session.view().autoKey ? keyPoseIn(session, pose, label, withRoom(session, session.document(), pose),
-                                            seenPoseRange(session))
-                                : poseWithoutKey(session, pose);
+  if (!session.view().autoKey) {
+    return poseWithoutKey(session, pose);
+  }
+  const KeyRange range = seenPoseRange(session);
+  return keyPoseIn(session, pose, label, withRoom(session, session.document(), pose, range), range);
 }
 
 Status previewPose(Session& session, const OffsetPose& pose) {
@@ -392,7 +393,8 @@ Status previewPose(Session& session, const OffsetPose& pose) {
 }
 
 Status previewAsSeen(Session& session, const OffsetPose& pose) {
-  return previewIn(session, pose, withRoom(session, session.atBegin(), pose), seenPoseRange(session));
+  const KeyRange range = seenPoseRange(session);
+  return previewIn(session, pose, withRoom(session, session.atBegin(), pose, range), range);
 }
 
 std::string poseLabel(const Document& document, const std::string& verb, std::span<const std::string> ids) {

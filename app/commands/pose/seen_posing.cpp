@@ -70,7 +70,7 @@ class Poser {
 public:
   Poser(Session& session, const SeenPose& pose)
       : session_(session), view_(session.view()), pose_(pose), posed_(session.document()),
-        thereUnits_(1e-6 * session.document().body.height) {
+        range_(seenPoseRange(session)), thereUnits_(1e-6 * session.document().body.height) {
     for (const rig::PlacedController& placed : placedNow()) {
       if (placed.kind == rig::ControllerKind::hips) {
         standing_ = {placed.placeWorld.x, 0.0, placed.placeWorld.z};
@@ -165,8 +165,7 @@ private:
     for (const auto& [id, offset] : offsets_) {
       all.push_back(offset);
     }
-    Result<Document> posed =
-        setOffsets(session_.document(), view_.clip, view_.frame, all, values_, seenPoseRange(session_));
+    Result<Document> posed = setOffsets(session_.document(), view_.clip, view_.frame, all, values_, range_);
     if (!posed) {
       return posed.error();
     }
@@ -193,6 +192,7 @@ private:
   const ViewState& view_;
   const SeenPose& pose_;
   Document posed_;
+  KeyRange range_; // looked for once: a clip may have millions of keys
   double thereUnits_;
   Vec3 standing_{0.0};
   EvaluationCache cache_;
