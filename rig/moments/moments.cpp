@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/anim/frames.h"
+#include "core/base/lower_case.h"
 #include "rig/moments/cycles.h"
 #include "rig/moments/landings.h"
 #include "rig/moments/strokes.h"
@@ -75,6 +76,27 @@ void joinSteps(std::vector<Moment>& moments) {
   }
 }
 
+// "Idle", "Fighting Idle", "idle_2": what a clip is stands last in its name; "Idle_HitReact_Left" is a hit.
+bool isCalledIdle(const Clip& clip) {
+  const std::string name = lowerCase(clip.name);
+  const std::size_t end = name.find_last_of("abcdefghijklmnopqrstuvwxyz");
+  return end != std::string::npos && name.substr(0, end + 1).ends_with("idle");
+}
+
+bool comesBack(const BodyMotion& motion) {
+  constexpr double near = 0.1; // Of the reach.
+  return std::ranges::all_of(motion.limbs, [](const LimbMotion& limb) {
+    return glm::distance(limb.places.front(), limb.places.back()) <= near * limb.reach;
+  });
+}
+
+// A fidget is as fast as many a gesture. Nothing but its name tells an idle that has one from a greeting.
+bool onlyFidgets(const Clip& clip, const BodyMotion& motion, const std::vector<Moment>& moments) {
+  constexpr double leastStrike = 5.0; // Reaches per second.
+  const Moment* const strongest = strongestMoment(moments);
+  return strongest != nullptr && strongest->strength < leastStrike && isCalledIdle(clip) && comesBack(motion);
+}
+
 bool goBefore(const Moment& a, const Moment& b) {
   return isCycle(a) != isCycle(b) ? isCycle(b) : a.strength > b.strength;
 }
@@ -136,7 +158,7 @@ std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& 
   }
   std::ranges::stable_sort(moments, goBefore);
   keepApart(moments);
-  return moments;
+  return onlyFidgets(clip, motion, moments) ? std::vector<Moment>{} : moments;
 }
 
 } // namespace stretch::rig

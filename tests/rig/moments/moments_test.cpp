@@ -262,6 +262,29 @@ TEST_CASE("An idle has no moment: it sways from foot to foot, breathes, looks ab
   CHECK(momentOf(momentsOf(walking), "left-arm"));
 }
 
+TEST_CASE("A clip that is called an idle, comes back and never strikes only fidgets") {
+  const auto called = [](const char* name, double degrees, double last) {
+    MovingBiped fidget = stillBiped();
+    turn(fidget, "upperArm.l", up, {{0, 30}, {20, 30}, {50, 30 - degrees}, {60, 30 - degrees}, {90, last}});
+    fidget.clip.name = name;
+    return momentsOf(fidget);
+  };
+  const auto greets = [&](const char* name) { return !called(name, 110.0, 30.0).empty(); };
+  CHECK(greets("Wave"));
+  CHECK(greets("Idle_HitReact_Left"));
+  CHECK(greets("idleness"));
+  CHECK(greets(""));
+  CHECK(greets("2"));
+  CHECK_FALSE(greets("Idle"));
+  CHECK_FALSE(greets("Armature|Fighting Idle"));
+  CHECK_FALSE(greets("idle_2"));
+  CHECK_FALSE(called("drop_idle", 110.0, -40.0).empty()); // On its way to rest.
+  MovingBiped strike = striker();
+  strike.clip.name = "Fighting Idle";
+  REQUIRE(strengthOf(momentsOf(striker()), "left-arm") > 5.0);
+  CHECK(momentsOf(strike) == momentsOf(striker()));
+}
+
 TEST_CASE("Steps are cycles, and so is what swings along with them, the arm that strikes meanwhile is none") {
   const std::vector<Turn> forth{{0, -30}, {12, 30}, {24, -30}};
   const std::vector<Turn> back{{0, 30}, {12, -30}, {24, 30}};
