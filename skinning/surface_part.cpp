@@ -19,18 +19,20 @@ public:
   Builder(const Scene& scene, const std::vector<bool>& follows, SurfacePart& part)
       : scene_(scene), follows_(follows), part_(part) {}
 
-  void build() {
+  void build(SurfaceEdges edges) {
     const std::vector<NodeIndex> holders = drawnMeshNodes(scene_);
     for (const NodeIndex holder : holders) {
       forEachPrimitive(holder, [&](const Primitive& primitive) { addMoved(holder, primitive); });
     }
     part_.movedCount_ = part_.vertices_.size();
-    std::size_t piece = 0;
-    for (const NodeIndex holder : holders) {
-      forEachPrimitive(holder, [&](const Primitive& primitive) { addEdges(holder, primitive, piece++); });
+    if (edges == SurfaceEdges::all) {
+      std::size_t piece = 0;
+      for (const NodeIndex holder : holders) {
+        forEachPrimitive(holder, [&](const Primitive& primitive) { addEdges(holder, primitive, piece++); });
+      }
+      std::sort(part_.edges_.begin(), part_.edges_.end());
+      part_.edges_.erase(std::unique(part_.edges_.begin(), part_.edges_.end()), part_.edges_.end());
     }
-    std::sort(part_.edges_.begin(), part_.edges_.end());
-    part_.edges_.erase(std::unique(part_.edges_.begin(), part_.edges_.end()), part_.edges_.end());
     for (const Slot& slot : part_.slots_) {
       part_.nodes_.push_back(slot.node);
     }
@@ -139,8 +141,8 @@ private:
   std::vector<std::vector<std::uint32_t>> places_; // of the vertices of each primitive
 };
 
-SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows) {
-  Builder(scene, follows, *this).build();
+SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows, SurfaceEdges edges) {
+  Builder(scene, follows, *this).build(edges);
   measureSlots();
 }
 

@@ -9,6 +9,9 @@
 
 namespace stretch::skinning {
 
+/// Whether the edges of a part of a surface are listed; where only places are asked for they are not.
+enum class SurfaceEdges { all, none };
+
 /// The part of a character's surface that follows some of its nodes, for looking at it on many frames: linear
 /// blend skinning as skinnedPositions, of these vertices and their neighbours alone, in single precision.
 /// Morph targets stand as the file's own weights have them, not as a clip animates them.
@@ -22,8 +25,8 @@ public:
     friend auto operator<=>(const Edge&, const Edge&) = default;
   };
 
-  /// `follows`: indexed by node.
-  SurfacePart(const Scene& scene, const std::vector<bool>& follows);
+  /// `follows`: indexed by node. Without edges there are no still neighbours.
+  SurfacePart(const Scene& scene, const std::vector<bool>& follows, SurfaceEdges edges = SurfaceEdges::all);
 
   /// The nodes whose matrices the vertices are made with.
   [[nodiscard]] const std::vector<NodeIndex>& nodes() const { return nodes_; }

@@ -53,8 +53,7 @@ std::string problemOf(const Findings& findings) {
 class Trial {
 public:
   Trial(const ClipGround& ground, bool loops)
-      : ground_(ground), loops_(loops),
-        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*ground.document.scene))) {}
+      : ground_(ground), loops_(loops), facts_(std::make_shared<ClipFacts>(ground.document, ground.clip)) {}
 
   // Lowers the trail until it looks right; answers why it cannot be done at all. A limb that the ground stops
   // is as long as it was: better less of it, or along the ground, than that.
@@ -166,7 +165,7 @@ private:
       return "hardly anything of it would be seen";
     }
     if (look_ == nullptr || limb_ != trail.limb.id) {
-      look_ = std::make_unique<TrailLook>(ground_.document, ground_.clip, trail, LookAt::limbAndMesh);
+      look_ = std::make_unique<TrailLook>(facts_, trail, LookAt::limbAndMesh);
       limb_ = trail.limb.id;
     }
     return problemOf(look_->findings(alone));
@@ -207,7 +206,7 @@ private:
     EvaluationInput input = evaluationInput(only, ground_.clip);
     input.ground.loops = input.ground.loops || loops_;
     rig::MotionInput wanted = motionInput(input);
-    wanted.places = places_;
+    wanted.places = facts_->places();
     wanted.sourceFrames = frames_;
     rig::MotionState motion = rig::solveMotion(wanted);
     frames_ = motion.sourceFrames ? motion.sourceFrames : frames_;
@@ -216,7 +215,7 @@ private:
 
   const ClipGround& ground_;
   bool loops_ = false;
-  std::shared_ptr<const rig::BindPlaces> places_;
+  std::shared_ptr<ClipFacts> facts_;
   std::shared_ptr<const rig::FrameTable> frames_;
   std::unique_ptr<TrailLook> look_;
   std::string limb_; // that it looks at

@@ -64,10 +64,12 @@ void addSeen(const Document& document, const rig::MotionState& motion, const rig
   }
 }
 
-Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
+Json trailReport(const std::shared_ptr<ClipFacts>& facts, const rig::MotionState& motion,
+                 const rig::SolvedTrail& solved) {
+  const Document& document = facts->document();
   const double tipSeconds = solved.tipSeconds;
   Json warnings = solved.warnings;
-  for (const std::string& warning : motionWarnings(document, motion, solved)) {
+  for (const std::string& warning : motionWarnings(facts, motion, solved)) {
     warnings.push_back(solved.limb.id + ": " + warning);
   }
   if (const auto problem = wayBackProblem(document, motion, solved)) {
@@ -111,11 +113,12 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   EvaluationCache cache;
   rig::MotionState motion = *cache.motion(document, clip);
   motion.weights.clear(); // What the trails do by themselves.
+  const auto facts = std::make_shared<ClipFacts>(document, clip);
   for (const int id : ids) {
     const auto solved = std::ranges::find_if(
         motion.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
     if (solved != motion.trails.end()) {
-      report["trails"].push_back(trailReport(document, motion, *solved));
+      report["trails"].push_back(trailReport(facts, motion, *solved));
     }
   }
   if (hasWeight(document, clip)) {

@@ -144,8 +144,7 @@ public:
   Trial(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
         const TrailLook& look, const Findings& findings)
       : document_(document), motion_(motion), trail_(trail), look_(look), findings_(findings),
-        likely_(findings.worstFrames()),
-        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*document.scene))) {}
+        likely_(findings.worstFrames()) {}
 
   // The largest scale, in quarters, that leaves nothing: the same one from whatever scale above it.
   [[nodiscard]] std::optional<double> smallerScale() {
@@ -173,7 +172,8 @@ public:
 
 private:
   [[nodiscard]] bool helps(const rig::TrailSettings& settings) {
-    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings, places_);
+    const rig::MotionState other =
+        solvedWith(document_, motion_.clip, trail_, settings, look_.facts()->places());
     if (other.trails.empty()) {
       return false;
     }
@@ -191,7 +191,6 @@ private:
   const TrailLook& look_;
   const Findings& findings_;   // of the trail as it is
   std::vector<double> likely_; // frames where what is tried may not look right, the likeliest first
-  std::shared_ptr<const rig::BindPlaces> places_;
 };
 
 // The smaller scale comes first, whatever else would help as well: advice that stays the same while a number
@@ -251,21 +250,28 @@ std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, 
 
 } // namespace
 
-std::vector<std::string> motionWarnings(const Document& document, const rig::MotionState& motion,
-                                        const rig::SolvedTrail& trail, LookAt what) {
+std::vector<std::string> motionWarnings(const std::shared_ptr<ClipFacts>& facts,
+                                        const rig::MotionState& motion, const rig::SolvedTrail& trail,
+                                        LookAt what) {
   if (!trail.active) {
     return {};
   }
-  const TrailLook look(document, motion.clip, trail, what);
+  const Document& document = facts->document();
+  const TrailLook look(facts, trail, what);
   const Findings findings = look.findings(aloneIn(motion, trail.trail.id));
   std::vector<std::string> warnings;
   if (findings.any()) {
-    warnings =
-        lines(trail.limb, findings, look.knowsFloor(), adviceFor(document, motion, trail, look, findings));
+    const bool knowsFloor = facts->standing().floor.has_value();
+    warnings = lines(trail.limb, findings, knowsFloor, adviceFor(document, motion, trail, look, findings));
   }
   const std::vector<std::string> parts = partsLeftBehind(document, trail.limb, look.moved());
   warnings.insert(warnings.end(), parts.begin(), parts.end());
   return warnings;
+}
+
+std::vector<std::string> motionWarnings(const Document& document, const rig::MotionState& motion,
+                                        const rig::SolvedTrail& trail, LookAt what) {
+  return motionWarnings(std::make_shared<ClipFacts>(document, motion.clip), motion, trail, what);
 }
 
 } // namespace stretch::app

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/document.h"
+#include "app/evaluate/clip_facts.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -22,6 +24,11 @@ enum class LookAt { limb, limbAndMesh };
 /// advised only where each was tried and leaves nothing of that. Also what stays where it is though it stands
 /// at the limb's end (left_behind.h).
 [[nodiscard]] std::vector<std::string> motionWarnings(const Document& document,
+                                                      const rig::MotionState& motion,
+                                                      const rig::SolvedTrail& trail,
+                                                      LookAt what = LookAt::limbAndMesh);
+/// The same of a trail of the facts' document and clip: for the trails of one clip, whose facts are kept.
+[[nodiscard]] std::vector<std::string> motionWarnings(const std::shared_ptr<ClipFacts>& facts,
                                                       const rig::MotionState& motion,
                                                       const rig::SolvedTrail& trail,
                                                       LookAt what = LookAt::limbAndMesh);

@@ -9,15 +9,11 @@
 #include <glm/matrix.hpp>
 
 #include "app/evaluate/seen.h"
-#include "app/standing_floor.h"
-#include "core/anim/frames.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
-#include "rig/body/evidence/bind_pose.h"
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/part_motion.h"
-#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 
@@ -102,36 +98,27 @@ std::vector<double> Findings::worstFrames() const {
   return frames;
 }
 
-TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what)
-    : document_(document), clip_(clip), moved_(movedBy(*document.scene, trail)),
-      surface_(*document.scene,
-               what == LookAt::limbAndMesh ? moved_ : std::vector<bool>(moved_.size(), false)),
-      nodes_(surface_.nodes()) {
-  FrameState bind;
-  bind.worlds = rig::bindPoseWorlds(*document.scene);
-  std::vector<glm::vec3> places;
-  surface_.positions(bind, places);
-  for (const skinning::SurfacePart::Edge& edge : surface_.edges()) {
-    edgeLengths_.push_back(
-        std::sqrt(static_cast<double>(squaredDistance(places[edge.moved], places[edge.other]))));
+TrailLook::TrailLook(std::shared_ptr<ClipFacts> facts, const rig::SolvedTrail& trail, LookAt what)
+    : facts_(std::move(facts)), moved_(movedBy(*facts_->document().scene, trail)),
+      surface_(what == LookAt::limbAndMesh ? facts_->surfaceOf(moved_) : nullptr) {
+  if (surface_ != nullptr) {
+    nodes_ = surface_->part.nodes();
   }
-  const rig::BindPlaces bindPlaces = rig::bindPlaces(*document.scene);
   if (isArm(trail.limb)) {
-    findHead(bindPlaces);
+    findHead();
   }
-  const StandingFloor standing = standingFloor(document, clip, bindPlaces);
+  const StandingFloor& standing = facts_->standing();
   lowestEnd_ = isArm(trail.limb) ? standing.floor : isLeg(trail.limb) ? standing.ankles : std::nullopt;
   if (!lowestEnd_ && !standing.flies) {
-    findLowestPlace();
-  }
-  if (surface_.movedCount() > 0 && !standing.flies) {
-    findGround(standing.floor);
+    lowestPlace_ = facts_->lowestPlace();
   }
 }
 
-void TrailLook::findHead(const rig::BindPlaces& places) {
-  const NodeIndex joint = document_.body.head;
-  if (!joint.exists() || !document_.body.hips.exists()) {
+void TrailLook::findHead() {
+  const Document& document = facts_->document();
+  const rig::BindPlaces& places = *facts_->places();
+  const NodeIndex joint = document.body.head;
+  if (!joint.exists() || !document.body.hips.exists()) {
     return;
   }
   const Mat4& world = places.worlds[at(joint)];
@@ -139,7 +126,7 @@ void TrailLook::findHead(const rig::BindPlaces& places) {
     return;
   }
   Bounds box;
-  for (const NodeIndex node : withSubtrees(*document_.scene, {joint})) {
+  for (const NodeIndex node : withSubtrees(*document.scene, {joint})) {
     const Bounds& mesh = places.meshes[at(node)];
     if (!mesh.empty()) {
       box.add(mesh.low);
@@ -150,7 +137,7 @@ void TrailLook::findHead(const rig::BindPlaces& places) {
     box.add(positionOf(world));
   }
   Head head{joint, glm::inverse(world), 0.5 * (box.low + box.high), 0.5 * (box.high - box.low), 0.0};
-  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document_.body.hips)]).y;
+  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document.body.hips)]).y;
   if (head.aboveHips > 0.0) {
     head_ = head;
     nodes_.push_back(joint);
@@ -163,79 +150,16 @@ double TrailLook::Head::top(const Mat4& jointWorld) const {
   return transformPoint(moved, centre).y + glm::length(up * half);
 }
 
-// Of joints, in the bind pose and in the clip: what hangs in the air without beating wings is measured by
-// where it stands.
-void TrailLook::findLowestPlace() {
-  constexpr double mostFrames = 240.0;
-  const Scene& scene = *document_.scene;
-  const Clip& clip = clipOf(document_, clip_);
-  const std::vector<rig::Limb> limbs = allLimbs(document_);
-  std::vector<NodeIndex> joints;
-  if (document_.body.hips.exists()) {
-    joints.push_back(document_.body.hips);
-  }
-  for (const rig::Limb& limb : limbs) {
-    joints.insert(joints.end(), limb.joints.begin(), limb.joints.end());
-  }
-  const std::vector<NodeIndex> body = withSubtrees(scene, joints);
-  double lowest = std::numeric_limits<double>::infinity();
-  const auto lookAt = [&](const FrameState& frame) {
-    for (const NodeIndex node : body) {
-      lowest = std::min(lowest, positionOf(frame.worlds[at(node)]).y);
-    }
-    for (const rig::Limb& limb : limbs) {
-      lowest = std::min(lowest, rig::endPosition(limb, frame).y);
-    }
-  };
-  FrameState bind;
-  bind.worlds = rig::bindPoseWorlds(scene);
-  lookAt(bind);
-  const double last = endInFrames(clip);
-  const double step = std::max(1.0, last / mostFrames);
-  for (double frame = 0.0; frame <= last; frame += step) {
-    lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
-  }
-  lowestPlace_ = std::isfinite(lowest) ? std::optional(lowest) : std::nullopt;
-}
-
-// No lower than the lowest vertex in the clip; where feet stand on no floor, nor than the lowest joint and
-// what is lowest in the bind pose.
-void TrailLook::findGround(const std::optional<double>& floor) {
-  constexpr double mostFrames = 48.0;
-  const Scene& scene = *document_.scene;
-  const Clip& clip = clipOf(document_, clip_);
-  const skinning::SurfacePart whole(scene, std::vector<bool>(scene.nodes.size(), true));
-  double lowest = std::numeric_limits<double>::infinity();
-  std::vector<glm::vec3> places;
-  const auto lookAt = [&](const FrameState& frame) {
-    whole.positions(frame, places);
-    for (const glm::vec3& place : places) {
-      lowest = std::min(lowest, static_cast<double>(place.y));
-    }
-  };
-  const double step = std::max(1.0, endInFrames(clip) / mostFrames);
-  for (double frame = 0.0; frame <= endInFrames(clip); frame += step) {
-    lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
-  }
-  knowsFloor_ = floor.has_value();
-  if (!knowsFloor_) {
-    FrameState bind;
-    bind.worlds = rig::bindPoseWorlds(scene);
-    lookAt(bind);
-  }
-  ground_ = knowsFloor_ ? std::max(*floor, lowest) : std::min(lowestPlace_.value_or(lowest), lowest);
-}
-
 // One trail on its frames.
 class TrailLook::Walk {
 public:
   Walk(const TrailLook& look, const rig::MotionState& alone)
-      : look_(look), alone_(alone), trail_(alone.trails.front()),
-        part_(*look.document_.scene, clipOf(look.document_, look.clip_), alone, look.nodes_) {
+      : look_(look), document_(look.facts_->document()), alone_(alone), trail_(alone.trails.front()),
+        part_(*document_.scene, clipOf(document_, look.facts_->clip()), alone, look.nodes_) {
     if (trail_.settings.stopAt) {
       unstopped_ = alone;
       unstopped_->trails.front().settings.stopAt.reset();
-      unstoppedPart_.emplace(*look.document_.scene, clipOf(look.document_, look.clip_), *unstopped_,
+      unstoppedPart_.emplace(*document_.scene, clipOf(document_, look.facts_->clip()), *unstopped_,
                              look.nodes_);
     }
     step(trail_.tipSeconds);
@@ -289,7 +213,7 @@ private:
     part_.move(after_);
   }
 
-  [[nodiscard]] double height() const { return look_.document_.body.height; }
+  [[nodiscard]] double height() const { return document_.body.height; }
 
   void lookAtLimb(double frame) {
     const Vec3 reachBefore = reachOf(trail_.limb, before_);
@@ -390,7 +314,7 @@ private:
   void lookAtElbows(double frame, double margin) {
     const Head& head = *look_.head_;
     const double top = head.top(before_.worlds[at(head.joint)]);
-    const double aboveHips = top - positionOf(before_.worlds[at(look_.document_.body.hips)]).y;
+    const double aboveHips = top - positionOf(before_.worlds[at(document_.body.hips)]).y;
     if (aboveHips < 0.5 * head.aboveHips) {
       return;
     }
@@ -403,13 +327,15 @@ private:
     }
   }
 
+  [[nodiscard]] const skinning::SurfacePart& surface() const { return look_.surface_->part; }
+
   void lookAtSurface(double frame) {
-    if (look_.surface_.movedCount() == 0) {
+    if (look_.surface_ == nullptr || surface().movedCount() == 0) {
       return;
     }
     hasFrom_ = false;
-    look_.surface_.movedPositions(after_, to_);
-    look_.surface_.stillPositions(before_, to_);
+    surface().movedPositions(after_, to_);
+    surface().stillPositions(before_, to_);
     if (mayBeFarOff()) {
       lookAtVertices(frame);
     }
@@ -418,19 +344,21 @@ private:
   }
 
   void lookAtGround(double frame) {
-    if (!look_.ground_) {
+    ClipFacts& facts = *look_.facts_;
+    if (facts.standing().flies) {
       return;
     }
     const auto lowestOf = [&](const std::vector<glm::vec3>& places) {
-      const auto end = places.begin() + static_cast<std::ptrdiff_t>(look_.surface_.movedCount());
+      const auto end = places.begin() + static_cast<std::ptrdiff_t>(surface().movedCount());
       return static_cast<double>(
           std::min_element(places.begin(), end, [](const glm::vec3& a, const glm::vec3& b) {
             return a.y < b.y;
           })->y);
     };
-    const double below = *look_.ground_ - lowestOf(to_);
     const double margin = placeMargin * height();
-    if (below > margin && below > *look_.ground_ - lowestOf(from()) + margin) {
+    const double lowest = lowestOf(to_);
+    if (facts.isBelowGround(lowest, margin) && lowestOf(from()) - lowest > margin) {
+      const double below = facts.ground() - lowest;
       findings_.floors.add(frame, below, below);
     }
   }
@@ -438,7 +366,7 @@ private:
   // Places in the source, which most frames need not.
   [[nodiscard]] const std::vector<glm::vec3>& from() {
     if (!hasFrom_) {
-      look_.surface_.positions(before_, from_);
+      surface().positions(before_, from_);
       hasFrom_ = true;
     }
     return from_;
@@ -448,7 +376,7 @@ private:
   // slack.
   [[nodiscard]] bool mayBeFarOff() const {
     const double slack = 1e-3 * height() + 1e-5 * glm::length(rig::leadingPosition(trail_.limb, after_));
-    return !(look_.surface_.farthestMove(before_, after_) + slack <= room * findings_.tipDisplacement);
+    return !(surface().farthestMove(before_, after_) + slack <= room * findings_.tipDisplacement);
   }
 
   // A head reaches out beyond the end of its neck, and goes as much farther as it is away from the neck's
@@ -460,7 +388,7 @@ private:
     const bool hasHead = trail_.limb.kind == rig::LimbKind::neck && length > 0.0;
     double farthest = 0.0; // in lengths of its lever
     double carried = 0.0;
-    for (std::size_t i = 0; i < look_.surface_.movedCount(); ++i) {
+    for (std::size_t i = 0; i < surface().movedCount(); ++i) {
       const double distance = std::sqrt(static_cast<double>(squaredDistance(to_[i], source[i])));
       const double lever = hasHead ? std::max(1.0, glm::distance(base, Vec3(source[i])) / length) : 1.0;
       const double beside = distance / lever;
@@ -478,17 +406,17 @@ private:
     const double most = std::max(longestEdge, room * trail_.settings.scale);
     const auto seenSquared = static_cast<float>(visibleLength * height() * visibleLength * height());
     double worst = 0.0;
-    for (std::size_t i = 0; i < look_.edgeLengths_.size(); ++i) {
-      const skinning::SurfacePart::Edge& edge = look_.surface_.edges()[i];
+    for (std::size_t i = 0; i < look_.surface_->edgeLengths.size(); ++i) {
+      const skinning::SurfacePart::Edge& edge = surface().edges()[i];
       const float afterSquared = squaredDistance(to_[edge.moved], to_[edge.other]);
-      const auto farOff = static_cast<float>(most * look_.edgeLengths_[i]);
+      const auto farOff = static_cast<float>(most * look_.surface_->edgeLengths[i]);
       if (afterSquared <= seenSquared || afterSquared <= farOff * farOff) {
         continue;
       }
       const double after = std::sqrt(static_cast<double>(afterSquared));
       const double before =
           std::sqrt(static_cast<double>(squaredDistance(from()[edge.moved], from()[edge.other])));
-      const double own = std::max(look_.edgeLengths_[i], before);
+      const double own = std::max(look_.surface_->edgeLengths[i], before);
       if (after > most * own) {
         worst = std::max(worst, after / std::max(own, 1e-9 * height()));
       }
@@ -499,6 +427,7 @@ private:
   }
 
   const TrailLook& look_;
+  const Document& document_;
   const rig::MotionState& alone_;
   const rig::SolvedTrail& trail_;
   rig::PartMotion part_;

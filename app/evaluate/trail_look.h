@@ -1,15 +1,15 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/document.h"
+#include "app/evaluate/clip_facts.h"
 #include "app/evaluate/quality.h"
 #include "rig/motion/motion.h"
-#include "rig/reach/bind_places.h"
-#include "skinning/surface_part.h"
 
 namespace stretch::app {
 
@@ -56,8 +56,7 @@ struct Findings {
 /// remedy that is tried.
 class TrailLook {
 public:
-  /// Everything given has to outlive it.
-  TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what);
+  TrailLook(std::shared_ptr<ClipFacts> facts, const rig::SolvedTrail& trail, LookAt what);
 
   /// `alone`: a motion of the one trail, with these or other settings.
   [[nodiscard]] Findings findings(const rig::MotionState& alone) const;
@@ -69,8 +68,7 @@ public:
 
   /// Lowest place of the body in the clip and in the bind pose, where no floor is known for the limb's end.
   [[nodiscard]] std::optional<double> lowestPlace() const { return lowestPlace_; }
-  /// Whether a floor is known: feet stand on it in the clip.
-  [[nodiscard]] bool knowsFloor() const { return knowsFloor_; }
+  [[nodiscard]] const std::shared_ptr<ClipFacts>& facts() const { return facts_; }
 
 private:
   class Walk;
@@ -87,21 +85,15 @@ private:
     [[nodiscard]] double top(const Mat4& jointWorld) const;
   };
 
-  void findHead(const rig::BindPlaces& places);
-  void findLowestPlace();
-  void findGround(const std::optional<double>& floor);
+  void findHead();
 
-  const Document& document_;
-  int clip_ = -1;
+  std::shared_ptr<ClipFacts> facts_;
   std::vector<bool> moved_;
-  skinning::SurfacePart surface_;
-  std::vector<double> edgeLengths_; // in the bind pose
+  std::shared_ptr<const BoundSurface> surface_; // null: the limb alone is looked at
   std::vector<NodeIndex> nodes_;
   std::optional<Head> head_;
   std::optional<double> lowestEnd_;
   std::optional<double> lowestPlace_;
-  std::optional<double> ground_; // that no vertex may go below; none in flight
-  bool knowsFloor_ = false;
 };
 
 } // namespace stretch::app

@@ -181,7 +181,7 @@ TEST_CASE("something is found on a trail wherever it is looked for first") {
   Document document = punching(20.0, 2.0);
   addFlight(document);
   const rig::MotionState motion = prepareMotion(document, 0);
-  const TrailLook look(document, 0, motion.trails.front(), LookAt::limbAndMesh);
+  const TrailLook look(std::make_shared<ClipFacts>(document, 0), motion.trails.front(), LookAt::limbAndMesh);
   const Findings found = look.findings(motion);
   REQUIRE(found.any());
   const double worst = found.worstFrames().back();
