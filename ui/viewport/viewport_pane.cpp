@@ -209,11 +209,32 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   drawScene(context, gpu, picture);
 }
 
+// A heavy character that moves is drawn with few triangles, until the picture has been the same for as long
+// as the whole one takes.
+bool waitsForRest(const ViewportGpu& gpu, DrawnPicture& drawn, std::uint64_t key) {
+  constexpr double restSeconds = 0.25;
+  const double now = ImGui::GetTime();
+  if (key != drawn.wantedKey) {
+    drawn.wantedKey = key;
+    drawn.wantedSinceSeconds = now;
+  }
+  const double whole = gpu.renderer.secondsUnthinned();
+  return whole > 0.0 && key != drawn.contentKey &&
+         now - drawn.wantedSinceSeconds < std::max(restSeconds, whole);
+}
+
 } // namespace
 
 void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
-                 const ViewportPicture& picture) {
-  const std::uint64_t key = keyOf(context.viewport.view, picture, gpu, context.theme.kind);
+                 const ViewportPicture& wanted) {
+  SceneStyle style = wanted.style;
+  const ViewportPicture picture{wanted.frame, wanted.ghosts, wanted.overlay, style};
+  const auto currentKey = [&] { return keyOf(context.viewport.view, picture, gpu, context.theme.kind); };
+  std::uint64_t key = currentKey();
+  if (waitsForRest(gpu, drawn, key)) {
+    style.quality.thinned = true;
+    key = currentKey();
+  }
   if (key == drawn.contentKey && drawn.target.textureId() != 0) {
     return;
   }

@@ -17,6 +17,8 @@ namespace stretch::ui {
 struct DrawnPicture {
   RenderTarget target;
   std::uint64_t contentKey = 0; ///< Key of what was drawn; it is not drawn again while this stays.
+  std::uint64_t wantedKey = 0;  ///< Key of the last picture that was asked for.
+  double wantedSinceSeconds = 0.0;
 };
 
 /// Part of a mesh sequence that is on the graphics card.
@@ -46,7 +48,7 @@ struct ViewportGpu {
 
 /// Draws a picture unless it would be the same again.
 void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
-                 const ViewportPicture& picture);
+                 const ViewportPicture& wanted);
 /// Puts it into the current window.
 void showPicture(const DrawnPicture& drawn, const Rect& box);
 

@@ -23,13 +23,13 @@ constexpr float width = 460.0F;
 constexpr float height = 340.0F;
 
 /// How many messages there are, and how many of them lie over a place.
-struct Told {
+struct MessagesTold {
   int count = 0;
   int over = 0;
 };
 
-Told messagesOver(const ItemRegistry& items, const Rect& box) {
-  Told told;
+MessagesTold messagesOver(const ItemRegistry& items, const Rect& box) {
+  MessagesTold told;
   for (const Item& item : items.items) {
     if (item.id.starts_with("toast/")) {
       ++told.count;
@@ -99,7 +99,7 @@ TEST_CASE("No message covers the selected trail's tip, wherever it stands in the
       const std::optional<ImVec2> place = placeOf(stage.viewport, tip);
       REQUIRE(place);
       CHECK(place->x == Approx(across * double(width)).margin(20.0));
-      const Told told = messagesOver(stage.items, around(*place, 8.0F));
+      const MessagesTold told = messagesOver(stage.items, around(*place, 8.0F));
       CHECK(told.count >= 1);
       CHECK(told.over == 0);
     }
@@ -117,7 +117,7 @@ TEST_CASE("Messages spare a trail that nobody selected where the picture has roo
   for (const double down : {0.06, 0.12, 0.88, 0.94}) {
     CAPTURE(down);
     stage.lookAt(tip, 0.5, down);
-    const Told told = messagesOver(stage.items, {{0.0F, 0.0F}, {width, height}});
+    const MessagesTold told = messagesOver(stage.items, {{0.0F, 0.0F}, {width, height}});
     CHECK(told.count >= 1);
     CHECK(coveredTrails(stage.viewport, stage.items) == 0);
     const float edge = down < 0.5 ? 0.0F : height;
@@ -169,7 +169,7 @@ TEST_CASE("No message covers the handles of a selected controller") {
     stage.lookAt(handles->origin, 0.5, down);
     const std::optional<ImVec2> place = placeOf(stage.viewport, handles->origin);
     REQUIRE(place);
-    const Told told = messagesOver(stage.items, around(*place, 60.0F));
+    const MessagesTold told = messagesOver(stage.items, around(*place, 60.0F));
     CHECK(told.count >= 1);
     CHECK(told.over == 0);
   }
@@ -184,7 +184,7 @@ TEST_CASE("What went wrong is told beside an open dialog where the window has ro
   stage.showDialogs();
   const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
   REQUIRE(dialog != nullptr);
-  const Told told = messagesOver(stage.items, {dialog->Rect().Min, dialog->Rect().Max});
+  const MessagesTold told = messagesOver(stage.items, {dialog->Rect().Min, dialog->Rect().Max});
   CHECK(told.count == 1);
   CHECK(told.over == 0);
 }

@@ -24,6 +24,7 @@ public:
 
   /// Uploads the scene; call again when another file was opened. The scene must live as long as it is drawn.
   void setScene(const Scene& scene) { scene_.setScene(scene); }
+  [[nodiscard]] double secondsUnthinned() const { return scene_.secondsUnthinned(); }
   /// See SceneRenderer::reshape.
   void reshape(const SceneShape& shape) { scene_.reshape(shape); }
 

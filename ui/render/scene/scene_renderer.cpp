@@ -11,6 +11,7 @@
 #include "ui/render/scene/posing.h"
 #include "ui/render/scene/shadow_pass.h"
 #include "ui/render/scene/surface_pass.h"
+#include "ui/render/scene/thinned_meshes.h"
 #include "ui/render/scene/value_colors.h"
 
 namespace stretch::ui {
@@ -24,7 +25,19 @@ struct SceneRenderer::Parts {
   OutlinePass outline;
   const Scene* scene = nullptr;
   UploadedScene uploaded;
+  std::size_t heavyTriangles = 0;       // of a heavy scene that is drawn in software, else 0
+  std::optional<UploadedScene> thinned; // such a scene with few of them, once it was drawn so
   std::optional<BoundsSampler> bounds;
+
+  UploadedScene& drawn(const Quality& quality) {
+    if (!quality.thinned || heavyTriangles == 0) {
+      return uploaded;
+    }
+    if (!thinned) {
+      thinned = uploadMeshes(*scene, thinnedMeshes(scene->meshes, movingTriangles), uploaded.textures);
+    }
+    return *thinned;
+  }
 };
 
 namespace {
@@ -56,20 +69,19 @@ SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
 namespace {
 
 template <typename Parts>
-void poseParts(Parts& parts, const FrameState& frame, const SceneStyle& style) {
+void poseParts(Parts& parts, UploadedScene& drawn, const FrameState& frame, const SceneStyle& style) {
   const bool plain = style.normals == skinning::NormalMatrix::plain;
   const FrameState turning =
       plain ? skinning::turningFrame(*parts.scene, frame, !style.newStretchTurns) : FrameState{};
-  parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style),
-                    plain ? &turning : nullptr);
+  parts.posing.pose(*parts.scene, drawn, frame, attributesOf(frame, style), plain ? &turning : nullptr);
 }
 
 // Ghosts lie behind the character wherever they stand, so that it stays clear, and leave no depth behind.
 template <typename Parts>
-void drawGhosts(Parts& parts, const View& view, std::span<const Ghost> ghosts) {
+void drawGhosts(Parts& parts, UploadedScene& drawn, const View& view, std::span<const Ghost> ghosts) {
   for (const Ghost& ghost : ghosts) {
-    parts.posing.pose(*parts.scene, parts.uploaded, ghost.frame, {});
-    parts.surface.drawGhost(parts.uploaded, view, ghost.tint);
+    parts.posing.pose(*parts.scene, drawn, ghost.frame, {});
+    parts.surface.drawGhost(drawn, view, ghost.tint);
   }
   if (!ghosts.empty()) {
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -116,17 +128,30 @@ Result<SceneRenderer> SceneRenderer::create() {
                                                      std::move(outline).value(),
                                                      nullptr,
                                                      {},
+                                                     0,
+                                                     {},
                                                      {}}));
 }
 
 void SceneRenderer::setScene(const Scene& scene) {
   parts_->scene = &scene;
   parts_->uploaded = uploadScene(scene);
+  parts_->thinned.reset();
+  // Half as many again would hardly be drawn faster.
+  const std::size_t triangles = triangleCount(scene.meshes);
+  parts_->heavyTriangles = drawsInSoftware() && triangles > 3 * movingTriangles / 2 ? triangles : 0;
   parts_->bounds.emplace(scene);
+}
+
+double SceneRenderer::secondsUnthinned() const {
+  constexpr double secondsOfTriangle = 4e-7; // of Mesa's llvmpipe on two cores
+  return secondsOfTriangle * static_cast<double>(parts_->heavyTriangles);
 }
 
 void SceneRenderer::reshape(const SceneShape& shape) {
   const GlStateGuard guard;
+  parts_->thinned.reset();
+  parts_->heavyTriangles = 0;
   ui::reshape(parts_->uploaded, *parts_->scene, shape);
   parts_->bounds->reshape(shape);
 }
@@ -135,14 +160,15 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
                          const SceneStyle& style, unsigned targetFramebuffer) {
   const GlStateGuard guard;
   Parts& parts = *parts_;
+  UploadedScene& drawn = parts.drawn(style.quality);
   const StudioLights lights = studioLights(view);
   const bool drawsMesh = parts.scene != nullptr && style.mesh;
   ShadowMaps shadows;
   if (drawsMesh) {
-    poseParts(parts, frame, style);
+    poseParts(parts, drawn, frame, style);
     const ShadowScene shadowScene{parts.bounds->boxOf(*parts.scene, frame), style.measures.floorHeight,
                                   style.measures.characterHeight, lights.key};
-    shadows = parts.shadows.draw(parts.uploaded, shadowScene, style.quality);
+    shadows = parts.shadows.draw(drawn, shadowScene, style.quality);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, targetFramebuffer);
   glViewport(0, 0, static_cast<GLsizei>(view.viewport.widthPixels),
@@ -159,15 +185,15 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
         shadows);
   }
   if (drawsMesh) {
-    drawGhosts(parts, view, ghosts);
+    drawGhosts(parts, drawn, view, ghosts);
     if (!ghosts.empty()) {
-      poseParts(parts, frame, style);
+      poseParts(parts, drawn, frame, style);
     }
     const SurfaceLook look = lookOf(style, shadows);
-    parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
-    parts.surface.drawBlended(*parts.scene, parts.uploaded, view, lights, look, frame);
+    parts.surface.drawOpaque(*parts.scene, drawn, view, lights, look, frame);
+    parts.surface.drawBlended(*parts.scene, drawn, view, lights, look, frame);
     if (style.shading != SurfaceShading::jointWeights && picksOut(style)) {
-      parts.outline.draw(*parts.scene, parts.uploaded, view, style.palette, frame);
+      parts.outline.draw(*parts.scene, drawn, view, style.palette, frame);
     }
   }
 }
@@ -181,7 +207,7 @@ std::vector<glm::vec3> SceneRenderer::posedPositions(const FrameState& frame, st
 std::vector<glm::vec3> SceneRenderer::posedNormals(const FrameState& frame, std::size_t primitive,
                                                    const SceneStyle& style) {
   const GlStateGuard guard;
-  poseParts(*parts_, frame, style);
+  poseParts(*parts_, parts_->uploaded, frame, style);
   return readPosedNormals(parts_->uploaded, primitive);
 }
 

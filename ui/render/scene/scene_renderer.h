@@ -59,6 +59,10 @@ public:
 
   /// Uploads the scene; replaces the one before. The scene must outlive the renderer's use of it.
   void setScene(const Scene& scene);
+  /// Estimated seconds that a picture of the whole scene takes where it is heavy and drawn in software:
+  /// Quality::thinned draws it with few triangles (thinnedMeshes) instead. 0 where it is not, and once the
+  /// scene was reshaped.
+  [[nodiscard]] double secondsUnthinned() const;
 
   /// Moves the vertices of the scene; everything else stays on the graphics card as it is.
   void reshape(const SceneShape& shape);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -136,12 +137,12 @@ GlTexture uploadTexture(const Image& image) {
 }
 
 // Parts of each mesh lie next to each other: firstPart[mesh] .. firstPart[mesh + 1].
-std::vector<std::size_t> uploadParts(const Scene& scene, std::vector<UploadedPart>& parts) {
+std::vector<std::size_t> uploadParts(const std::vector<Mesh>& meshes, std::vector<UploadedPart>& parts) {
   std::vector<std::size_t> firstPart;
   std::size_t number = 0;
-  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
     firstPart.push_back(parts.size());
-    for (const Primitive& primitive : scene.meshes[mesh].primitives) {
+    for (const Primitive& primitive : meshes[mesh].primitives) {
       if (!primitive.positions.empty() && !primitive.indices.empty()) {
         parts.push_back(uploadPart(primitive, static_cast<int>(mesh), number));
       }
@@ -170,11 +171,19 @@ std::vector<bool> shownNodes(const Scene& scene) {
 
 UploadedScene uploadScene(const Scene& scene) {
   const GlStateGuard guard;
-  UploadedScene uploaded;
+  auto textures = std::make_shared<std::vector<GlTexture>>();
   for (const Image& image : scene.images) {
-    uploaded.textures.push_back(uploadTexture(image));
+    textures->push_back(uploadTexture(image));
   }
-  const std::vector<std::size_t> firstPart = uploadParts(scene, uploaded.parts);
+  return uploadMeshes(scene, scene.meshes, std::move(textures));
+}
+
+UploadedScene uploadMeshes(const Scene& scene, const std::vector<Mesh>& meshes,
+                           std::shared_ptr<const std::vector<GlTexture>> textures) {
+  const GlStateGuard guard;
+  UploadedScene uploaded;
+  uploaded.textures = std::move(textures);
+  const std::vector<std::size_t> firstPart = uploadParts(meshes, uploaded.parts);
   const std::vector<bool> shown = shownNodes(scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];

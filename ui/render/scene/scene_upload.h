@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -46,14 +47,17 @@ struct DrawItem {
 /// A scene in the graphics card's memory.
 struct UploadedScene {
   std::vector<UploadedPart> parts;
-  std::vector<DrawItem> items;     ///< Items of nodes below the roots, in the file's order.
-  std::vector<GlTexture> textures; ///< One for each image; empty for images without pixels or beyond the
-                                   ///< driver's limit.
+  std::vector<DrawItem> items; ///< Items of nodes below the roots, in the file's order.
+  std::shared_ptr<const std::vector<GlTexture>> textures; ///< One for each image; empty for images without
+                                                          ///< pixels or beyond the driver's limit.
 };
 
 /// Uploads what the default scene shows. Indices that point outside are a broken invariant of the reader;
 /// primitives without vertices or triangles are left out.
 [[nodiscard]] UploadedScene uploadScene(const Scene& scene);
+/// The same with other meshes in the places of the scene's, which look at the textures of an upload of it.
+[[nodiscard]] UploadedScene uploadMeshes(const Scene& scene, const std::vector<Mesh>& meshes,
+                                         std::shared_ptr<const std::vector<GlTexture>> textures);
 
 /// Makes `shape` hold the mesh at these morph weights (missing ones count as 0).
 void morph(UploadedPart& part, const std::vector<float>& weights);

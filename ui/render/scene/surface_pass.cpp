@@ -189,7 +189,7 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
 
 bool SurfacePass::bindUse(int unit, const UploadedScene& uploaded, const TextureUse& use) const {
   const unsigned texture =
-      use.image >= 0 ? uploaded.textures[static_cast<std::size_t>(use.image)].name() : 0U;
+      use.image >= 0 ? (*uploaded.textures)[static_cast<std::size_t>(use.image)].name() : 0U;
   bindTexture(unit, texture);
   glBindSampler(static_cast<GLuint>(unit), samplers_[samplerIndex(use)].name());
   return texture != 0;

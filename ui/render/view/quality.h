@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace stretch::ui {
@@ -10,6 +11,7 @@ struct Quality {
   int floorShadowPixels = 512; ///< Side of the floor shadow; 0 for no shadow on the floor.
   int floorShadowBlurs = 2;
   int selfShadowPixels = 2048; ///< Side of the shadow map that the character casts on itself; 0 for none.
+  bool thinned = false;        ///< Draw a heavy character with fewer triangles, where there are such.
 
   friend bool operator==(const Quality&, const Quality&) = default;
 };
@@ -26,6 +28,10 @@ inline constexpr int highestQualityLevel = 3;
 
 /// The level to start with: 3 on a graphics card, 1 in software.
 [[nodiscard]] int startingQualityLevel();
+
+/// Triangles that a renderer in software poses and draws in a few hundredths of a second; a character that
+/// moves is drawn with about so many.
+inline constexpr std::size_t movingTriangles = 30'000;
 
 /// Chooses the next level from how long frames take; the shell feeds it one duration for each drawn frame.
 class QualityGovernor {
