@@ -135,7 +135,7 @@ void printClip(const Json& clip) {
 } // namespace
 
 bool AutoArguments::givesAny() const {
-  return wanted || allClips || !style.empty() || !strength.empty() ||
+  return wanted || !style.empty() || !strength.empty() ||
          std::ranges::any_of(settings.values, [](const auto& one) { return !one.second.empty(); });
 }
 
@@ -143,7 +143,7 @@ void addAutoOptions(CommandLine& line, AutoArguments& arguments) {
   constexpr const char* heading = "Every moment at once";
   line.flag("--auto", arguments.wanted, "Exaggerates every moment of the clip in a style, instead of --limb")
       .group(heading);
-  line.flag("--all-clips", arguments.allClips, "With --auto: every clip of the file").group(heading);
+  line.flag("--all-clips", arguments.allClips, "Every clip of the file, instead of --clip").group(heading);
   line.option("--style", arguments.style,
               std::string("With --auto: name of a style or a file of one (.json); default: ") + usualStyle)
       .group(heading);

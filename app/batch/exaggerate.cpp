@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <memory>
+
+#include <fmt/core.h>
 
 #include "app/batch/auto_options.h"
 #include "app/batch/options.h"
@@ -76,6 +79,9 @@ Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRe
   if (arguments.every.wanted && arguments.loops) {
     return Error{"is found by --auto itself", "--loops", "leave it out"};
   }
+  if (arguments.every.allClips && !arguments.recipe.empty()) {
+    return Error{"stands beside --recipe, which names its clip", "--all-clips", "give one of the two"};
+  }
   if (!arguments.every.wanted && arguments.every.givesAny()) {
     return Error{"a style is for every moment at once", "--style", "give --auto as well"};
   }
@@ -89,24 +95,78 @@ Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRe
   return Success{};
 }
 
+// Places trails and tells what became of them.
+Result<gltf::Json> exaggerated(const Recipe& recipe, bool loops, Document& document) {
+  Result<PlacedTrails> placed =
+      appliedRecipe(loops ? setLooping(document, recipe.clip, true) : document, recipe);
+  if (!placed) {
+    return placed.error();
+  }
+  document = std::move(placed->document);
+  return exaggerationJson(document, recipe.clip, placed->trailIds);
+}
+
 // The trails that were named, or of the recipe.
-Result<gltf::Json> exaggerated(const ExaggerateArguments& arguments,
-                               const std::vector<TrailRequest>& requests, const std::string& camera,
-                               Document& document) {
+Result<gltf::Json> exaggeratedClip(const ExaggerateArguments& arguments,
+                                   const std::vector<TrailRequest>& requests, const std::string& camera,
+                                   Document& document) {
   Result<Recipe> recipe = wantedTrails(arguments, requests, document);
   if (!recipe) {
     return recipe.error();
   }
   setCamera(arguments.recipe.empty() ? std::string() : camera, *recipe);
-  if (arguments.loops) {
-    document = setLooping(document, recipe->clip, true);
+  return exaggerated(*recipe, arguments.loops, document);
+}
+
+// The named trails that can be in a clip; why the others cannot is told.
+gltf::Json exaggeratedWherePossible(const std::vector<TrailRequest>& requests, int clip, bool loops,
+                                    Document& document) {
+  std::vector<int> ids;
+  gltf::Json left = gltf::Json::array();
+  for (const TrailRequest& request : requests) {
+    Document changed = document;
+    Result<Recipe> recipe = recipeOf({request}, clip, changed);
+    if (recipe) {
+      recipe->trails.front().colour = static_cast<int>(ids.size()) % dealtColours;
+    }
+    Result<PlacedTrails> placed =
+        recipe ? appliedRecipe(loops ? setLooping(changed, clip, true) : changed, *recipe)
+               : Result<PlacedTrails>(recipe.error());
+    if (placed) {
+      document = std::move(placed->document);
+      ids.push_back(placed->trailIds.front());
+    } else {
+      left.push_back(request.limb + ": " + withoutPlace(placed.error()));
+    }
   }
-  Result<PlacedTrails> placed = appliedRecipe(document, *recipe);
-  if (!placed) {
-    return placed.error();
+  gltf::Json report = exaggerationJson(document, clip, ids);
+  report.erase("warnings");
+  report["left_out"] = std::move(left);
+  return report;
+}
+
+Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
+                                    const std::vector<TrailRequest>& requests, Document& document) {
+  gltf::Json clips = gltf::Json::array();
+  for (int clip = 0; clip < static_cast<int>(document.clips->size()); ++clip) {
+    clips.push_back(exaggeratedWherePossible(requests, clip, arguments.loops, document));
   }
-  document = std::move(placed->document);
-  return exaggerationJson(document, recipe->clip, placed->trailIds);
+  if (std::ranges::all_of(clips, [](const gltf::Json& clip) { return clip["trails"].empty(); })) {
+    return Error{"none of the limbs can be exaggerated in any clip", "--all-clips",
+                 "exaggerate one --clip to see why"};
+  }
+  return gltf::Json{{"clips", std::move(clips)}, {"warnings", documentWarnings(document)}};
+}
+
+void printClips(const gltf::Json& report) {
+  for (const gltf::Json& clip : report["clips"]) {
+    fmt::print("{}:\n", clip["clip"].get<std::string>());
+    printExaggeration(clip);
+    for (const gltf::Json& left : clip["left_out"]) {
+      fmt::print("left out: {}\n", left.get<std::string>());
+    }
+  }
+  printWarnings(report["warnings"]);
 }
 
 Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
@@ -123,7 +183,9 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   }
   const bool isAuto = arguments.every.wanted;
   Result<gltf::Json> report = isAuto ? autoExaggerated(arguments.every, arguments.input, *document)
-                                     : exaggerated(arguments, requests, camera, *document);
+                              : arguments.every.allClips
+                                  ? exaggeratedClips(arguments, requests, *document)
+                                  : exaggeratedClip(arguments, requests, camera, *document);
   if (!report) {
     return report.error();
   }
@@ -133,7 +195,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (arguments.json) {
     arguments.json.print(*report);
   } else {
-    (isAuto ? printAuto : printExaggeration)(*report);
+    (isAuto ? printAuto : arguments.every.allClips ? printClips : printExaggeration)(*report);
     printSaved(*report);
   }
   return Success{};

@@ -153,7 +153,9 @@ void printExaggeration(const Json& report) {
   if (report.contains("elastic")) {
     printWeight(report["elastic"]);
   }
-  printWarnings(report["warnings"]);
+  if (report.contains("warnings")) {
+    printWarnings(report["warnings"]);
+  }
 }
 
 gltf::Json addedFilesToJson(const Document& document) {

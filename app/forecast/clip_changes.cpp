@@ -134,13 +134,22 @@ private:
     }
     const double vertices = static_cast<double>(std::max<std::size_t>(1, vertexCount(*watched.scene)));
     const double step = std::max(1.0, std::ceil(lastFrame(source_.clip) * vertices / mostVerticesAtTimes));
-    double deepest = 0.0;
+    double lowest = *floor_;
+    std::vector<glm::vec3> places;
     for (double frame = 0.0; frame <= lastFrame(source_.clip); frame += step) {
-      for (const Vec3& place : skinning::skinnedPositions(*watched.scene, watched.at(frame / rate()))) {
-        deepest = std::max(deepest, *floor_ - place.y);
+      const FrameState shown = watched.at(frame / rate());
+      if (watched.surface != nullptr) {
+        watched.surface->positions(shown, places);
+        for (const glm::vec3& place : places) {
+          lowest = std::min(lowest, static_cast<double>(place.y));
+        }
+      } else {
+        for (const Vec3& place : skinning::skinnedPositions(*watched.scene, shown)) {
+          lowest = std::min(lowest, place.y);
+        }
       }
     }
-    return deepest / body_.body.height;
+    return (*floor_ - lowest) / body_.body.height;
   }
 
   [[nodiscard]] static double flipsOf(const Clip& clip) {
@@ -168,10 +177,11 @@ private:
   std::vector<Standing> standing_;
 };
 
-WatchedClip watchedClip(const Document& document, int clip) {
+WatchedClip watchedClip(const Document& document, int clip,
+                        const std::shared_ptr<const skinning::SurfacePart>& surface) {
   const Clip& own = clipOf(document, clip);
   return {document.scene.get(), own,
-          [&document, &own](double time) { return rig::sampledFrame(*document.scene, own, time); }};
+          [&document, &own](double time) { return rig::sampledFrame(*document.scene, own, time); }, surface};
 }
 
 // The index of the clip of a name, the one at the same place before others; -1: none.
@@ -194,6 +204,15 @@ bool sharesLimbs(const Document& result, const Document& source) {
 }
 
 } // namespace
+
+std::shared_ptr<const skinning::SurfacePart> wholeSurface(const Scene& scene) {
+  const bool morphs = std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
+    return std::ranges::any_of(mesh.primitives, [](const Primitive& p) { return !p.morphTargets.empty(); });
+  });
+  return morphs ? nullptr
+                : std::make_shared<const skinning::SurfacePart>(
+                      scene, std::vector<bool>(scene.nodes.size(), true), skinning::SurfaceEdges::none);
+}
 
 std::vector<ClipChange> worseThanSource(const Document& body, int clip, const WatchedClip& source,
                                         const WatchedClip& result) {
@@ -228,6 +247,7 @@ std::vector<ClipChange> worseThanSource(const Document& document,
                                         EvaluationCache& cache) {
   std::vector<ClipChange> all;
   const int known = static_cast<int>(document.clips->size() - document.importedClips);
+  const std::shared_ptr<const skinning::SurfacePart> surface = wholeSurface(*document.scene);
   for (const auto& [clip, tracks] : edited) {
     if (clip >= known) {
       continue; // it came from another file: nothing stands before it
@@ -235,9 +255,10 @@ std::vector<ClipChange> worseThanSource(const Document& document,
     const Clip& own = sourceClipOf(document, clip);
     const std::shared_ptr<const rig::MotionState> motion = cache.motion(document, clip);
     const WatchedClip source{document.scene.get(), own,
-                             [&](double time) { return rig::sampledFrame(*document.scene, own, time); }};
+                             [&](double time) { return rig::sampledFrame(*document.scene, own, time); },
+                             surface};
     const WatchedClip result{document.scene.get(), rig::withTracks(own, tracks),
-                             [&](double time) { return evaluate(document, *motion, time); }};
+                             [&](double time) { return evaluate(document, *motion, time); }, surface};
     const std::vector<ClipChange> changes = worseThanSource(document, clip, source, result);
     all.insert(all.end(), changes.begin(), changes.end());
   }
@@ -250,13 +271,15 @@ Result<std::vector<ClipChange>> worseThanFile(const Document& result, const Docu
                  source.source->path.string(), "name the file that was opened for the edit"};
   }
   std::vector<ClipChange> all;
+  const std::shared_ptr<const skinning::SurfacePart> before = wholeSurface(*source.scene);
+  const std::shared_ptr<const skinning::SurfacePart> after = wholeSurface(*result.scene);
   for (int clip = 0; clip < static_cast<int>(source.clips->size()); ++clip) {
     const int other = clipNamed(result, clipOf(source, clip).name, clip);
     if (other < 0 || at(other) >= result.clips->size()) {
       continue;
     }
     const std::vector<ClipChange> changes =
-        worseThanSource(source, clip, watchedClip(source, clip), watchedClip(result, other));
+        worseThanSource(source, clip, watchedClip(source, clip, before), watchedClip(result, other, after));
     all.insert(all.end(), changes.begin(), changes.end());
   }
   return all;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/document.h"
 #include "core/anim/frame_state.h"
 #include "core/gltf/json/json_document.h"
+#include "skinning/surface_part.h"
 
 namespace stretch::app {
 
@@ -17,7 +19,11 @@ struct WatchedClip {
   const Scene* scene = nullptr;
   Clip clip;
   std::function<FrameState(double timeSeconds)> at;
+  std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh (wholeSurface).
 };
+
+/// All of the mesh, for looking at many frames; null where morph targets may move it.
+[[nodiscard]] std::shared_ptr<const skinning::SurfacePart> wholeSurface(const Scene& scene);
 
 /// One thing that an edit made worse than the source.
 struct ClipChange {

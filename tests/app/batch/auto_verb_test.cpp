@@ -52,6 +52,30 @@ TEST_CASE("One setting of a style is changed for one run, and all clips are done
   CHECK(test::runVerb({"exaggerate", punchPath, "-o", out, "--auto", "--strength", "2.5"}).exitCode == 2);
 }
 
+TEST_CASE("Limbs are exaggerated in every clip in which they can be, and the others say why not") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const Json all =
+      report({"exaggerate", punchPath, "-o", out, "--all-clips", "--limb", "left-arm", "--range", "4:8",
+              "--scale", "2", "--limb", "right-arm", "--range", "40:43", "--scale", "1.5", "--json"});
+  REQUIRE(all["clips"].size() == 2);
+  CHECK(all["clips"][0]["clip"] == "One-two punch");
+  CHECK(all["clips"][1]["clip"] == "Guard");
+  REQUIRE(all["clips"][0]["trails"].size() == 2);
+  CHECK(all["clips"][0]["left_out"].empty());
+  REQUIRE(all["clips"][1]["trails"].size() == 1); // It has no frame 40.
+  CHECK(all["clips"][1]["trails"][0]["limb"] == "left-arm");
+  REQUIRE(all["clips"][1]["left_out"].size() == 1);
+  CHECK(all["clips"][1]["left_out"][0].get<std::string>().starts_with("right-arm: "));
+  const Json& arm = all["clips"][1]["trails"][0];
+  CHECK(arm["limb_length_after"].get<double>() == Approx(2.0 * arm["limb_length_before"].get<double>()));
+  CHECK(report({"info", out, "--json"})["trails"].size() == 3);
+  const test::VerbAnswer told = test::runVerb({"exaggerate", punchPath, "-o", out, "--all-clips", "--limb",
+                                               "right-arm", "--range", "40:43", "--scale", "2", "--loops"});
+  CHECK(told.exitCode == 0);
+  CHECK(told.output.find("Guard:\nleft out: right-arm: ") != std::string::npos);
+}
+
 TEST_CASE(
     "A style that is taken from a saved clip gives another one the same ratios within two in a hundred") {
   const test::TemporaryFolder folder;
