@@ -30,6 +30,8 @@ void removeLeftParts(const std::filesystem::path& folder);
 struct OutputFile {
   std::filesystem::path path;
   Bytes bytes;
+  std::vector<Bytes> more = {}; ///< Come after `bytes`, in this order: what is large need not be joined
+                                ///< first.
 };
 
 /// Outcome for a file whose folder is missing.

@@ -116,7 +116,7 @@ public:
   }
 
   // The new content on the disk, under another name.
-  Status write(const fs::path& target, std::span<const std::uint8_t> bytes) {
+  Status write(const fs::path& target, std::span<const std::span<const std::uint8_t>> pieces) {
     Step step;
     step.target = target;
     step.temporary = makeUnique(target, partName, [&](const fs::path& name) {
@@ -128,7 +128,10 @@ public:
       return cannotWrite(target, reasonOf(errno));
     }
     steps_.push_back(std::move(step));
-    const bool done = takeRights(target, number) && writeAll(number, bytes) && ::fsync(number) == 0;
+    const bool done =
+        takeRights(target, number) &&
+        std::ranges::all_of(pieces, [&](const auto& bytes) { return writeAll(number, bytes); }) &&
+        ::fsync(number) == 0;
     return done ? Status(Success{}) : Status(cannotWrite(target, reasonOf(errno)));
   }
 
@@ -240,7 +243,7 @@ bool isProtected(const fs::path& target) {
 
 struct Content {
   fs::path path;
-  std::span<const std::uint8_t> bytes;
+  std::vector<std::span<const std::uint8_t>> pieces;
 };
 
 Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
@@ -261,7 +264,7 @@ Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
       return Error{"is write-protected", content.path.string(),
                    "take the protection away, or choose another name"};
     }
-    if (Status written = replacement.write(target, content.bytes); !written) {
+    if (Status written = replacement.write(target, content.pieces); !written) {
       return written;
     }
   }
@@ -297,13 +300,14 @@ Status writeFiles(std::span<const OutputFile> files, MissingFolder folder) {
   std::vector<Content> contents;
   contents.reserve(files.size());
   for (const OutputFile& file : files) {
-    contents.push_back({file.path, file.bytes});
+    contents.push_back({file.path, {file.bytes}});
+    contents.back().pieces.insert(contents.back().pieces.end(), file.more.begin(), file.more.end());
   }
   return replaceAll(contents, folder);
 }
 
 Status writeFile(const fs::path& path, std::span<const std::uint8_t> bytes, MissingFolder folder) {
-  const Content content{path, bytes};
+  const Content content{path, {bytes}};
   return replaceAll({&content, 1}, folder);
 }
 

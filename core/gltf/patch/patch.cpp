@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -22,6 +23,16 @@ std::size_t growingBuffer(const Source& source) {
 
 std::size_t aligned(std::size_t size) {
   return (size + 3) / 4 * 4;
+}
+
+// The buffers with room for so many bytes in one of them, which then grows where it is.
+std::vector<Bytes> withRoom(const std::vector<Bytes>& buffers, std::size_t index, std::size_t size) {
+  std::vector<Bytes> copies(buffers.size());
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    copies[i].reserve(i == index ? std::max(size, buffers[i].size()) : buffers[i].size());
+    copies[i].insert(copies[i].end(), buffers[i].begin(), buffers[i].end());
+  }
+  return copies;
 }
 
 // Adds the bytes to the buffer, which then lives in memory: saving gives it a place (the BIN chunk, a .bin
@@ -78,8 +89,8 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   if (!json) {
     return json.error();
   }
-  Source result{source.path, std::move(json.value()), source.buffers, source.hasBinaryChunk,
-                source.otherChunks};
+  Source result{source.path, std::move(json.value()), withRoom(source.buffers, buffer, start + bytes.size()),
+                source.hasBinaryChunk, source.otherChunks};
   growBuffer(result, buffer, start, bytes);
   return result;
 }

@@ -74,7 +74,7 @@ public:
     if (Status copied = copyImages(); !copied) {
       return copied.error();
     }
-    Result<Bytes> main = isBinary_ ? binaryFile() : textFile();
+    Result<OutputFile> main = isBinary_ ? binaryFile() : textFile();
     if (!main) {
       return main.error();
     }
@@ -83,7 +83,7 @@ public:
       return bridged.error();
     }
     std::move(files_.begin(), files_.end(), std::back_inserter(plan.files));
-    plan.files.push_back({path_, std::move(main.value())});
+    plan.files.push_back(std::move(main.value()));
     return plan;
   }
 
@@ -104,12 +104,12 @@ private:
       plan.bridges.push_back(name);
     }
     std::swap(bridged, json_);
-    Result<Bytes> text = textFile();
+    Result<OutputFile> text = textFile();
     std::swap(bridged, json_);
     if (!text) {
       return text.error();
     }
-    plan.files.push_back({path_, std::move(text.value())});
+    plan.files.push_back(std::move(text.value()));
     return Success{};
   }
 
@@ -250,16 +250,16 @@ private:
     }
   }
 
-  [[nodiscard]] Result<Bytes> textFile() const {
+  [[nodiscard]] Result<OutputFile> textFile() const {
     constexpr int indent = 2;
     const Result<std::string> text = jsonText(indent);
     if (!text) {
       return text.error();
     }
-    return Bytes(text->begin(), text->end());
+    return OutputFile{path_, Bytes(text->begin(), text->end())};
   }
 
-  [[nodiscard]] Result<Bytes> binaryFile() {
+  [[nodiscard]] Result<OutputFile> binaryFile() {
     Result<std::string> text = jsonText(-1);
     if (!text) {
       return text.error();
@@ -269,7 +269,9 @@ private:
     glb.hasBinary = hasBinary_;
     glb.binary = std::move(binary_);
     glb.others = std::move(source_.otherChunks);
-    return writeGlb(glb);
+    Result<std::vector<Bytes>> pieces = glbInPieces(std::move(glb));
+    return pieces ? Result<OutputFile>(OutputFile{path_, {}, std::move(pieces.value())})
+                  : Result<OutputFile>(pieces.error());
   }
 
   Source source_;

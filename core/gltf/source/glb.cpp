@@ -78,12 +78,16 @@ void trimJsonPadding(Glb& glb) {
   glb.warnings.emplace_back("the JSON chunk is padded with zeros instead of spaces");
 }
 
+std::size_t padded(std::size_t size) {
+  return (size + 3) / 4 * 4;
+}
+
 void appendChunk(Bytes& out, std::uint32_t type, std::span<const std::uint8_t> bytes, std::uint8_t padding) {
-  const std::size_t padded = (bytes.size() + 3) / 4 * 4;
-  appendUint32(out, static_cast<std::uint32_t>(padded));
+  const std::size_t length = padded(bytes.size());
+  appendUint32(out, static_cast<std::uint32_t>(length));
   appendUint32(out, type);
   out.insert(out.end(), bytes.begin(), bytes.end());
-  out.insert(out.end(), padded - bytes.size(), padding);
+  out.insert(out.end(), length - bytes.size(), padding);
 }
 
 } // namespace
@@ -120,30 +124,47 @@ Result<Glb> readGlb(std::span<const std::uint8_t> bytes) {
   return glb;
 }
 
-Result<Bytes> writeGlb(const Glb& glb) {
-  std::size_t size =
-      headerSize + chunkHeaderSize + glb.json.size() + 3 + chunkHeaderSize + glb.binary.size() + 3;
+Result<std::vector<Bytes>> glbInPieces(Glb glb) {
+  std::size_t size = headerSize + chunkHeaderSize + padded(glb.json.size());
+  size += glb.hasBinary ? chunkHeaderSize + padded(glb.binary.size()) : 0;
   for (const GlbChunk& chunk : glb.others) {
-    size += chunkHeaderSize + chunk.bytes.size() + 3;
+    size += chunkHeaderSize + padded(chunk.bytes.size());
   }
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     return Error{"is larger than the 4 GiB that a GLB can hold", "GLB", "save it as .gltf"};
   }
-  Bytes out;
-  out.reserve(size);
-  appendUint32(out, magic);
-  appendUint32(out, 2);
-  appendUint32(out, 0);
+  Bytes front;
+  appendUint32(front, magic);
+  appendUint32(front, 2);
+  appendUint32(front, static_cast<std::uint32_t>(size));
   const auto* const json = reinterpret_cast<const std::uint8_t*>(glb.json.data());
-  appendChunk(out, GlbChunk::jsonType, {json, glb.json.size()}, ' ');
+  appendChunk(front, GlbChunk::jsonType, {json, glb.json.size()}, ' ');
+  Bytes end;
   if (glb.hasBinary) {
-    appendChunk(out, GlbChunk::binaryType, glb.binary, 0);
+    const std::size_t length = padded(glb.binary.size());
+    appendUint32(front, static_cast<std::uint32_t>(length));
+    appendUint32(front, GlbChunk::binaryType);
+    end.resize(length - glb.binary.size());
   }
   for (const GlbChunk& chunk : glb.others) {
-    appendChunk(out, chunk.type, chunk.bytes, 0);
+    appendChunk(end, chunk.type, chunk.bytes, 0);
   }
-  for (unsigned i = 0; i < 4; ++i) {
-    out[8 + i] = static_cast<std::uint8_t>(out.size() >> (8 * i));
+  std::vector<Bytes> pieces{std::move(front)};
+  if (glb.hasBinary) {
+    pieces.push_back(std::move(glb.binary));
+  }
+  pieces.push_back(std::move(end));
+  return pieces;
+}
+
+Result<Bytes> writeGlb(const Glb& glb) {
+  Result<std::vector<Bytes>> pieces = glbInPieces(glb);
+  if (!pieces) {
+    return pieces.error();
+  }
+  Bytes out;
+  for (const Bytes& piece : *pieces) {
+    out.insert(out.end(), piece.begin(), piece.end());
   }
   return out;
 }

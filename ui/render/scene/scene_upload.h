@@ -55,7 +55,7 @@ struct UploadedScene {
 /// Uploads what the default scene shows. Indices that point outside are a broken invariant of the reader;
 /// primitives without vertices or triangles are left out.
 [[nodiscard]] UploadedScene uploadScene(const Scene& scene);
-/// The same with other meshes in the places of the scene's, which look at the textures of an upload of it.
+/// Uploads other meshes in the places of the scene's; they look at the textures of an upload of it.
 [[nodiscard]] UploadedScene uploadMeshes(const Scene& scene, const std::vector<Mesh>& meshes,
                                          std::shared_ptr<const std::vector<GlTexture>> textures);
 
