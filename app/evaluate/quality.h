@@ -27,7 +27,7 @@ enum class LookAt { limb, limbAndMesh };
                                                       const rig::MotionState& motion,
                                                       const rig::SolvedTrail& trail,
                                                       LookAt what = LookAt::limbAndMesh);
-/// The same of a trail of the facts' document and clip: for the trails of one clip, whose facts are kept.
+/// Lists them for a trail of the facts' document and clip: for the trails of one clip, whose facts are kept.
 [[nodiscard]] std::vector<std::string> motionWarnings(const std::shared_ptr<ClipFacts>& facts,
                                                       const rig::MotionState& motion,
                                                       const rig::SolvedTrail& trail,
