@@ -33,6 +33,25 @@ void addPair(std::vector<PlannedLimb>& limbs, const PlannedLimb& onTheRight, con
   }
 }
 
+// Of the plans that are no biped's: a tail swings, a hoof stands.
+LimbManner mannerOf(LimbKind kind) {
+  switch (kind) {
+  case LimbKind::leg:
+    return {.stands = true, .stiffness = 1.5, .damping = 1.0};
+  case LimbKind::tail:
+    return {.turnEnd = true, .overshoot = 0.3, .stiffness = 0.6, .damping = 0.3};
+  case LimbKind::wing:
+    return {.turnEnd = true, .overshoot = 0.15, .stiffness = 0.8, .damping = 0.5};
+  case LimbKind::fin:
+    return {.turnEnd = true, .overshoot = 0.2, .stiffness = 0.7, .damping = 0.4};
+  case LimbKind::feeler:
+    return {.turnEnd = true, .overshoot = 0.4, .stiffness = 0.5, .damping = 0.25};
+  default:
+    break;
+  }
+  return {};
+}
+
 BodyPlan bipedPlan() {
   BodyPlan plan{"biped", "a biped", 2, {}, {}, FigureView::front};
   const Bones arm{{31, 66, 10, 50, 99, 8}, {50, 99, 8, 66, 131, 6}, {67.5F, 134, 7.5F, 71, 143, 6.5F}};
@@ -49,6 +68,13 @@ BodyPlan bipedPlan() {
                         {0, 104}});
   plan.limbs.push_back(
       {"neck", biped::neck, true, {{0, 40, 6.5F, 0, 50, 8}, {0, 21, 16, 0, 30, 12.5F}}, {0, 24}, {28, 22}});
+  plan.limbs.push_back({"tail",
+                        {LimbKind::tail, middle},
+                        false,
+                        {{0, 140, 6, -34, 156, 5}, {-34, 156, 5, -58, 184, 4}, {-58, 184, 4, -66, 210, 2.5F}},
+                        {-66, 210},
+                        {-52, 152},
+                        mannerOf(LimbKind::tail)});
   plan.controllers = {{"head", {0, 6}},           {"spine-top", {0, 62}},     {"spine-mid", {0, 78}},
                       {"spine-low", {0, 119}},    {"hips", {0, 135}},         {"body", {0, 224}},
                       {"left-hand", {73, 152}},   {"right-hand", {-73, 152}}, {"left-elbow", {52, 99}},
@@ -158,25 +184,6 @@ BodyPlan serpentPlan() {
   addPair(plan.limbs, {"", {LimbKind::fin, left, 2}, false, hind, {40, 160}, {52, 150}}, "left-fin-2",
           "right-fin-2", plan.view);
   return plan;
-}
-
-// Of the plans that are no biped's: a tail swings, a hoof stands.
-LimbManner mannerOf(LimbKind kind) {
-  switch (kind) {
-  case LimbKind::leg:
-    return {.stands = true, .stiffness = 1.5, .damping = 1.0};
-  case LimbKind::tail:
-    return {.turnEnd = true, .overshoot = 0.3, .stiffness = 0.6, .damping = 0.3};
-  case LimbKind::wing:
-    return {.turnEnd = true, .overshoot = 0.15, .stiffness = 0.8, .damping = 0.5};
-  case LimbKind::fin:
-    return {.turnEnd = true, .overshoot = 0.2, .stiffness = 0.7, .damping = 0.4};
-  case LimbKind::feeler:
-    return {.turnEnd = true, .overshoot = 0.4, .stiffness = 0.5, .damping = 0.25};
-  default:
-    break;
-  }
-  return {};
 }
 
 // Of limbs that the plan itself says nothing about.

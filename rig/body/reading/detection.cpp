@@ -8,6 +8,7 @@
 
 #include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
+#include "rig/body/reading/biped_tail.h"
 #include "rig/body/reading/humanoid.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/plan_reading.h"
@@ -28,7 +29,8 @@ constexpr double doubtful = 0.3;         // most that a limb of something else g
 // What one way of choosing candidates found.
 struct Finding {
   Body result;
-  int legs = 0; // that it stands on
+  std::optional<Limb> tail; // of a biped
+  int legs = 0;             // that it stands on
   Vec3 bodyUp{0.0};
   Vec3 legsReach{0.0}; // from the hips to the feet
 
@@ -81,6 +83,17 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
+  const std::vector<int> tail = tailOfBiped(scene, view, plane, sides, trunk, result.limbs);
+  if (!tail.empty()) {
+    std::vector<NodeIndex> joints;
+    std::ranges::transform(tail, std::back_inserter(joints),
+                           [&](int joint) { return view.nodes[stretch::at(joint)]; });
+    const LimbEnd end{.node = joints.back()};
+    joints.pop_back();
+    finding.tail = makeLimb({LimbKind::tail}, std::move(joints), end, bindPose.worlds);
+    finding.tail->confidence = isNamedTail(scene, view, tail) ? 0.95 : 0.7;
+    finding.tail->reasons = {"goes back from the trunk", nodeNames(scene, finding.tail->joints)};
+  }
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
   // Limbs without an upright body between them are no biped's, unless it stands on two of them.
@@ -147,6 +160,18 @@ const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& tab
   };
   const auto match = std::ranges::find_if(found, matches);
   return match == found.end() ? nullptr : &*match;
+}
+
+// A biped's tail, where none of its limbs has a joint of it.
+void addTail(Finding& finding) {
+  Body& result = finding.result;
+  if (result.plan == "biped" && result.isBiped && finding.tail && isSound(*finding.tail) &&
+      std::ranges::none_of(result.limbs, [&](const Limb& limb) {
+        return std::ranges::find(limb.joints, finding.tail->joints.front()) != limb.joints.end();
+      })) {
+    result.limbs.push_back(*finding.tail);
+    std::ranges::stable_sort(result.limbs, std::less<>());
+  }
 }
 
 // The table's limbs, and what it leaves out as it was found without it.
@@ -422,6 +447,7 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   if (table.limbs.empty()) {
     body::takePlan(scene, bindPose, finding);
   }
+  body::addTail(finding);
   finding.result.hips = body::centreOf(scene, bindPose, finding.result);
   setLeadingEnds(bindPose.worlds, finding.result);
   body::warn(scene, finding);
@@ -443,6 +469,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip) {
   finding.result.warnings.clear();
   if (plan.id == "biped") {
     body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+    body::addTail(finding);
   } else if (plan.id == "other") {
     body::takeChains(scene, bindPose, finding);
   } else {

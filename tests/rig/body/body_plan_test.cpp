@@ -36,7 +36,8 @@ TEST_CASE("A biped's limbs are named as ever, and lead the keys in the same orde
     ids.push_back(limb.id);
     CHECK(limb.id == limbName(limb.place));
   }
-  CHECK(ids == std::vector<std::string>{"left-arm", "right-arm", "left-leg", "right-leg", "spine", "neck"});
+  CHECK(ids ==
+        std::vector<std::string>{"left-arm", "right-arm", "left-leg", "right-leg", "spine", "neck", "tail"});
 }
 
 TEST_CASE("A limb of a quadruped is found by its id, and a chain by none") {

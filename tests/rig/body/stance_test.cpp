@@ -195,3 +195,22 @@ TEST_CASE("coat tails that reach the ground are no legs") {
   const BuiltBiped built = build(body);
   checkArmsAndLegs(built, detectBody(built.scene));
 }
+
+TEST_CASE("A biped has the tail that its names or its shape tell, and none of what it wears") {
+  const std::string name = GENERATE("Tail", "Bone", "CoatTail", "Skirt", "Sword");
+  CAPTURE(name);
+  SyntheticBiped body = makeBody();
+  applyNames(body, namingScheme("Mixamo"));
+  std::string above = "hips";
+  for (int i = 0; i < 4; ++i) {
+    const std::string key = "row" + std::to_string(i);
+    body.joints.push_back({key, above, Vec3(0, 0.95 - 0.02 * i, -0.15 - 0.15 * i)});
+    body.names[key] = name + std::to_string(i);
+    above = key;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  const bool isTail = name == "Tail" || name == "Bone";
+  CHECK(describe(built, read, {LimbKind::tail}) == (isTail ? "row0 row1 row2 -> row3" : "none"));
+}

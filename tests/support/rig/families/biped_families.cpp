@@ -254,6 +254,8 @@ void hair(Draft& draft) {
 void tail(Draft& draft) {
   const double rise = draft.row.around(0.1);
   draft.addRow("tail", "", "hips", draft.at("hips") + Vec3(0, -0.02, -0.1), {0, rise - 0.06, -0.14}, 6);
+  std::erase(draft.absent, "tail");
+  draft.wanted["tail"] = {"tail1", "", "tail6|estimated"};
 }
 
 void weapons(Draft& draft) {
@@ -452,6 +454,7 @@ BodyOptions drawOptions(Row& row) {
 }
 
 void wantLimbs(Draft& draft, const BodyOptions& options) {
+  draft.absent.emplace_back("tail");
   for (const std::string& side : bothSides) {
     draft.wanted[idOf(side, "arm")] = {"upperArm" + side, "foreArm" + side,
                                        options.hands ? "hand" + side : "estimated"};

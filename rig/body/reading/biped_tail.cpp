@@ -1,0 +1,111 @@
+#include "rig/body/reading/biped_tail.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/evidence/name_text.h"
+#include "rig/body/reading/extremities.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr std::array<std::string_view, 20> worn{
+    "coat", "cape", "cloak", "robe", "skirt", "dress", "cloth",  "shirt",  "scarf",    "sash",
+    "belt", "rope", "hair",  "pony", "sword", "blade", "sheath", "weapon", "scabbard", "quiver"};
+
+const std::string& nameOf(const Scene& scene, const BodyView& view, int joint) {
+  return scene.nodes[at(view.nodes[static_cast<std::size_t>(joint)])].name;
+}
+
+bool isWorn(const std::string& name) {
+  return std::ranges::any_of(nameChunks(name), [](const NameChunk& chunk) {
+    return std::ranges::any_of(
+        worn, [&](std::string_view word) { return chunk.whole.find(word) != std::string::npos; });
+  });
+}
+
+double lengthOf(const BodyView& view, const std::vector<int>& row) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    length += glm::distance(view.at(row[i - 1]), view.at(row[i]));
+  }
+  return length;
+}
+
+// From a joint on to what reaches farthest.
+std::vector<int> rowFrom(const BodyView& view, int joint) {
+  std::vector<int> row{joint};
+  while (!view.childrenOf(row.back()).empty()) {
+    row.push_back(*std::ranges::max_element(view.childrenOf(row.back()), {}, [&](int child) {
+      return glm::distance(view.at(child), view.at(row.back())) + view.reach[static_cast<std::size_t>(child)];
+    }));
+  }
+  return row;
+}
+
+// Goes back and stays in the middle, one joint after the other.
+bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides,
+              const std::vector<int>& row) {
+  constexpr double aside = 0.01;    // of the body
+  constexpr double shortest = 0.2;  // of the body
+  constexpr double leastBack = 0.6; // cosine
+  const Vec3 back = glm::cross(Vec3(0, 1, 0), sides.leftIsPositive ? plane.normal : -plane.normal);
+  const Vec3 way = view.at(row.back()) - view.at(row.front());
+  return row.size() > 3 && lengthOf(view, row) > shortest * view.size &&
+         glm::dot(way, back) > leastBack * glm::length(way) && std::ranges::all_of(row, [&](int joint) {
+           return view.childrenOf(joint).size() < 2 &&
+                  std::abs(plane.lateral(view.at(joint))) < aside * view.size;
+         });
+}
+
+} // namespace
+
+bool isNamedTail(const Scene& scene, const BodyView& view, const std::vector<int>& row) {
+  return std::ranges::any_of(
+      row, [&](int joint) { return partWords(nameOf(scene, view, joint)).contains(PartWord::tail); });
+}
+
+std::vector<int> tailOfBiped(const Scene& scene, const BodyView& view, const MirrorPlane& plane,
+                             const Sides& sides, const Trunk& trunk, const std::vector<Limb>& limbs) {
+  constexpr double aside = 0.02;    // of the body, of the first joint
+  constexpr double shortest = 0.03; // of the body
+  std::vector<int> taken{trunk.head};
+  for (const Limb& limb : limbs) {
+    std::ranges::transform(limb.joints, std::back_inserter(taken),
+                           [&](NodeIndex node) { return view.candidateOfNode[at(node)]; });
+  }
+  std::set<int> carriers(trunk.spine.begin(), trunk.spine.end());
+  for (int joint = trunk.hips; joint >= 0; joint = view.parentOf(joint)) {
+    carriers.insert(joint);
+  }
+  std::vector<int> named;
+  std::vector<std::vector<int>> shaped;
+  for (int joint = 0; joint < view.count(); ++joint) {
+    const auto carries = [&](int other) { return other >= 0 && view.isAboveOrSelf(joint, other); };
+    if (!carriers.contains(view.parentOf(joint)) || !view.movesMesh(joint) ||
+        std::ranges::any_of(taken, carries) || std::abs(plane.lateral(view.at(joint))) > aside * view.size) {
+      continue;
+    }
+    const std::vector<int> row = rowFrom(view, joint);
+    if (row.size() < 2 ||
+        std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(scene, view, one)); })) {
+      continue;
+    }
+    if (isNamedTail(scene, view, row) &&
+        lengthOf(view, row) > std::max(shortest * view.size, lengthOf(view, named))) {
+      named = row;
+    }
+    if (hasShape(view, plane, sides, row)) {
+      shaped.push_back(row);
+    }
+  }
+  return !named.empty() || shaped.size() != 1 ? named : shaped.front();
+}
+
+} // namespace stretch::rig::body
