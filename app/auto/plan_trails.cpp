@@ -8,11 +8,11 @@
 #include "app/auto/held_things.h"
 #include "app/auto/held_together.h"
 #include "app/auto/planned_trail.h"
+#include "app/auto/poses_of_strokes.h"
 #include "app/auto/whole_check.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/starting_settings.h"
 #include "app/standing_floor.h"
-#include "core/math/polyline.h"
 #include "rig/motion/order.h"
 #include "rig/trail/release.h"
 
@@ -28,14 +28,11 @@ constexpr double fullStrength = 6.0; // reaches per second: from here on a momen
 constexpr double fullChain = 2.0;    // likewise of necks, tails and the like, which are as long as the body
 constexpr double calmClip = 0.5;     // of what is full: a clip whose strongest has that gets all of it, too
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
-constexpr double nearStrongest = 0.6;   // of the clip's strongest: what is weaker gets less, as a wind-up
-                                        // beside its strike
-constexpr double shortLimb = 0.25;      // of the body: what is shorter goes farther, to be seen as much
-constexpr double mostFarther = 1.5;     // times
-constexpr double longestLimb = 1.0;     // of a body that is no biped: legs and tail, but not wings
-constexpr double nearlyStraight = 0.85; // of all bones: an arm that is bent more at the tip of a stroke
-                                        // is posed so
-constexpr double farthestElbow = 0.7;   // of all bones: from the line between its ends
+constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
+                                      // beside its strike
+constexpr double shortLimb = 0.25;    // of the body: what is shorter goes farther, to be seen as much
+constexpr double mostFarther = 1.5;   // times
+constexpr double longestLimb = 1.0;   // of a body that is no biped: legs and tail, but not wings
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
@@ -171,6 +168,9 @@ private:
     if (!range) {
       return textOf(FaultKind::stand);
     }
+    if (moment.kind == rig::MomentKind::stroke && foldsIn(ground_, *limb, *range)) {
+      return "the limb folds in";
+    }
     return carriesStandingLeg(*limb, *range) ? "it carries a leg that stands" : "";
   }
 
@@ -226,13 +226,16 @@ private:
     const double full = std::clamp(strongest_, calmClip * most, most);
     const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
                        std::min(1.0, moment.strength / (nearStrongest * strongest_));
-    const bool follows = moment.kind == rig::MomentKind::stroke &&
-                         std::ranges::any_of(moments_, [&](const rig::Moment& other) {
-                           return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
-                                  overlap(moment, other) && moment.strength < asStrong * other.strength;
-                         });
     const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
-    return own * (follows ? swung * settings_.style.spread.limbs : 1.0);
+    return own * (isBesideStronger(moment) ? swung * settings_.style.spread.limbs : 1.0);
+  }
+
+  [[nodiscard]] bool isBesideStronger(const rig::Moment& moment) const {
+    return moment.kind == rig::MomentKind::stroke &&
+           std::ranges::any_of(moments_, [&](const rig::Moment& other) {
+             return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
+                    overlap(moment, other) && moment.strength < asStrong * other.strength;
+           });
   }
 
   // A style's numbers are of limbs as long as people have them.
@@ -262,11 +265,7 @@ private:
       return true;
     }
     const auto way = [&](double from, double to) {
-      const double past = to - ground_.lastFrame;
-      return glm::distance(ground_.reachOf(trail.limb, past <= 0.0     ? to
-                                                       : ground_.wraps ? past
-                                                                       : ground_.lastFrame),
-                           ground_.reachOf(trail.limb, from));
+      return glm::distance(reachAt(ground_, trail.limb, to), ground_.reachOf(trail.limb, from));
     };
     const double added = (settings.scale - 1.0) * way(settings.startFrame, settings.endFrame);
     double back = 0.0; // at its farthest: by then it may be on its way out again
@@ -294,25 +293,25 @@ private:
     planned.trail.exaggerated = true;
     planned.trail.connected = true;
     rig::TrailSettings& settings = planned.trail.settings;
-    settings =
-        rig::styledSettings(startingTrail(ground_.document, ground_.clip, limb, range), settings_.style,
-                            limb.kind, settings_.strength * shareOf(moment) * fartherBy(limb));
+    settings = rig::styledSettings(
+        startingTrail(ground_.document, ground_.clip, limb, range), settings_.style, limb.kind,
+        settings_.strength * shareOf(moment) * (isBesideStronger(moment) ? 1.0 : fartherBy(limb)));
     if (ground_.document.body.plan != "biped" && reachesOut(limb) && limb.kind != rig::LimbKind::wing) {
       settings.scale =
           std::min(settings.scale, std::max(1.0, longestLimb * ground_.document.body.size / limb.restLength));
     }
-    planned.isBent = limb.kind == rig::LimbKind::arm && moment.kind == rig::MomentKind::stroke &&
-                     isPosedBent(ground_.pointsOf(limb.id, range.y), settings.scale);
+    const bool isStroke = moment.kind == rig::MomentKind::stroke;
+    planned.isBent =
+        limb.kind == rig::LimbKind::arm && isStroke && isPosedBent(ground_, limb, range, settings.scale);
+    if (limb.kind == rig::LimbKind::arm && !isStroke && sweepsGround(ground_, limb, range, settings.scale)) {
+      settings.axes[1] = false;
+    }
+    if (isStroke && isUpInTheAir(ground_, limb, range)) {
+      settings.axes = {settings.axes[0], false, settings.axes[2]}; // its foot comes no nearer the ground,
+      settings.bend = rig::Bend::keep;                             // and its knee stays as it is
+    }
     stopAtGround(limb, settings);
     return planned;
-  }
-
-  // Bent on purpose, and not so far that its elbow would be thrown out where all of it gets longer.
-  [[nodiscard]] static bool isPosedBent(const std::vector<Vec3>& points, double scale) {
-    const double along = polylineLength(points);
-    const double straight = straightLength(points);
-    const double elbow = 0.5 * std::sqrt(std::max(0.0, along * along - straight * straight));
-    return straight < nearlyStraight * along && scale * elbow < farthestElbow * along;
   }
 
   // The spine goes along with each strike of a limb that hangs on it, where it does nothing of its own.
@@ -421,8 +420,9 @@ private:
     }
   }
 
-  // The way back of each trail ends before the next one of its limb has gone far, before its foot stands and,
-  // where the clip is no loop, before its end. A step of a cycle is taken back for as long as the ground
+  // The way back of each trail begins when the limb itself starts back, where there is room for that. It ends
+  // before the next one of its limb has gone far, before its foot stands and, where the clip is no loop,
+  // before its end. A step of a cycle is taken back for as long as the ground
   // carries the foot: in less the foot would skate. A tail settles for as long as it went out at least, and
   // gets no shorter than it is: long as it is, it would pop.
   void giveRoom() {
@@ -430,14 +430,38 @@ private:
       rig::TrailSettings& settings = planned.trail.settings;
       const double wanted = settings.releaseFrames.value_or(0.5 * (settings.endFrame - settings.startFrame));
       const double carried = isStep(planned) ? roomAfter(planned.trail, 0.0) : 0.0;
-      const double settles = isFollower(planned.trail.limb) ? settings.endFrame - settings.startFrame : 0.0;
-      const double release = std::clamp(roomAfter(planned.trail, sharedWay), 0.0,
-                                        std::max({wanted, seenFrames(), carried, settles}));
-      settings.releaseFrames = release;
+      const bool settles = isChain(*findLimb(ground_.document, planned.trail.limb));
+      const double out = settles && !planned.follows ? settings.endFrame - settings.startFrame : 0.0;
+      const double room = roomAfter(planned.trail, sharedWay);
+      const double release = std::clamp(room, 0.0, std::max({wanted, seenFrames(), carried, out}));
+      const rig::Moment& moment = moments_[planned.moment];
+      const bool leads = moment.kind == rig::MomentKind::stroke &&
+                         moment.strength >= nearStrongest * strongest_ && !planned.follows;
+      settings.lingerFrames = leads ? heldFor(ground_, planned.trail, room - release) : 0.0;
+      settings.releaseFrames = settings.lingerFrames + release;
       const double time = std::min(1.0, release / ground_.framesPerSecond / fullOvershoot);
-      settings.overshoot *= isStep(planned) || settles > 0.0 ? 0.0 : time * time;
+      settings.overshoot *= isStep(planned) || isFollower(planned.trail.limb) ? 0.0 : time * time;
     }
+    letGoTogether();
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
+  }
+
+  // Limbs of two sides that strike at once are let go at once, and are back at once, where both have the
+  // room.
+  void letGoTogether() {
+    for (PlannedTrail& one : plan_.trails) {
+      for (const PlannedTrail& other : plan_.trails) {
+        rig::TrailSettings& settings = one.trail.settings;
+        const rig::TrailSettings& late = other.trail.settings;
+        const double held = late.endFrame + late.lingerFrames - settings.endFrame;
+        const double back = windowOf(late).y - settings.endFrame;
+        if (goTogether(moments_[one.moment], moments_[other.moment]) && !one.follows && !other.follows &&
+            held > settings.lingerFrames && back <= roomAfter(one.trail, sharedWay)) {
+          settings.lingerFrames = held;
+          settings.releaseFrames = std::max(*settings.releaseFrames, back);
+        }
+      }
+    }
   }
 
   // Frames after the tip, up to this share of the next range of the limb.

@@ -27,6 +27,7 @@ constexpr double leastExcess = 0.05;                               // of a scale
 constexpr std::array<bool, 3> allAxes{true, true, true};
 constexpr std::array<bool, 3> levelAxes{true, false, true};
 constexpr double calmRelease = 3.0; // frames, at least
+constexpr double bothLead = 0.8;    // of the stronger one: both sides do the same
 constexpr double step = 0.7;        // of the exaggeration, where there has to be less of it
 
 // Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
@@ -35,6 +36,17 @@ double turnLimitFor(const rig::TrailSettings& settings, bool isTrunk) {
   constexpr double most = 8.0;
   constexpr double mostLevel = 25.0;
   return !settings.axes[1] ? mostLevel : isTrunk ? 0.0 : most;
+}
+
+// Lets the limb come back at once, where it was to hold its pose first; false where it was not, or holds it
+// over a loop's seam.
+bool letGo(const ClipGround& ground, rig::TrailSettings& settings) {
+  if (settings.lingerFrames <= 0.0 || settings.endFrame + settings.lingerFrames > ground.lastFrame) {
+    return false;
+  }
+  *settings.releaseFrames -= settings.lingerFrames;
+  settings.lingerFrames = 0.0;
+  return true;
 }
 
 // What an animator would stumble over, in a few words; empty where there is nothing.
@@ -58,21 +70,25 @@ public:
   // Lowers the trail until it looks right; answers why it cannot be done at all. A limb that the ground stops
   // is as long as it was: better less of it, or along the ground, than that.
   [[nodiscard]] std::string calm(PlannedTrail& planned) {
-    const rig::TrailSettings wanted = planned.trail.settings;
+    rig::TrailSettings wanted = planned.trail.settings;
     const bool isTrunk = rig::isTrunk(*findLimb(ground_.document, planned.trail.limb));
     std::string first;
     for (const bool mayBeStopped : {false, true}) {
       for (const double share : shares) {
         for (const Variant& variant : variantsFor(planned, wanted)) {
-          planned.trail.settings = settingsOf(wanted, share, variant, isTrunk);
-          const std::string problem = problemWith(planned, mayBeStopped);
-          first = first.empty() ? problem : first;
-          if (problem.empty()) {
-            planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
-            planned.looked = planned.trail.settings;
-            return {};
+          rig::TrailSettings tried = wanted;
+          for (bool again = true; again; again = share == 1.0 && letGo(ground_, tried)) {
+            planned.trail.settings = settingsOf(tried, share, variant, isTrunk);
+            const std::string problem = problemWith(planned, mayBeStopped);
+            first = first.empty() ? problem : first;
+            if (problem.empty()) {
+              planned.why = share < 1.0 && planned.why.empty() ? first : planned.why;
+              planned.looked = planned.trail.settings;
+              return {};
+            }
           }
         }
+        letGo(ground_, wanted); // less of it is not held
       }
     }
     return first;
@@ -190,8 +206,10 @@ private:
     if (frame - settings.startFrame < 2.0 || frame >= settings.endFrame) {
       return false;
     }
+    const double earlier = settings.endFrame - frame;
     if (settings.releaseFrames) {
-      settings.releaseFrames = *settings.releaseFrames + settings.endFrame - frame;
+      settings.releaseFrames = *settings.releaseFrames + earlier;
+      settings.lingerFrames += settings.lingerFrames > 0.0 ? earlier : 0.0;
     }
     settings.endFrame = frame;
     return true;
@@ -271,6 +289,9 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   const std::string why = textOf(fault.kind);
   PlannedTrail& planned = plan.trails[fault.trail];
   rig::TrailSettings& settings = planned.trail.settings;
+  if (letGo(ground, settings)) {
+    return;
+  }
   if ((fault.kind == FaultKind::floor || fault.kind == FaultKind::lifted) && settings.axes == allAxes) {
     settings.axes = levelAxes;
     return;
@@ -355,12 +376,38 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
     const auto goesRoundAcross = [&](const rig::Moment& other) {
       return other.limb == across->id && other.kind == rig::MomentKind::cycle;
     };
-    if (most <= 0.0 && goesRound &&
-        (std::ranges::any_of(moments, goesRoundAcross) ||
-         std::ranges::any_of(settings.beside, goesRoundAcross))) {
+    const bool isAlone = isLeg(limb) && !goesRound && std::ranges::any_of(moments, [&](const auto& other) {
+                           return std::min(other.strength, moments[one.moment].strength) >=
+                                      bothLead * std::max(other.strength, moments[one.moment].strength) &&
+                                  other.kind == moments[one.moment].kind &&
+                                  arePartners(ground, moments[one.moment], other);
+                         });
+    if (most <= 0.0 && (isAlone || (goesRound && (std::ranges::any_of(moments, goesRoundAcross) ||
+                                                  std::ranges::any_of(settings.beside, goesRoundAcross))))) {
       leaveOut(plan, i, "the limb on the other side cannot do the same");
     } else if (most > 0.0 && excessOf(ground, one) > most) {
       one.trail.settings = withShare(one.trail.settings, most / excessOf(ground, one));
+    }
+  }
+}
+
+// What a limb does over and over, as a beat of wings or the steps of a cycle, is as large each time.
+void evenRepeats(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+  constexpr double same = 0.8; // cosine
+  const auto doesTheSame = [&](const PlannedTrail& one, const PlannedTrail& other) {
+    const Vec3 way = wayOf(ground, moments[one.moment]);
+    const Vec3 again = wayOf(ground, moments[other.moment]);
+    return one.trail.limb == other.trail.limb && !one.follows && !other.follows &&
+           moments[one.moment].kind == rig::MomentKind::cycle &&
+           moments[other.moment].kind == rig::MomentKind::cycle &&
+           glm::dot(way, again) > same * std::max(glm::dot(way, way), glm::dot(again, again));
+  };
+  for (PlannedTrail& one : plan.trails) {
+    for (const PlannedTrail& other : plan.trails) {
+      const double least = excessOf(ground, other);
+      if (doesTheSame(one, other) && excessOf(ground, one) > least) {
+        one.trail.settings = withShare(one.trail.settings, least / excessOf(ground, one));
+      }
     }
   }
 }
@@ -419,6 +466,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
   Trial trial(ground, plan.loops);
   for (int round = 0; !plan.trails.empty(); ++round) {
     pairSides(ground, moments, settings, plan);
+    evenRepeats(ground, moments, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty() && (!isChanged || round >= mostRounds)) {

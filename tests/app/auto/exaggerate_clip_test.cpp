@@ -295,7 +295,7 @@ TEST_CASE("A way back takes a sixth of a second or more where there is room for 
   const AutoClip made = exaggerated(lowStriker(), in("Snappy")); // whose way back is short
   const rig::TrailSettings& settings = made.document.trails.front().settings;
   REQUIRE(settings.releaseFrames);
-  CHECK(*settings.releaseFrames ==
+  CHECK(*settings.releaseFrames - settings.lingerFrames ==
         Approx(std::max(0.4 * (settings.endFrame - settings.startFrame), 30.0 / 6.0)));
 }
 
@@ -339,7 +339,8 @@ TEST_CASE("A style's overshoot needs a third of a second: in half of that a quar
       const AutoClip made = exaggerated(raiser(framesDown), AutoSettings{style, strength});
       REQUIRE_FALSE(made.document.trails.empty());
       const rig::TrailSettings& settings = made.document.trails.front().settings;
-      const double time = std::min(1.0, *settings.releaseFrames / 10.0);
+      const double back = *settings.releaseFrames - settings.lingerFrames;
+      const double time = std::min(1.0, back / 10.0);
       CHECK(settings.overshoot == Approx(time * time * style.overshoot));
       CHECK(settings.overshoot < style.overshoot);
     }

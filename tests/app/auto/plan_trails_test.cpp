@@ -239,8 +239,8 @@ TEST_CASE("A way back is as long as the style asks, a sixth of a second at least
   const auto releaseOf = [&](double startFrame, double endFrame, double release = 0.2) {
     AutoSettings settings = twiceAsLong();
     settings.style.release = release;
-    return *plannedSettings(planFor(ground, {stroke("left-arm", startFrame, endFrame, 9.0)}, settings))
-                .releaseFrames;
+    const AutoPlan plan = planFor(ground, {stroke("left-arm", startFrame, endFrame, 9.0)}, settings);
+    return *plannedSettings(plan).releaseFrames - plannedSettings(plan).lingerFrames;
   };
   CHECK(releaseOf(0, 40) == Approx(8.0));
   CHECK(releaseOf(0, 40, 0.5) == Approx(20.0));

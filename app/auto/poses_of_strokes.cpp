@@ -1,0 +1,108 @@
+#include "app/auto/poses_of_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "app/auto/planned_trail.h"
+#include "core/math/polyline.h"
+
+namespace stretch::app {
+
+namespace {
+
+// Bent on purpose, and not so far that its elbow would be thrown out where all of it gets longer.
+bool isBentAt(const std::vector<Vec3>& points, double scale) {
+  constexpr double nearlyStraight = 0.85; // of all bones
+  constexpr double farthestElbow = 0.7;   // of all bones: from the line between its ends
+  const double along = polylineLength(points);
+  const double straight = straightLength(points);
+  const double elbow = 0.5 * std::sqrt(std::max(0.0, along * along - straight * straight));
+  return straight < nearlyStraight * along && scale * elbow < farthestElbow * along;
+}
+
+double distanceFrom(const std::vector<Vec3>& trunk, const Vec3& point) {
+  const Vec3 along = trunk.back() - trunk.front();
+  const double share = glm::dot(point - trunk.front(), along) / std::max(1e-12, glm::dot(along, along));
+  return glm::distance(point, trunk.front() + std::clamp(share, 0.0, 1.0) * along);
+}
+
+} // namespace
+
+Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame) {
+  const double past = frame - ground.lastFrame;
+  return ground.reachOf(limb, past <= 0.0 ? frame : ground.wraps ? past : ground.lastFrame);
+}
+
+double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames) {
+  constexpr double longest = 1.0 / 3.0; // seconds
+  constexpr double inOnePose = 0.15;    // of the stroke's way
+  const double tip = trail.settings.endFrame;
+  const Vec3 end = reachAt(ground, trail.limb, tip);
+  const double way = glm::distance(end, reachAt(ground, trail.limb, trail.settings.startFrame));
+  const double most = std::round(longest * ground.framesPerSecond);
+  double held = 0.0;
+  while (held < most &&
+         glm::distance(reachAt(ground, trail.limb, tip + held + 1.0), end) <= inOnePose * way) {
+    held += 1.0;
+  }
+  return held < most ? std::clamp(std::floor(mostFrames), 0.0, held) : 0.0;
+}
+
+bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range, double scale) {
+  bool isBent = false;
+  for (double frame = std::round(0.4 * range.x + 0.6 * range.y); frame <= range.y; frame += 1.0) {
+    isBent = isBent || isBentAt(ground.pointsOf(limb.id, frame), scale);
+  }
+  return isBent;
+}
+
+bool foldsIn(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
+  constexpr double drawnIn = 0.6; // of what the limb reached at the start
+  constexpr double nearer = 0.7;  // of the hand's distance from the trunk at the start
+  const auto reach = [&](double frame) { return glm::length(ground.reachOf(limb.id, frame)); };
+  const double least = drawnIn * reach(range.x);
+  if (isLeg(limb)) {
+    return reach(range.y) < least;
+  }
+  const rig::Limb* const spine = rig::limbAt(ground.document.body.limbs, rig::biped::spine);
+  if (limb.kind != rig::LimbKind::arm || spine == nullptr) {
+    return false;
+  }
+  const auto fromTrunk = [&](double frame) {
+    return distanceFrom(ground.pointsOf(spine->id, frame), ground.pointsOf(limb.id, frame).back());
+  };
+  bool folds = false;
+  for (double frame = range.x; frame <= range.y; frame += 1.0) {
+    folds = folds || reach(frame) < least;
+  }
+  return folds && fromTrunk(range.y) < nearer * fromTrunk(range.x);
+}
+
+bool sweepsGround(const ClipGround& ground, const rig::Limb& limb, const Vec2& range, double scale) {
+  constexpr double near = 0.2; // of the height
+  const double least = ground.lowestVertex + near * ground.document.body.height;
+  bool sweeps = false;
+  for (double frame = range.x; frame <= range.y; frame += 1.0) {
+    const double height = ground.pointsOf(limb.id, frame).back().y;
+    const double lower = (scale - 1.0) * ground.reachOf(limb.id, frame).y;
+    sweeps = sweeps || (height >= least && height + lower < least);
+  }
+  return sweeps;
+}
+
+bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
+  constexpr double above = 0.06; // of the height: between the ground and all of the mesh
+  constexpr double extends = 1.1;
+  if (!isLeg(limb) || ground.reachOf(limb.id, range.y).y >= 0.0 || ground.lowestVertices.empty()) {
+    return false;
+  }
+  const double floor = std::max(ground.lowestVertex, ground.floor.value_or(ground.lowestVertex));
+  return ground.lowestVertices[static_cast<std::size_t>(std::clamp(range.y, 0.0, ground.lastFrame))] >
+             floor + above * ground.document.body.height &&
+         glm::length(ground.reachOf(limb.id, range.y)) <
+             extends * glm::length(ground.reachOf(limb.id, range.x));
+}
+
+} // namespace stretch::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "app/auto/clip_ground.h"
+#include "rig/trail/trail.h"
+
+namespace stretch::app {
+
+/// The limb's end seen from its base, at a frame that may lie past the clip's end: at the clip's start again
+/// where it wraps, else as at its end.
+[[nodiscard]] Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame);
+
+/// Whole frames after the tip of a trail, at most so many, for which the limb holds the pose that it came to
+/// before it starts back. 0 where it stays there, for a third of a second or more: it settles in it.
+[[nodiscard]] double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames);
+
+/// Whether a limb is bent on purpose towards the tip of a range, its last two fifths, and not so far that its
+/// elbow would be thrown out where all of it gets so many times as long.
+[[nodiscard]] bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range,
+                               double scale);
+
+/// Whether a limb is drawn in over a range: a leg that reaches far less at the tip; an arm that folds on its
+/// way and ends with the hand nearer the trunk.
+[[nodiscard]] bool foldsIn(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
+
+/// Whether a hand that is well above the ground would come near it with the arm so many times as long.
+[[nodiscard]] bool sweepsGround(const ClipGround& ground, const rig::Limb& limb, const Vec2& range,
+                                double scale);
+
+/// Whether a leg hangs from a body that is in the air at the tip, and does not reach for the ground.
+[[nodiscard]] bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
+
+} // namespace stretch::app

@@ -1,0 +1,200 @@
+// What an animator sees of the poses that a limb comes to: which are held, folded, bent, in the air or near
+// the ground, and what limbs that do the same have in common.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/auto/planned_trail.h"
+#include "app/auto/poses_of_strokes.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+/// The boxer whose arms are turned forwards by these angles, mirrored on the right.
+Document turnedArms(const std::vector<std::pair<double, double>>& left,
+                    const std::vector<std::pair<double, double>>& right) {
+  const Document boxer = test::boxer();
+  std::vector<Track> tracks;
+  for (const bool isLeft : {true, false}) {
+    tracks.push_back(turnsOf(boxer, isLeft ? "left-arm" : "right-arm"));
+    for (const auto& [frame, angle] : isLeft ? left : right) {
+      addKey(tracks.back(), frame, glm::angleAxis(isLeft ? -angle : angle, Vec3(0.0, 1.0, 0.0)));
+    }
+  }
+  return withTracks(boxer, tracks);
+}
+
+rig::Moment momentOf(const char* limb, rig::MomentKind kind, double start, double tip, double strength) {
+  return {limb, kind, start, tip, tip, strength};
+}
+
+rig::Moment strike(const char* limb, double start, double tip, double strength = 20.0) {
+  return momentOf(limb, rig::MomentKind::stroke, start, tip, strength);
+}
+
+const rig::TrailSettings& settingsOf(const AutoPlan& plan, const char* limb) {
+  const auto found = std::ranges::find(plan.trails, std::string(limb),
+                                       [](const PlannedTrail& planned) { return planned.trail.limb; });
+  REQUIRE(found != plan.trails.end());
+  return found->trail.settings;
+}
+
+double letGoAt(const rig::TrailSettings& settings) {
+  return settings.endFrame + settings.lingerFrames;
+}
+
+/// A ground of three frames on which a limb of one bone, a leg or an arm beside a spine, is as told.
+struct PosedLimb {
+  Document document = test::boxer();
+  ClipGround ground{document};
+  rig::Limb limb;
+
+  PosedLimb(rig::LimbKind kind, const std::vector<std::vector<Vec3>>& poses) {
+    document.body.height = 1.0;
+    limb.kind = kind;
+    limb.side = rig::LimbSide::left;
+    limb.id = "limb";
+    ground.limbs = {limb, *findLimb(document, "spine")};
+    ground.lastFrame = static_cast<double>(poses.size()) - 1.0;
+    ground.lowestVertices.assign(poses.size(), 0.3);
+    for (const std::vector<Vec3>& pose : poses) {
+      ground.places.push_back({pose, {Vec3(0.0, 1.0, 0.0), Vec3(0.0, 1.5, 0.0)}});
+    }
+  }
+  [[nodiscard]] Vec2 all() const { return {0.0, ground.lastFrame}; }
+};
+
+} // namespace
+
+TEST_CASE("A limb keeps its exaggeration while it holds its pose, and settles in one that it stays in") {
+  for (const auto& [back, held] : {std::pair(12.0, 2.0), {16.0, 6.0}, {28.0, 0.0}}) {
+    const Document document = turnedArms(
+        {{0, 0.0}, {4, 0.0}, {10, 1.4}, {back, 1.4}, {back + 1.0, 1.0}, {back + 8.0, 0.0}, {60, 0.0}},
+        {{0, 0.0}, {60, 0.0}});
+    const ClipGround ground = clipGround(document, 0);
+    const AutoPlan plan = planTrails(ground, {strike("left-arm", 4, 10)}, in("Average"), {});
+    const rig::TrailSettings& settings = settingsOf(plan, "left-arm");
+    CAPTURE(back);
+    CHECK(settings.lingerFrames == held);
+    CHECK(*settings.releaseFrames - settings.lingerFrames >= 5.0);
+    // What is weak beside a stronger stroke, as the way back to rest, is not held.
+    const AutoPlan weak =
+        planTrails(ground, {strike("right-arm", 0, 40, 40.0), strike("left-arm", 4, 10)}, in("Average"), {});
+    CHECK(settingsOf(weak, "left-arm").lingerFrames == 0.0);
+  }
+}
+
+TEST_CASE("Both sides that strike at once are let go at once, and are back at once") {
+  const Document document = turnedArms({{0, 0.0}, {4, 0.0}, {10, 1.4}, {20, 0.0}, {60, 0.0}},
+                                       {{0, 0.0}, {4, 0.0}, {12, 1.4}, {20, 0.0}, {60, 0.0}});
+  const ClipGround ground = clipGround(document, 0);
+  const AutoPlan plan =
+      planTrails(ground, {strike("left-arm", 4, 10), strike("right-arm", 4, 12)}, in("Average"), {});
+  const rig::TrailSettings& left = settingsOf(plan, "left-arm");
+  const rig::TrailSettings& right = settingsOf(plan, "right-arm");
+  CHECK(left.endFrame == 10.0);
+  CHECK(right.endFrame == 12.0);
+  CHECK(letGoAt(left) == letGoAt(right));
+  CHECK(windowOf(left).y == windowOf(right).y);
+}
+
+TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in before the chest") {
+  const auto folds = [](rig::LimbKind kind, const std::vector<Vec3>& ends) {
+    std::vector<std::vector<Vec3>> poses;
+    for (const Vec3& end : ends) {
+      poses.push_back({Vec3(0.2, 1.4, 0.0), end});
+    }
+    const PosedLimb posed(kind, poses);
+    return foldsIn(posed.ground, posed.limb, posed.all());
+  };
+  CHECK(folds(rig::LimbKind::leg, {{0.2, 0.4, 0}, {0.2, 0.6, 0}, {0.2, 0.9, 0}}));
+  CHECK_FALSE(folds(rig::LimbKind::leg, {{0.2, 0.4, 0}, {0.2, 0.9, 0}, {0.2, 0.5, 0.3}})); // a kick
+  CHECK(folds(rig::LimbKind::arm, {{1.2, 1.4, 0}, {0.5, 1.4, 0}, {0.2, 1.4, 0.6}}));
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.2, 1.4, 0}, {0.9, 1.4, 0.7}, {0.2, 1.4, 0.6}})); // a swing
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.2, 1.4, 1.0}}));   // a punch
+}
+
+TEST_CASE("A leg in the air that does not reach for the ground keeps its foot's height and its knee") {
+  const auto isUp = [](const std::vector<Vec3>& ends, double above) {
+    std::vector<std::vector<Vec3>> poses;
+    for (const Vec3& end : ends) {
+      poses.push_back({Vec3(0.0, 1.0, 0.0), end});
+    }
+    PosedLimb posed(rig::LimbKind::leg, poses);
+    posed.ground.lowestVertices.assign(poses.size(), above);
+    return isUpInTheAir(posed.ground, posed.limb, posed.all());
+  };
+  CHECK(isUp({{0, 0.4, 0}, {0, 0.5, 0.3}}, 0.3));
+  CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 0.5, 0.3}}, 0.05)); // on the ground
+  CHECK_FALSE(isUp({{0, 0.6, 0}, {0, 0.4, 0.3}}, 0.3));  // reaches for it
+  CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 1.2, 0.3}}, 0.3));  // kicks up
+}
+
+TEST_CASE("An arm that swings past the ground gets longer along it") {
+  const auto sweeps = [](double hand, double scale) {
+    const PosedLimb posed(rig::LimbKind::arm, {{Vec3(0, 0.8, 0), Vec3(0, 0.8, -0.4)},
+                                               {Vec3(0, 0.8, 0), Vec3(0, hand, 0)},
+                                               {Vec3(0, 0.8, 0), Vec3(0, 0.7, 0.4)}});
+    return sweepsGround(posed.ground, posed.limb, posed.all(), scale);
+  };
+  CHECK(sweeps(0.45, 2.0));
+  CHECK_FALSE(sweeps(0.55, 2.0));
+  CHECK_FALSE(sweeps(0.45, 1.5));
+  CHECK_FALSE(sweeps(0.15, 2.0)); // It does in the clip.
+  Document document = turnedArms({{0, 0.0}, {12, 1.4}, {24, 0.0}}, {{0, 0.0}, {24, 0.0}});
+  ClipGround ground = clipGround(document, 0);
+  const auto isLevel = [&](rig::MomentKind kind) {
+    const AutoPlan plan = planTrails(ground, {momentOf("left-arm", kind, 0, 12, 9.0)}, in("Average"), {});
+    return !settingsOf(plan, "left-arm").axes[1];
+  };
+  for (LimbPlaces& places : ground.places) {
+    places.front().back().y = places.front().front().y - 0.4;
+    ground.lowestVertex = places.front().back().y - 0.5 * document.body.height;
+  }
+  CHECK_FALSE(isLevel(rig::MomentKind::cycle));
+  ground.lowestVertex += 0.29 * document.body.height;
+  CHECK(isLevel(rig::MomentKind::cycle));
+  CHECK_FALSE(isLevel(rig::MomentKind::stroke));
+}
+
+TEST_CASE("A beat that comes again is as large each time, and the beat back is its own") {
+  const Document document =
+      turnedArms({{0, 0.0}, {6, 1.4}, {12, 0.0}, {18, 1.4}, {24, 0.0}, {60, 0.0}}, {{0, 0.0}, {60, 0.0}});
+  const ClipGround ground = clipGround(document, 0);
+  const std::vector<rig::Moment> beats{momentOf("left-arm", rig::MomentKind::cycle, 0, 6, 9.0),
+                                       momentOf("left-arm", rig::MomentKind::cycle, 12, 18, 4.0),
+                                       momentOf("left-arm", rig::MomentKind::cycle, 18, 24, 6.0)};
+  AutoPlan plan = planTrails(ground, beats, in("Average"), {});
+  settle(ground, beats, in("Average"), plan);
+  REQUIRE(plan.trails.size() == 3);
+  CHECK(plan.trails[0].trail.settings.scale == Approx(plan.trails[1].trail.settings.scale));
+  CHECK(plan.trails[0].trail.settings.scale != Approx(plan.trails[2].trail.settings.scale));
+}
+
+TEST_CASE("A plan leaves out what folds in, and takes no leg of a body in the air nearer the ground") {
+  const Document document = stepper();
+  ClipGround ground = clipGround(document, 0);
+  const auto plan = [&] { return planTrails(ground, {strike("left-leg", 12, 20)}, in("Average"), {}); };
+  const rig::TrailSettings grounded = settingsOf(plan(), "left-leg");
+  CHECK(grounded.axes[1]);
+  CHECK(grounded.bend == rig::Bend::straighten);
+  ground.lowestVertex = *ground.floor;
+  ground.lowestVertices.assign(ground.places.size(), *ground.floor + document.body.height);
+  const rig::TrailSettings up = settingsOf(plan(), "left-leg");
+  CHECK_FALSE(up.axes[1]);
+  CHECK(up.bend == rig::Bend::keep);
+  const auto leg = static_cast<std::size_t>(std::ranges::find(ground.limbs, "left-leg", &rig::Limb::id) -
+                                            ground.limbs.begin());
+  std::vector<Vec3>& points = ground.places[20][leg];
+  points.back() = points.front() + 0.5 * (points.back() - points.front());
+  CHECK(plan().leftOut[0] == "the limb folds in");
+}
