@@ -306,6 +306,9 @@ private:
     if (limb.kind == rig::LimbKind::arm && !isStroke && sweepsGround(ground_, limb, range, settings.scale)) {
       settings.axes[1] = false;
     }
+    if (limb.kind == rig::LimbKind::arm && isStroke && goesLevel(ground_, limb, range)) {
+      settings.axes[1] = false;
+    }
     if (isStroke && isUpInTheAir(ground_, limb, range)) {
       settings.axes = {settings.axes[0], false, settings.axes[2]}; // its foot comes no nearer the ground,
       settings.bend = rig::Bend::keep;                             // and its knee stays as it is

@@ -36,15 +36,20 @@ Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame) {
 }
 
 double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames) {
-  constexpr double longest = 1.0 / 3.0; // seconds
-  constexpr double inOnePose = 0.15;    // of the stroke's way
+  constexpr double longest = 0.4;    // seconds
+  constexpr double inOnePose = 0.15; // of the stroke's way
+  constexpr double goesOn = 0.3;     // of it, along it
   const double tip = trail.settings.endFrame;
   const Vec3 end = reachAt(ground, trail.limb, tip);
-  const double way = glm::distance(end, reachAt(ground, trail.limb, trail.settings.startFrame));
+  const Vec3 way = end - reachAt(ground, trail.limb, trail.settings.startFrame);
   const double most = std::round(longest * ground.framesPerSecond);
   double held = 0.0;
-  while (held < most &&
-         glm::distance(reachAt(ground, trail.limb, tip + held + 1.0), end) <= inOnePose * way) {
+  while (held < most) {
+    const Vec3 now = reachAt(ground, trail.limb, tip + held + 1.0);
+    const double along = glm::dot(now - reachAt(ground, trail.limb, tip + held), way);
+    if (glm::distance(now, end) > (along > 0.0 ? goesOn : inOnePose) * glm::length(way)) {
+      break;
+    }
     held += 1.0;
   }
   return held < most ? std::clamp(std::floor(mostFrames), 0.0, held) : 0.0;
@@ -90,6 +95,13 @@ bool sweepsGround(const ClipGround& ground, const rig::Limb& limb, const Vec2& r
     sweeps = sweeps || (height >= least && height + lower < least);
   }
   return sweeps;
+}
+
+bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
+  constexpr double level = 0.25; // sine
+  const Vec3 tip = ground.reachOf(limb.id, range.y);
+  const Vec3 way = tip - ground.reachOf(limb.id, range.x);
+  return std::abs(way.y) < level * glm::length(way) && tip.y < -level * glm::length(tip);
 }
 
 bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {

@@ -11,8 +11,9 @@ namespace stretch::app {
 /// where it wraps, else as at its end.
 [[nodiscard]] Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame);
 
-/// Whole frames after the tip of a trail, at most so many, for which the limb holds the pose that it came to
-/// before it starts back. 0 where it stays there, for a third of a second or more: it settles in it.
+/// Whole frames after the tip of a trail, at most so many, for which the limb holds the pose that it came to,
+/// or goes on a little the same way, before it starts back. 0 where it stays there, for half a second or
+/// more: it settles in it.
 [[nodiscard]] double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames);
 
 /// Whether a limb is bent on purpose towards the tip of a range, its last two fifths, and not so far that its
@@ -27,6 +28,9 @@ namespace stretch::app {
 /// Whether a hand that is well above the ground would come near it with the arm so many times as long.
 [[nodiscard]] bool sweepsGround(const ClipGround& ground, const rig::Limb& limb, const Vec2& range,
                                 double scale);
+
+/// Whether a limb that points down is swung along the ground.
+[[nodiscard]] bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
 
 /// Whether a leg hangs from a body that is in the air at the tip, and does not reach for the ground.
 [[nodiscard]] bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);

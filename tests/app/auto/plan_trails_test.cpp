@@ -131,7 +131,11 @@ TEST_CASE("A limb that is short for its body is exaggerated as much more, up to 
       GENERATE(table<double, double>({{0.6, 1.0}, {0.45, 1.0}, {0.4, 1.125}, {0.3, 1.5}, {0.1, 1.5}}));
   Document document = striking();
   document.body.limbs[0].restLength = length; // A quarter of the body is 0.45.
-  CHECK(shareOf(planFor(plannedGround(document), {stroke("left-arm", 0, 10, 6.0)}), 0) == Approx(more));
+  const ClipGround ground = plannedGround(document);
+  CHECK(shareOf(planFor(ground, {stroke("left-arm", 0, 10, 6.0)}), 0) == Approx(more));
+  // Not beside a stronger one: it would draw the eye.
+  CHECK(shareOf(planFor(ground, {stroke("right-arm", 0, 10, 9.0), stroke("left-arm", 0, 10, 7.0)}), 1) ==
+        Approx(1.0));
 }
 
 TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.15 of it nothing", "[plan]") {
@@ -251,6 +255,13 @@ TEST_CASE("A way back is as long as the style asks, a sixth of a second at least
   CHECK(releaseOf(0, 10) == Approx(10.0));
   ground.framesPerSecond = 6.0;
   CHECK(releaseOf(0, 5) == Approx(2.0)); // Never less than two frames.
+}
+
+TEST_CASE("A neck or a spine comes back in as long as it went out, where there is room", "[plan]") {
+  Document document = striking();
+  document.body.limbs[0].kind = GENERATE(rig::LimbKind::neck, rig::LimbKind::spine);
+  const AutoPlan plan = planFor(plannedGround(document), {stroke("left-arm", 0, 30, 9.0)});
+  CHECK(*plannedSettings(plan).releaseFrames - plannedSettings(plan).lingerFrames == Approx(30.0));
 }
 
 TEST_CASE("A tail or a feeler settles for as long as it went out, where there is room", "[plan]") {

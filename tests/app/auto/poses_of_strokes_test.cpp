@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "app/auto/poses_of_strokes.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -50,6 +53,24 @@ const rig::TrailSettings& settingsOf(const AutoPlan& plan, const char* limb) {
 
 double letGoAt(const rig::TrailSettings& settings) {
   return settings.endFrame + settings.lingerFrames;
+}
+
+/// The stepper with a right leg that does what the left one does.
+Document hopper() {
+  Document document = stepper();
+  Scene scene = *document.scene;
+  const NodeIndex thigh = test::addNode(scene, "RightUpLeg", document.body.hips, {-0.1, 0.0, 0.0});
+  const NodeIndex foot = test::addNode(scene, "RightFoot", thigh, {0.0, -1.0, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  rig::Limb leg = *findLimb(document, "left-leg");
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::rightLeg;
+  leg.id = rig::limbName(rig::biped::rightLeg);
+  leg.joints = {thigh};
+  leg.endNode = foot;
+  document.body.limbs.push_back(leg);
+  std::vector<Track> tracks(2, *document.clips->front().tracks.front());
+  tracks[1].node = thigh;
+  return withTracks(document, tracks);
 }
 
 /// A ground of three frames on which a limb of one bone, a leg or an arm beside a spine, is as told.
@@ -107,12 +128,37 @@ TEST_CASE("Both sides that strike at once are let go at once, and are back at on
   CHECK(windowOf(left).y == windowOf(right).y);
 }
 
+TEST_CASE("Of two legs that do the same at once, as strongly, none is left behind") {
+  const Document document = hopper();
+  const ClipGround ground = clipGround(document, 0);
+  for (const auto& [strength, isLeft] : {std::pair(18.0, true), {12.0, false}}) {
+    const std::vector<rig::Moment> both{strike("left-leg", 12, 20), strike("right-leg", 12, 20, strength)};
+    AutoPlan plan = planTrails(ground, both, in("Average"), {{1, "it cannot be"}});
+    settle(ground, both, in("Average"), plan);
+    CAPTURE(strength, plan.leftOut[0]);
+    CHECK((plan.leftOut[0] == "the limb on the other side cannot do the same") == isLeft);
+  }
+}
+
+TEST_CASE("An arm is bent on purpose where it is bent on the last of its way") {
+  const auto isBent = [](const std::vector<double>& elbows) {
+    std::vector<std::vector<Vec3>> poses;
+    std::ranges::transform(elbows, std::back_inserter(poses), [](double elbow) {
+      return std::vector<Vec3>{Vec3(0.0), Vec3(0.4, elbow, 0.0), Vec3(0.8, 0.0, 0.0)};
+    });
+    const PosedLimb posed(rig::LimbKind::arm, poses);
+    return isPosedBent(posed.ground, posed.limb, posed.all(), 1.0);
+  };
+  CHECK(isBent({0.0, 0.0, 0.0, 0.3, 0.3, 0.0}));
+  CHECK_FALSE(isBent({0.3, 0.3, 0.0, 0.0, 0.0, 0.0}));
+}
+
 TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in before the chest") {
   const auto folds = [](rig::LimbKind kind, const std::vector<Vec3>& ends) {
     std::vector<std::vector<Vec3>> poses;
-    for (const Vec3& end : ends) {
-      poses.push_back({Vec3(0.2, 1.4, 0.0), end});
-    }
+    std::ranges::transform(ends, std::back_inserter(poses), [](const Vec3& end) {
+      return std::vector<Vec3>{Vec3(0.2, 1.4, 0.0), end};
+    });
     const PosedLimb posed(kind, poses);
     return foldsIn(posed.ground, posed.limb, posed.all());
   };
@@ -126,9 +172,9 @@ TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in
 TEST_CASE("A leg in the air that does not reach for the ground keeps its foot's height and its knee") {
   const auto isUp = [](const std::vector<Vec3>& ends, double above) {
     std::vector<std::vector<Vec3>> poses;
-    for (const Vec3& end : ends) {
-      poses.push_back({Vec3(0.0, 1.0, 0.0), end});
-    }
+    std::ranges::transform(ends, std::back_inserter(poses), [](const Vec3& end) {
+      return std::vector<Vec3>{Vec3(0.0, 1.0, 0.0), end};
+    });
     PosedLimb posed(rig::LimbKind::leg, poses);
     posed.ground.lowestVertices.assign(poses.size(), above);
     return isUpInTheAir(posed.ground, posed.limb, posed.all());
@@ -152,18 +198,37 @@ TEST_CASE("An arm that swings past the ground gets longer along it") {
   CHECK_FALSE(sweeps(0.15, 2.0)); // It does in the clip.
   Document document = turnedArms({{0, 0.0}, {12, 1.4}, {24, 0.0}}, {{0, 0.0}, {24, 0.0}});
   ClipGround ground = clipGround(document, 0);
-  const auto isLevel = [&](rig::MomentKind kind) {
-    const AutoPlan plan = planTrails(ground, {momentOf("left-arm", kind, 0, 12, 9.0)}, in("Average"), {});
-    return !settingsOf(plan, "left-arm").axes[1];
+  const auto isLevel = [&] {
+    const rig::Moment swing = momentOf("left-arm", rig::MomentKind::cycle, 0, 12, 9.0);
+    return !settingsOf(planTrails(ground, {swing}, in("Average"), {}), "left-arm").axes[1];
   };
   for (LimbPlaces& places : ground.places) {
     places.front().back().y = places.front().front().y - 0.4;
     ground.lowestVertex = places.front().back().y - 0.5 * document.body.height;
   }
-  CHECK_FALSE(isLevel(rig::MomentKind::cycle));
+  CHECK_FALSE(isLevel());
   ground.lowestVertex += 0.29 * document.body.height;
-  CHECK(isLevel(rig::MomentKind::cycle));
-  CHECK_FALSE(isLevel(rig::MomentKind::stroke));
+  CHECK(isLevel());
+}
+
+TEST_CASE("An arm that points down and is swept along the ground gets longer along it") {
+  const auto isLevel = [](const Vec3& from, const Vec3& to) {
+    const PosedLimb posed(rig::LimbKind::arm, {{Vec3(0.0), from}, {Vec3(0.0), to}});
+    return goesLevel(posed.ground, posed.limb, posed.all());
+  };
+  CHECK(isLevel({-0.7, -0.4, 0.0}, {0.2, -0.3, 0.7}));
+  CHECK_FALSE(isLevel({-0.7, 0.1, 0.0}, {0.2, 0.0, 0.7}));  // at the height of the shoulder
+  CHECK_FALSE(isLevel({-0.7, 0.2, 0.0}, {0.2, -0.3, 0.7})); // goes down
+  const Document document = turnedArms({{0, 0.0}, {10, 1.4}, {20, 0.0}}, {{0, 0.0}, {20, 0.0}});
+  ClipGround ground = clipGround(document, 0);
+  const auto axesOf = [&] {
+    return settingsOf(planTrails(ground, {strike("left-arm", 0, 10)}, in("Average"), {}), "left-arm").axes;
+  };
+  CHECK(axesOf()[1]);
+  for (LimbPlaces& places : ground.places) {
+    places.front().back().y -= 0.5;
+  }
+  CHECK_FALSE(axesOf()[1]);
 }
 
 TEST_CASE("A beat that comes again is as large each time, and the beat back is its own") {
