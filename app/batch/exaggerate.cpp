@@ -147,6 +147,9 @@ gltf::Json exaggeratedWherePossible(const std::vector<TrailRequest>& requests, i
 
 Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
                                     const std::vector<TrailRequest>& requests, Document& document) {
+  if (Status known = checkRequests(requests, document); !known) {
+    return known.error();
+  }
   gltf::Json clips = gltf::Json::array();
   for (int clip = 0; clip < static_cast<int>(document.clips->size()); ++clip) {
     clips.push_back(exaggeratedWherePossible(requests, clip, arguments.loops, document));

@@ -27,15 +27,20 @@ Status setSettings(const TrailRequest& request, rig::TrailSettings& settings) {
   return Success{};
 }
 
-Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& document) {
-  const Result<rig::Limb> limb = findOrAddLimb(document, request.limb, "--limb");
-  if (!limb) {
-    return limb.error();
-  }
+Result<rig::Limb> limbOf(const TrailRequest& request, Document& document) {
+  Result<rig::Limb> limb = findOrAddLimb(document, request.limb, "--limb");
   const bool namesScale =
       std::ranges::any_of(request.settings, [](const auto& named) { return named.first == "--scale"; });
-  if (!namesScale) {
+  if (limb && !namesScale) {
     return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
+  }
+  return limb;
+}
+
+Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& document) {
+  const Result<rig::Limb> limb = limbOf(request, document);
+  if (!limb) {
+    return limb.error();
   }
   const Result<Vec2> range =
       request.range.empty() ? defaultRange(document, clip, *limb) : parseRange(request.range, "--range");
@@ -77,6 +82,16 @@ bool namesTrail(const CommandLine& line) {
            std::ranges::any_of(trailSchema(),
                                [&](const auto& setting) { return given.first == setting.option; });
   });
+}
+
+Status checkRequests(const std::vector<TrailRequest>& requests, const Document& document) {
+  Document tried = document;
+  for (const TrailRequest& request : requests) {
+    if (const Result<rig::Limb> limb = limbOf(request, tried); !limb) {
+      return limb.error();
+    }
+  }
+  return Success{};
 }
 
 Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Document& document) {

@@ -24,6 +24,9 @@ void addTrailOptions(CommandLine& line);
 /// Whether any option of a trail was given, --limb or another.
 [[nodiscard]] bool namesTrail(const CommandLine& line);
 
+/// Checks what holds in every clip: that each request names a limb of the document, and a scale.
+[[nodiscard]] Status checkRequests(const std::vector<TrailRequest>& requests, const Document& document);
+
 /// The trails that were asked for, as a recipe would name them; chains join the document. Errors name the
 /// option.
 [[nodiscard]] Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip,

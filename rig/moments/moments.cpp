@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <glm/geometric.hpp>
 
@@ -76,11 +77,20 @@ void joinSteps(std::vector<Moment>& moments) {
   }
 }
 
-// "Idle", "Fighting Idle", "idle_2": what a clip is stands last in its name; "Idle_HitReact_Left" is a hit.
+// "Idle", "Fighting Idle", "toIdle", "idle_2": what a clip is stands last in its name. "Idle_HitReact_Left"
+// is a hit, and "Sidle" another word.
 bool isCalledIdle(const Clip& clip) {
-  const std::string name = lowerCase(clip.name);
-  const std::size_t end = name.find_last_of("abcdefghijklmnopqrstuvwxyz");
-  return end != std::string::npos && name.substr(0, end + 1).ends_with("idle");
+  constexpr std::string_view word = "idle";
+  const std::string low = lowerCase(clip.name);
+  const std::size_t end = low.find_last_of("abcdefghijklmnopqrstuvwxyz");
+  if (end == std::string::npos || !low.substr(0, end + 1).ends_with(word)) {
+    return false;
+  }
+  const std::size_t first = end + 1 - word.size();
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const bool startsLarge =
+      clip.name[first] != low[first] && first > 0 && clip.name[first - 1] == low[first - 1];
+  return first == 0 || !isLetter(clip.name[first - 1]) || startsLarge;
 }
 
 bool comesBack(const BodyMotion& motion) {
@@ -91,10 +101,12 @@ bool comesBack(const BodyMotion& motion) {
 }
 
 // A fidget is as fast as many a gesture. Nothing but its name tells an idle that has one from a greeting.
+// What comes again, as wings that beat, is no fidget.
 bool onlyFidgets(const Clip& clip, const BodyMotion& motion, const std::vector<Moment>& moments) {
   constexpr double leastStrike = 5.0; // Reaches per second.
   const Moment* const strongest = strongestMoment(moments);
-  return strongest != nullptr && strongest->strength < leastStrike && isCalledIdle(clip) && comesBack(motion);
+  return strongest != nullptr && strongest->strength < leastStrike && isCalledIdle(clip) &&
+         comesBack(motion) && std::ranges::none_of(moments, isCycle);
 }
 
 bool goBefore(const Moment& a, const Moment& b) {

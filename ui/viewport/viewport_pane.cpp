@@ -1,6 +1,7 @@
 #include "ui/viewport/viewport_pane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -75,7 +76,9 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const View
   key.mix(picture.style.newStretchTurns);
   key.mix(picture.style.wireframe);
   key.mix(picture.style.floor);
-  key.mix(picture.style.quality);
+  const Quality& quality = picture.style.quality;
+  key.mix(std::array{quality.samples, quality.floorShadowPixels, quality.floorShadowBlurs,
+                     quality.selfShadowPixels, quality.thinned ? 1 : 0});
   if (picture.style.backdrop) {
     const Backdrop& backdrop = *picture.style.backdrop;
     const Result<std::shared_ptr<const Image>> image = backdrop.image();

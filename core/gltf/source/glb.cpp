@@ -157,12 +157,17 @@ Result<std::vector<Bytes>> glbInPieces(Glb glb) {
   return pieces;
 }
 
-Result<Bytes> writeGlb(const Glb& glb) {
-  Result<std::vector<Bytes>> pieces = glbInPieces(glb);
+Result<Bytes> writeGlb(Glb glb) {
+  const Result<std::vector<Bytes>> pieces = glbInPieces(std::move(glb));
   if (!pieces) {
     return pieces.error();
   }
+  std::size_t size = 0;
+  for (const Bytes& piece : *pieces) {
+    size += piece.size();
+  }
   Bytes out;
+  out.reserve(size);
   for (const Bytes& piece : *pieces) {
     out.insert(out.end(), piece.begin(), piece.end());
   }

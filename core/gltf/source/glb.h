@@ -40,7 +40,7 @@ struct Glb {
 
 /// The file of these parts; chunks are padded to 4 bytes. Error: longer than the 4 GiB that the format can
 /// say.
-[[nodiscard]] Result<Bytes> writeGlb(const Glb& glb);
+[[nodiscard]] Result<Bytes> writeGlb(Glb glb);
 /// The same file in pieces that follow each other; the bytes of the BIN chunk are not copied.
 [[nodiscard]] Result<std::vector<Bytes>> glbInPieces(Glb glb);
 

@@ -273,11 +273,22 @@ TEST_CASE("A clip that is called an idle, comes back and never strikes only fidg
   CHECK(greets("Wave"));
   CHECK(greets("Idle_HitReact_Left"));
   CHECK(greets("idleness"));
+  CHECK(greets("Sidle"));
+  CHECK(greets("SIDLE"));
   CHECK(greets(""));
   CHECK(greets("2"));
   CHECK_FALSE(greets("Idle"));
   CHECK_FALSE(greets("Armature|Fighting Idle"));
   CHECK_FALSE(greets("idle_2"));
+  CHECK_FALSE(greets("FightToIdle"));
+  CHECK_FALSE(greets("FIGHT-IDLE"));
+  MovingBiped beating = stillBiped();
+  turn(beating, "upperArm.l", up, {{0, 0}, {12, 40}, {24, 0}, {36, 40}, {48, 0}});
+  const std::vector<Moment> beats = momentsOf(beating);
+  REQUIRE_FALSE(beats.empty());
+  REQUIRE(beats.front().strength < 5.0);
+  beating.clip.name = "Fly_Idle";
+  CHECK(momentsOf(beating) == beats);
   CHECK_FALSE(called("drop_idle", 110.0, -40.0).empty()); // On its way to rest.
   MovingBiped strike = striker();
   strike.clip.name = "Fighting Idle";
