@@ -219,7 +219,8 @@ ClipGround clipGround(const Document& document, int clip) {
   ground.lowest = std::numeric_limits<double>::infinity();
   ground.lowestVertex = ground.lowest;
   ground.surface = std::make_shared<const skinning::SurfacePart>(
-      *document.scene, std::vector<bool>(document.scene->nodes.size(), true));
+      *document.scene, std::vector<bool>(document.scene->nodes.size(), true), skinning::SurfaceEdges::none);
+  ground.facts = std::make_shared<ClipFacts>(document, clip);
   Document source = document; // trails and weight that are there are no part of the ground
   source.trails.clear();
   source.weights.clear();
@@ -229,7 +230,7 @@ ClipGround clipGround(const Document& document, int clip) {
     ground.places.push_back(placesOf(ground.limbs, shown));
     lowerTo(shown, ground.places.back(), ground);
   }
-  const StandingFloor standing = standingFloor(document, clip, rig::bindPlaces(*document.scene));
+  const StandingFloor& standing = ground.facts->standing();
   if (standing.flies) {
     ground.lowest = -std::numeric_limits<double>::infinity();
     ground.lowestVertex = ground.lowest;

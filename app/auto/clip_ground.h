@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "app/evaluate/clip_facts.h"
 #include "core/anim/frame_state.h"
 #include "skinning/surface_part.h"
 
@@ -31,7 +33,8 @@ struct ClipGround {
                                                         ///< ascending.
   std::map<std::string, std::vector<Vec2>> slides = {}; ///< `stands`, and where a foot slides while another
                                                         ///< leg stands.
-  std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh.
+  std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh, without edges.
+  std::shared_ptr<ClipFacts> facts = {};   ///< What looking at each trail of the clip needs.
   double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
   std::vector<double> lowestVertices = {}; ///< Lowest of each whole frame from 0.
   double lowest = 0.0;                     ///< Height that no point of a limb goes below in the clip.
@@ -45,6 +48,8 @@ struct ClipGround {
   /// Height that no vertex may go below at a whole frame: the floor on which feet stand, or what the clip
   /// itself has below it there; the clip's lowest place where there is no such floor, or a lower one.
   [[nodiscard]] double leastHeightAt(double frame) const;
+  /// Height of the floor on which feet stand, or of the lowest vertex where that is higher or there is none.
+  [[nodiscard]] double groundHeight() const { return std::max(lowestVertex, floor.value_or(lowestVertex)); }
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg, bool orSlides = false) const;
 };
 

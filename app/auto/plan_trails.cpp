@@ -425,9 +425,9 @@ private:
 
   // The way back of each trail begins when the limb itself starts back, where there is room for that. It ends
   // before the next one of its limb has gone far, before its foot stands and, where the clip is no loop,
-  // before its end. A step of a cycle is taken back for as long as the ground
-  // carries the foot: in less the foot would skate. A tail settles for as long as it went out at least, and
-  // gets no shorter than it is: long as it is, it would pop.
+  // before its end. A step of a cycle is taken back for as long as the ground carries the foot: in less the
+  // foot would skate. Spine, neck and tail settle for as long as they went out at least. A tail gets no
+  // shorter than it is: long as it is, it would pop.
   void giveRoom() {
     for (PlannedTrail& planned : plan_.trails) {
       rig::TrailSettings& settings = planned.trail.settings;
@@ -446,6 +446,7 @@ private:
       settings.overshoot *= isStep(planned) || isFollower(planned.trail.limb) ? 0.0 : time * time;
     }
     letGoTogether();
+    bringBackTogether();
     plan_.loops = ground_.wraps; // until it is known whether anything goes on at its start
   }
 
@@ -457,11 +458,26 @@ private:
         rig::TrailSettings& settings = one.trail.settings;
         const rig::TrailSettings& late = other.trail.settings;
         const double held = late.endFrame + late.lingerFrames - settings.endFrame;
-        const double back = windowOf(late).y - settings.endFrame;
+        const double back = late.endFrame + *late.releaseFrames - settings.endFrame;
         if (goTogether(moments_[one.moment], moments_[other.moment]) && !one.follows && !other.follows &&
-            held > settings.lingerFrames && back <= roomAfter(one.trail, sharedWay)) {
-          settings.lingerFrames = held;
+            back <= roomAfter(one.trail, sharedWay)) {
+          settings.lingerFrames = std::max(settings.lingerFrames, held);
           settings.releaseFrames = std::max(*settings.releaseFrames, back);
+        }
+      }
+    }
+  }
+
+  // Two hands that swing one thing come back as the stronger arm does.
+  void bringBackTogether() {
+    for (std::size_t i = 0; i < plan_.trails.size(); ++i) { // strongest first
+      const rig::Trail lead = plan_.trails[i].trail;
+      for (std::size_t k = i + 1; k < plan_.trails.size(); ++k) {
+        rig::Trail& other = plan_.trails[k].trail;
+        if (areOnOneThing(lead, other) && lead.settings.startFrame == other.settings.startFrame &&
+            lead.settings.endFrame == other.settings.endFrame) {
+          other.settings.lingerFrames = lead.settings.lingerFrames;
+          other.settings.releaseFrames = lead.settings.releaseFrames;
         }
       }
     }

@@ -21,7 +21,7 @@ struct PlannedTrail {
   std::optional<rig::TrailSettings> looked = {}; ///< Settings with which it looked right by itself.
   bool follows = false; ///< The spine's, which goes along with the moment's limb and has no moment of its
                         ///< own.
-  bool isBent = false;  ///< Its bend is part of the pose at the tip: straightened, its end would point
+  bool isBent = false;  ///< Its bend is part of the pose that it comes to: straightened, its end would point
                         ///< elsewhere.
 };
 

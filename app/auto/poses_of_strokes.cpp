@@ -56,11 +56,12 @@ double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFra
 }
 
 bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range, double scale) {
-  bool isBent = false;
+  int bent = 0;
+  int straight = 0;
   for (double frame = std::round(0.4 * range.x + 0.6 * range.y); frame <= range.y; frame += 1.0) {
-    isBent = isBent || isBentAt(ground.pointsOf(limb.id, frame), scale);
+    ++(isBentAt(ground.pointsOf(limb.id, frame), scale) ? bent : straight);
   }
-  return isBent;
+  return bent > straight;
 }
 
 bool foldsIn(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
@@ -87,7 +88,7 @@ bool foldsIn(const ClipGround& ground, const rig::Limb& limb, const Vec2& range)
 
 bool sweepsGround(const ClipGround& ground, const rig::Limb& limb, const Vec2& range, double scale) {
   constexpr double near = 0.2; // of the height
-  const double least = ground.lowestVertex + near * ground.document.body.height;
+  const double least = ground.groundHeight() + near * ground.document.body.height;
   bool sweeps = false;
   for (double frame = range.x; frame <= range.y; frame += 1.0) {
     const double height = ground.pointsOf(limb.id, frame).back().y;
@@ -107,12 +108,16 @@ bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& rang
 bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
   constexpr double above = 0.06; // of the height: between the ground and all of the mesh
   constexpr double extends = 1.1;
-  if (!isLeg(limb) || ground.reachOf(limb.id, range.y).y >= 0.0 || ground.lowestVertices.empty()) {
+  const double tip = std::clamp(std::round(range.y), 0.0, ground.lastFrame);
+  const bool stands = std::ranges::any_of(ground.stands, [&](const auto& leg) {
+    return std::ranges::any_of(leg.second,
+                               [&](const Vec2& stand) { return stand.x <= tip && tip <= stand.y; });
+  });
+  if (!isLeg(limb) || stands || ground.reachOf(limb.id, range.y).y >= 0.0 || ground.lowestVertices.empty()) {
     return false;
   }
-  const double floor = std::max(ground.lowestVertex, ground.floor.value_or(ground.lowestVertex));
-  return ground.lowestVertices[static_cast<std::size_t>(std::clamp(range.y, 0.0, ground.lastFrame))] >
-             floor + above * ground.document.body.height &&
+  return ground.lowestVertices[static_cast<std::size_t>(tip)] >
+             ground.groundHeight() + above * ground.document.body.height &&
          glm::length(ground.reachOf(limb.id, range.y)) <
              extends * glm::length(ground.reachOf(limb.id, range.x));
 }

@@ -12,12 +12,12 @@ namespace stretch::app {
 [[nodiscard]] Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame);
 
 /// Whole frames after the tip of a trail, at most so many, for which the limb holds the pose that it came to,
-/// or goes on a little the same way, before it starts back. 0 where it stays there, for half a second or
-/// more: it settles in it.
+/// or goes on a little the same way, before it starts back. 0 where it stays there, for four tenths of a
+/// second or more: it settles in it.
 [[nodiscard]] double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames);
 
-/// Whether a limb is bent on purpose towards the tip of a range, its last two fifths, and not so far that its
-/// elbow would be thrown out where all of it gets so many times as long.
+/// Whether a limb is bent on purpose on most frames of the last two fifths of a range, and not so far that
+/// its elbow would be thrown out where all of it gets so many times as long.
 [[nodiscard]] bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range,
                                double scale);
 
@@ -32,7 +32,8 @@ namespace stretch::app {
 /// Whether a limb that points down is swung along the ground.
 [[nodiscard]] bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
 
-/// Whether a leg hangs from a body that is in the air at the tip, and does not reach for the ground.
+/// Whether a leg hangs from a body that is in the air at the tip, where no leg stands, and does not reach for
+/// the ground.
 [[nodiscard]] bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
 
 } // namespace stretch::app

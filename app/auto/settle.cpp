@@ -11,6 +11,7 @@
 #include "app/auto/held_things.h"
 #include "app/auto/planned_trail.h"
 #include "app/auto/whole_check.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/stopped.h"
 #include "app/evaluate/trail_look.h"
@@ -64,8 +65,7 @@ std::string problemOf(const Findings& findings) {
 // One trail by itself on the clip: solved with other settings until nothing is found.
 class Trial {
 public:
-  Trial(const ClipGround& ground, bool loops)
-      : ground_(ground), loops_(loops), facts_(std::make_shared<ClipFacts>(ground.document, ground.clip)) {}
+  Trial(const ClipGround& ground, bool loops) : ground_(ground), loops_(loops), facts_(ground.facts) {}
 
   // Lowers the trail until it looks right; answers why it cannot be done at all. A limb that the ground stops
   // is as long as it was: better less of it, or along the ground, than that.
@@ -262,6 +262,7 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
   const double room = ground.lastFrame - 1.0 - settings.endFrame;
   if (room >= calmRelease && wayEnd > ground.lastFrame - 1.0) {
     settings.releaseFrames = room;
+    settings.lingerFrames = std::clamp(settings.lingerFrames, 0.0, room - calmRelease);
   } else if (wayEnd > ground.lastFrame - 1.0 && ground.wraps) {
     settings.endFrame = std::min(settings.endFrame, ground.lastFrame - 1.0);
     settings.lingerFrames = end + 1.0 - settings.endFrame;
@@ -380,7 +381,9 @@ void pairSides(const ClipGround& ground, const std::vector<rig::Moment>& moments
                            return std::min(other.strength, moments[one.moment].strength) >=
                                       bothLead * std::max(other.strength, moments[one.moment].strength) &&
                                   other.kind == moments[one.moment].kind &&
-                                  arePartners(ground, moments[one.moment], other);
+                                  arePartners(ground, moments[one.moment], other) &&
+                                  overlappingTrail(ground.document, other.limb, ground.clip, other.startFrame,
+                                                   other.endFrame) == nullptr;
                          });
     if (most <= 0.0 && (isAlone || (goesRound && (std::ranges::any_of(moments, goesRoundAcross) ||
                                                   std::ranges::any_of(settings.beside, goesRoundAcross))))) {
@@ -405,7 +408,8 @@ void evenRepeats(const ClipGround& ground, const std::vector<rig::Moment>& momen
   for (PlannedTrail& one : plan.trails) {
     for (const PlannedTrail& other : plan.trails) {
       const double least = excessOf(ground, other);
-      if (doesTheSame(one, other) && excessOf(ground, one) > least) {
+      // What is too little to be seen will be left out.
+      if (least >= leastExcess && doesTheSame(one, other) && excessOf(ground, one) > least) {
         one.trail.settings = withShare(one.trail.settings, least / excessOf(ground, one));
       }
     }

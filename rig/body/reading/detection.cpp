@@ -91,8 +91,10 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
     const LimbEnd end{.node = joints.back()};
     joints.pop_back();
     finding.tail = makeLimb({LimbKind::tail}, std::move(joints), end, bindPose.worlds);
-    finding.tail->confidence = isNamedTail(scene, view, tail) ? 0.95 : 0.7;
-    finding.tail->reasons = {"goes back from the trunk", nodeNames(scene, finding.tail->joints)};
+    const bool isNamed = isNamedTail(scene, view, tail);
+    finding.tail->confidence = isNamed ? 0.95 : 0.7;
+    finding.tail->reasons = {isNamed ? "is named so" : "goes back from the trunk",
+                             nodeNames(scene, finding.tail->joints)};
   }
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];

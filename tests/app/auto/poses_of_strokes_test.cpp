@@ -126,6 +126,15 @@ TEST_CASE("Both sides that strike at once are let go at once, and are back at on
   CHECK(right.endFrame == 12.0);
   CHECK(letGoAt(left) == letGoAt(right));
   CHECK(windowOf(left).y == windowOf(right).y);
+  // Of ways whose returns are not equally long, and that are not held.
+  const Document later = turnedArms({{0, 0.0}, {2, 0.0}, {18, 1.4}, {36, 0.0}, {60, 0.0}},
+                                    {{0, 0.0}, {4, 0.0}, {20, 1.4}, {36, 0.0}, {60, 0.0}});
+  const ClipGround unlike = clipGround(later, 0);
+  for (const double rightTip : {18.0, 20.0}) {
+    const AutoPlan slow =
+        planTrails(unlike, {strike("left-arm", 2, 18), strike("right-arm", 4, rightTip)}, in("Average"), {});
+    CHECK(windowOf(settingsOf(slow, "left-arm")).y == windowOf(settingsOf(slow, "right-arm")).y);
+  }
 }
 
 TEST_CASE("Of two legs that do the same at once, as strongly, none is left behind") {
@@ -151,6 +160,7 @@ TEST_CASE("An arm is bent on purpose where it is bent on the last of its way") {
   };
   CHECK(isBent({0.0, 0.0, 0.0, 0.3, 0.3, 0.0}));
   CHECK_FALSE(isBent({0.3, 0.3, 0.0, 0.0, 0.0, 0.0}));
+  CHECK_FALSE(isBent({0.5, 0.5, 0.4, 0.3, 0.1, 0.0})); // a punch, straight when it hits
 }
 
 TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in before the chest") {
@@ -183,6 +193,13 @@ TEST_CASE("A leg in the air that does not reach for the ground keeps its foot's 
   CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 0.5, 0.3}}, 0.05)); // on the ground
   CHECK_FALSE(isUp({{0, 0.6, 0}, {0, 0.4, 0.3}}, 0.3));  // reaches for it
   CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 1.2, 0.3}}, 0.3));  // kicks up
+  PosedLimb onABox(rig::LimbKind::leg,
+                   {{Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.4, 0.0)}, {Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.5, 0.3)}});
+  CHECK(isUpInTheAir(onABox.ground, onABox.limb, onABox.all()));
+  onABox.ground.stands["other leg"] = {{0.0, 0.0}};
+  CHECK(isUpInTheAir(onABox.ground, onABox.limb, onABox.all())); // it leaves the ground before the tip
+  onABox.ground.stands["other leg"] = {{0.0, 1.0}};
+  CHECK_FALSE(isUpInTheAir(onABox.ground, onABox.limb, onABox.all()));
 }
 
 TEST_CASE("An arm that swings past the ground gets longer along it") {
@@ -196,6 +213,13 @@ TEST_CASE("An arm that swings past the ground gets longer along it") {
   CHECK_FALSE(sweeps(0.55, 2.0));
   CHECK_FALSE(sweeps(0.45, 1.5));
   CHECK_FALSE(sweeps(0.15, 2.0)); // It does in the clip.
+  PosedLimb caped(rig::LimbKind::arm, {{Vec3(0, 0.8, 0), Vec3(0, 0.8, -0.4)},
+                                       {Vec3(0, 0.8, 0), Vec3(0, 0.45, 0)},
+                                       {Vec3(0, 0.8, 0), Vec3(0, 0.7, 0.4)}});
+  caped.ground.lowestVertex = -0.15; // of a cape that dips below the floor
+  CHECK_FALSE(sweepsGround(caped.ground, caped.limb, caped.all(), 2.0));
+  caped.ground.floor = 0.0;
+  CHECK(sweepsGround(caped.ground, caped.limb, caped.all(), 2.0));
   Document document = turnedArms({{0, 0.0}, {12, 1.4}, {24, 0.0}}, {{0, 0.0}, {24, 0.0}});
   ClipGround ground = clipGround(document, 0);
   const auto isLevel = [&] {
@@ -243,6 +267,12 @@ TEST_CASE("A beat that comes again is as large each time, and the beat back is i
   REQUIRE(plan.trails.size() == 3);
   CHECK(plan.trails[0].trail.settings.scale == Approx(plan.trails[1].trail.settings.scale));
   CHECK(plan.trails[0].trail.settings.scale != Approx(plan.trails[2].trail.settings.scale));
+  // One that is too feeble to be seen takes nothing from the others.
+  std::vector<rig::Moment> feeble = beats;
+  feeble[1].strength = 0.6;
+  AutoPlan without = planTrails(ground, feeble, in("Subtle"), {});
+  settle(ground, feeble, in("Subtle"), without);
+  CHECK(std::ranges::any_of(without.trails, [](const PlannedTrail& planned) { return planned.moment == 0; }));
 }
 
 TEST_CASE("A plan leaves out what folds in, and takes no leg of a body in the air nearer the ground") {
