@@ -34,7 +34,7 @@ struct ClipGround {
   std::map<std::string, std::vector<Vec2>> slides = {}; ///< `stands`, and where a foot slides while another
                                                         ///< leg stands.
   std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh, without edges.
-  std::shared_ptr<ClipFacts> facts = {};   ///< What looking at each trail of the clip needs.
+  std::shared_ptr<ClipFacts> facts = {};   ///< Facts that looking at each of its trails needs.
   double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
   std::vector<double> lowestVertices = {}; ///< Lowest of each whole frame from 0.
   double lowest = 0.0;                     ///< Height that no point of a limb goes below in the clip.

@@ -34,8 +34,8 @@ struct Moment {
 /// The moments of a clip, strongest first, cycles after the others. Of each limb of the body and of `chains`;
 /// those of one limb share at most their ends. Whatever is weaker than `leastStrength` or trembles is left
 /// out, as is a slow sway on feet that stand throughout, so an idle clip has none; nor has one that is called
-/// an idle ("idle" is the last word of its name), ends where it began, never strikes and has no cycle. Frames of the clip's
-/// own rate, measured on the clip without any trail.
+/// an idle ("idle" is the last word of its name), ends where it began, never strikes and has no cycle. Frames
+/// of the clip's own rate, measured on the clip without any trail.
 [[nodiscard]] std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& body,
                                             const std::vector<Limb>& chains = {});
 
