@@ -52,9 +52,9 @@ std::vector<int> rowFrom(const BodyView& view, int joint) {
 // Goes back and stays in the middle, one joint after the other.
 bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides,
               const std::vector<int>& row) {
-  constexpr double aside = 0.01;     // of the body
-  constexpr double shortest = 0.2;   // of the body
-  constexpr double leastBack = 0.71; // cosine: more than up or down
+  constexpr double aside = 0.01;    // of the body
+  constexpr double shortest = 0.2;  // of the body
+  constexpr double leastBack = 0.6; // cosine
   const Vec3 back = glm::cross(Vec3(0, 1, 0), sides.leftIsPositive ? plane.normal : -plane.normal);
   const Vec3 way = view.at(row.back()) - view.at(row.front());
   return row.size() > 3 && lengthOf(view, row) > shortest * view.size &&

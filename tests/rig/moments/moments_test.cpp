@@ -283,7 +283,7 @@ TEST_CASE("A clip that is called an idle, comes back and never strikes only fidg
   CHECK_FALSE(greets("FightToIdle"));
   CHECK_FALSE(greets("FIGHT-IDLE"));
   MovingBiped beating = stillBiped();
-  turn(beating, "upperArm.l", up, {{0, 0}, {12, 40}, {24, 0}, {36, 40}, {48, 0}});
+  turn(beating, "upperArm.l", up, {{0, 0}, {6, 30}, {12, 0}, {18, 30}, {24, 0}});
   const std::vector<Moment> beats = momentsOf(beating);
   REQUIRE_FALSE(beats.empty());
   REQUIRE(beats.front().strength < 5.0);
