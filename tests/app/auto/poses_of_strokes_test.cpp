@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "app/auto/poses_of_strokes.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
-#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -57,19 +55,9 @@ double letGoAt(const rig::TrailSettings& settings) {
 
 /// The stepper with a right leg that does what the left one does.
 Document hopper() {
-  Document document = stepper();
-  Scene scene = *document.scene;
-  const NodeIndex thigh = test::addNode(scene, "RightUpLeg", document.body.hips, {-0.1, 0.0, 0.0});
-  const NodeIndex foot = test::addNode(scene, "RightFoot", thigh, {0.0, -1.0, 0.0});
-  document.scene = std::make_shared<const Scene>(std::move(scene));
-  rig::Limb leg = *findLimb(document, "left-leg");
-  static_cast<rig::LimbPlace&>(leg) = rig::biped::rightLeg;
-  leg.id = rig::limbName(rig::biped::rightLeg);
-  leg.joints = {thigh};
-  leg.endNode = foot;
-  document.body.limbs.push_back(leg);
+  const Document document = twoLeggedStepper();
   std::vector<Track> tracks(2, *document.clips->front().tracks.front());
-  tracks[1].node = thigh;
+  tracks[1].node = findLimb(document, "right-leg")->joints.front();
   return withTracks(document, tracks);
 }
 

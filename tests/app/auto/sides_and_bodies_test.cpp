@@ -62,17 +62,7 @@ Document rearing() {
 
 // The stepper, whose right foot slides along the ground over the whole clip.
 Document slider() {
-  Document document = stepper();
-  Scene scene = *document.scene;
-  const NodeIndex thigh = test::addNode(scene, "RightUpLeg", document.body.hips, {-0.1, 0.0, 0.0});
-  const NodeIndex foot = test::addNode(scene, "RightFoot", thigh, {0.0, -1.0, 0.0});
-  document.scene = std::make_shared<const Scene>(std::move(scene));
-  rig::Limb leg = *findLimb(document, "left-leg");
-  static_cast<rig::LimbPlace&>(leg) = rig::biped::rightLeg;
-  leg.id = rig::limbName(rig::biped::rightLeg);
-  leg.joints = {thigh};
-  leg.endNode = foot;
-  document.body.limbs.push_back(leg);
+  const Document document = twoLeggedStepper();
   Track slide = turnsOf(document, "right-leg");
   for (int frame = 0; frame <= 50; ++frame) {
     addKey(slide, frame, glm::angleAxis(0.13 * std::sin(0.2 * frame), Vec3(1.0, 0.0, 0.0)));

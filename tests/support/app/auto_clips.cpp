@@ -121,4 +121,19 @@ Document stepper() {
   return withTracks(std::move(document), {track});
 }
 
+Document twoLeggedStepper() {
+  Document document = stepper();
+  Scene scene = *document.scene;
+  const NodeIndex thigh = addNode(scene, "RightUpLeg", document.body.hips, {-0.1, 0.0, 0.0});
+  const NodeIndex foot = addNode(scene, "RightFoot", thigh, {0.0, -1.0, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  rig::Limb leg = *findLimb(document, "left-leg");
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::rightLeg;
+  leg.id = rig::limbName(rig::biped::rightLeg);
+  leg.joints = {thigh};
+  leg.endNode = foot;
+  document.body.limbs.push_back(leg);
+  return document;
+}
+
 } // namespace stretch::test

@@ -43,4 +43,7 @@ void addKey(Track& track, double frame, const Quat& turn);
 /// frame 40.
 [[nodiscard]] app::Document stepper();
 
+/// The stepper with a right leg beside the left one, which has no keys.
+[[nodiscard]] app::Document twoLeggedStepper();
+
 } // namespace stretch::test
