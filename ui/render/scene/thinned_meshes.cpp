@@ -159,9 +159,9 @@ std::vector<Mesh> thinnedMeshes(const std::vector<Mesh>& meshes, std::size_t tri
     thin.name = mesh.name;
     thin.morphWeights = mesh.morphWeights;
     for (const Primitive& primitive : mesh.primitives) {
+      const std::size_t own = primitive.indices.size() / 3;
       // Each keeps its share of the triangles, whatever its unit.
-      const double kept =
-          static_cast<double>(triangles) * static_cast<double>(primitive.indices.size() / 3) / all;
+      const double kept = static_cast<double>(triangles) * static_cast<double>(own) / all;
       const double size = std::sqrt(trianglesOfCell * areaOf(primitive) / std::max(kept, 1.0));
       thin.primitives.push_back(size > 0.0 ? Thinning(primitive, size).thinned() : primitive);
     }
