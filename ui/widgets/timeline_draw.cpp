@@ -62,10 +62,12 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
   const Rect flag = playheadFlag(theme, layout, model);
   for (const double frame : marks(layout.frames, numbered)) {
     const float half = theme.px(26.0F);
-    const float x = layout.frames.toPixel(frame);
     char text[24];
     std::snprintf(text, sizeof text, "%.0f", frame);
     const float width = textSize(theme.fonts.label, text).x;
+    // The last number of a long clip is drawn whole, though its mark is at the edge.
+    const float x =
+        std::min(layout.frames.toPixel(frame), std::ceil(list->GetClipRectMax().x - 0.5F * width));
     if (x + 0.5F * width > flag.min.x - theme.px(3.0F) && x - 0.5F * width < flag.max.x + theme.px(3.0F)) {
       continue; // The playhead's flag would cover a part of it.
     }

@@ -9,9 +9,11 @@
 #include "app/edits/pose/hold_edits.h"
 #include "app/edits/trail/weight_edits.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/time/transport.h"
+#include "ui/widgets/control.h"
 
 using namespace stretch;
 using test::PanelDriver;
@@ -378,4 +380,26 @@ TEST_CASE("Weight is shaped for all selected limbs that have it") {
   CHECK(app::findWeight(driver.open.character()->document(), "right-arm", 0)->settings.amount ==
         app::findWeight(driver.open.character()->document(), "left-arm", 0)->settings.amount);
   CHECK(app::findWeight(driver.open.character()->document(), "spine", 0) == nullptr);
+}
+
+TEST_CASE("A clip of tens of thousands of frames shows its frame and the last number of its ruler whole") {
+  app::Document document = PanelDriver::bundledCharacter();
+  std::vector<Clip> clips = *document.clips;
+  clips.front().endSeconds = 50000.0 / clips.front().framesPerSecond;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  PanelDriver driver(document);
+  driver.open.character()->view().frame = 12345.0;
+  driver.frames(3);
+  const std::vector<std::string> words = test::shownWords();
+  const auto shows = [&](const char* text) { return std::ranges::count(words, text); };
+  CHECK(shows("12345") == 2); // The field, and the flag of the playhead.
+  REQUIRE(shows("50000") == 1);
+  const ImDrawData& drawn = *ImGui::GetDrawData();
+  for (int i = 0; i < drawn.CmdListsCount; ++i) {
+    for (const test::DrawnWords& one : test::wordsOf(*drawn.CmdLists[i])) {
+      const float edge = drawn.CmdLists[i]->CmdBuffer.front().ClipRect.z;
+      CHECK((one.text != "50000" ||
+             one.at.x + ui::textSize(driver.theme.fonts.label, one.text).x <= edge + 1.0F));
+    }
+  }
 }

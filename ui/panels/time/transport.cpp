@@ -64,13 +64,19 @@ void clipLoopSwitch(PanelContext& context) {
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
+/// Wide enough for the last frame of a clip of thousands.
+float frameFieldWidth(const Theme& theme, double lastFrame) {
+  const double digits = std::floor(std::log10(std::max(1.0, lastFrame))) + 1.0;
+  return theme.px(56.0F) + theme.px(9.0F) * static_cast<float>(std::max(0.0, digits - 3.0));
+}
+
 void frameField(PanelContext& context, const ShownTime& time) {
   SliderSpec spec{.id = "timeline/frame",
                   .maximum = std::max(1.0, time.last),
                   .step = 1.0,
                   .decimals = frameDecimals(*time.frame),
                   .showsFill = false,
-                  .width = context.theme.px(56.0F)};
+                  .width = frameFieldWidth(context.theme, time.last)};
   spec.help = {"Frame", "Drag, or click and type the frame to go to.", {}};
   double frame = *time.frame;
   if (slider(widgetsOf(context), spec, frame).changed) {
