@@ -257,7 +257,7 @@ TEST_CASE("A beat that comes again is as large each time, and the beat back is i
   CHECK(plan.trails[0].trail.settings.scale != Approx(plan.trails[2].trail.settings.scale));
   // One that is too feeble to be seen takes nothing from the others.
   std::vector<rig::Moment> feeble = beats;
-  feeble[1].strength = 0.6;
+  feeble[1].strength = 2.0;
   AutoPlan without = planTrails(ground, feeble, in("Subtle"), {});
   settle(ground, feeble, in("Subtle"), without);
   CHECK(std::ranges::any_of(without.trails, [](const PlannedTrail& planned) { return planned.moment == 0; }));
