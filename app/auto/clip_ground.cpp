@@ -194,10 +194,13 @@ Vec3 ClipGround::reachOf(const std::string& limb, double frame) const {
   return points.back() - points.front();
 }
 
-double ClipGround::leastHeightAt(double frame) const {
+double ClipGround::lowestVertexAt(double frame) const {
   const auto last = static_cast<double>(lowestVertices.size() - 1);
-  return std::min(std::max(lowestVertex, floor.value_or(lowestVertex)),
-                  lowestVertices[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))]);
+  return lowestVertices[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))];
+}
+
+double ClipGround::leastHeightAt(double frame) const {
+  return std::min(groundHeight(), lowestVertexAt(frame));
 }
 
 const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg, bool orSlides) const {

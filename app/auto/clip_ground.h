@@ -45,6 +45,8 @@ struct ClipGround {
   [[nodiscard]] const std::vector<Vec3>& pointsOf(const std::string& limb, double frame) const;
   /// From the limb's place that stays to the one that leads.
   [[nodiscard]] Vec3 reachOf(const std::string& limb, double frame) const;
+  /// Height of the lowest vertex at a whole frame of a body that has a mesh.
+  [[nodiscard]] double lowestVertexAt(double frame) const;
   /// Height that no vertex may go below at a whole frame: the floor on which feet stand, or what the clip
   /// itself has below it there; the clip's lowest place where there is no such floor, or a lower one.
   [[nodiscard]] double leastHeightAt(double frame) const;

@@ -54,7 +54,11 @@ public:
       for (std::size_t i = 0; i < all->size(); ++i) {
         const rig::Moment& moment = (*all)[i];
         const bool isRefused = (all == &moments && refused.contains(i)) || !refusalOf(moment).empty();
-        strongest_ = hasOwnTrail(moment) || !isRefused ? std::max(strongest_, moment.strength) : strongest_;
+        if ((hasOwnTrail(moment) || !isRefused) && moment.strength > strongest_) {
+          const rig::Limb* const limb = findLimb(ground.document, moment.limb);
+          strongest_ = moment.strength;
+          isLedByChain_ = limb != nullptr && isChain(*limb);
+        }
       }
     }
   }
@@ -218,14 +222,19 @@ private:
     return kind == rig::LimbKind::tail || kind == rig::LimbKind::feeler;
   }
 
+  [[nodiscard]] double fullOf(const rig::Moment& moment) const {
+    return isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
+  }
+
   // Share of the style's exaggeration: of the moment's own strength, which counts by the clip's strongest
   // where that is calm, as in a slow walk; less beside the clip's strongest, and beside a stronger limb at
   // the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double most = isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
+    const double most = fullOf(moment);
     const double full = std::clamp(strongest_, calmClip * most, most);
+    const double strongest = strongest_ * (isLedByChain_ ? fullOf(moment) / fullChain : 1.0);
     const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
-                       std::min(1.0, moment.strength / (nearStrongest * strongest_));
+                       std::min(1.0, moment.strength / (nearStrongest * strongest));
     const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
     return own * (isBesideStronger(moment) ? swung * settings_.style.spread.limbs : 1.0);
   }
@@ -353,7 +362,6 @@ private:
   // Pulled the way that the limb goes, evenly along the range.
   [[nodiscard]] PlannedTrail followerOf(const PlannedTrail& lead, const rig::Limb& limb,
                                         const rig::Limb& spine, const Vec2& range) const {
-    constexpr int spheres = 4;
     const Vec3 way = ground_.reachOf(limb.id, lead.trail.settings.endFrame) -
                      ground_.reachOf(limb.id, lead.trail.settings.startFrame);
     const double strength = settings_.strength * settings_.style.spread.trunk;
@@ -365,12 +373,8 @@ private:
     settings = rig::styledSettings(startingTrail(ground_.document, ground_.clip, spine, range),
                                    settings_.style, spine.kind, 0.0);
     settings.scale = 1.0;
-    const double length = glm::length(way);
-    for (int i = 0; i <= spheres && length > 0.0; ++i) {
-      const double part = static_cast<double>(i) / spheres;
-      settings.spheres.push_back(
-          {range.x + part * (range.y - range.x), rig::smoothstep(part) * pull / length * way, {}});
-      follower.trail.controlFrames.push_back(settings.spheres.back().frame);
+    if (const double length = glm::length(way); length > 0.0) {
+      pullAlong(follower, pull / length * way);
     }
     return follower;
   }
@@ -437,6 +441,10 @@ private:
       const double out = settles && !planned.follows ? settings.endFrame - settings.startFrame : 0.0;
       const double room = roomAfter(planned.trail, sharedWay);
       const double release = std::clamp(room, 0.0, std::max({wanted, seenFrames(), carried, out}));
+      if (const double share = release / seenFrames();
+          share < 1.0 && isStep(planned) && standsAfter(planned.trail, room)) {
+        settings = withShare(settings, share * share); // else the foot snaps back to where it is put down
+      }
       const rig::Moment& moment = moments_[planned.moment];
       const bool leads = moment.kind == rig::MomentKind::stroke &&
                          moment.strength >= nearStrongest * strongest_ && !planned.follows;
@@ -483,6 +491,14 @@ private:
     }
   }
 
+  // Whether the limb's foot is put down so many frames after the tip.
+  [[nodiscard]] bool standsAfter(const rig::Trail& trail, double frames) const {
+    const double frame = trail.settings.endFrame + frames;
+    return std::ranges::any_of(ground_.standsOf(trail.limb), [&](const Vec2& stand) {
+      return stand.x == frame || (ground_.wraps && stand.x == frame - ground_.lastFrame);
+    });
+  }
+
   // Frames after the tip, up to this share of the next range of the limb.
   [[nodiscard]] double roomAfter(const rig::Trail& trail, double share) const {
     const double tip = trail.settings.endFrame;
@@ -509,6 +525,7 @@ private:
   const AutoSettings& settings_;
   const std::map<std::size_t, std::string>& refused_;
   double strongest_ = 0.0;
+  bool isLedByChain_ = false; // the strongest is of a tail, a neck or a spine
   AutoPlan plan_;
 };
 
@@ -530,6 +547,19 @@ rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {
     sphere.offset *= share;
   }
   return wanted;
+}
+
+void pullAlong(PlannedTrail& planned, const Vec3& pull) {
+  constexpr int spheres = 4;
+  rig::TrailSettings& settings = planned.trail.settings;
+  settings.spheres.clear();
+  planned.trail.controlFrames.clear();
+  for (int i = 0; i <= spheres; ++i) {
+    const double part = static_cast<double>(i) / spheres;
+    const double frame = settings.startFrame + part * (settings.endFrame - settings.startFrame);
+    settings.spheres.push_back({frame, rig::smoothstep(part) * pull, {}});
+    planned.trail.controlFrames.push_back(frame);
+  }
 }
 
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why) {

@@ -54,6 +54,10 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
 /// Settings with a share of the exaggeration of `wanted`: of its scale and of what its spheres are pulled.
 [[nodiscard]] rig::TrailSettings withShare(rig::TrailSettings wanted, double share);
 
+/// Pulls a trail's path by spheres: not at all at the start of its range, evenly more along it, and by
+/// `pull` (world units) at its tip.
+void pullAlong(PlannedTrail& planned, const Vec3& pull);
+
 /// Takes the trail at `place` out of the plan, and what goes along with it.
 void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why);
 

@@ -116,8 +116,7 @@ bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& r
   if (!isLeg(limb) || stands || ground.reachOf(limb.id, range.y).y >= 0.0 || ground.lowestVertices.empty()) {
     return false;
   }
-  return ground.lowestVertices[static_cast<std::size_t>(tip)] >
-             ground.groundHeight() + above * ground.document.body.height &&
+  return ground.lowestVertexAt(tip) > ground.groundHeight() + above * ground.document.body.height &&
          glm::length(ground.reachOf(limb.id, range.y)) <
              extends * glm::length(ground.reachOf(limb.id, range.x));
 }

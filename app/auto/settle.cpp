@@ -271,6 +271,19 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
   return !(settings == before);
 }
 
+// Takes the trail back before the seam; false where its limb would hardly have started by then.
+bool endBeforeSeam(const ClipGround& ground, rig::TrailSettings& settings) {
+  const double end = ground.lastFrame - 1.0 - calmRelease;
+  const double range = settings.endFrame - settings.startFrame;
+  if (settings.endFrame <= end || end - settings.startFrame < std::max(shortestRange, 0.5 * range)) {
+    return false;
+  }
+  settings.endFrame = end;
+  settings.lingerFrames = 0.0;
+  settings.releaseFrames = calmRelease;
+  return true;
+}
+
 // The world's axis that lies along the line between the bases of a limb and of that on the other side; none
 // for what follows or has no other side.
 std::optional<std::size_t> axisAcross(const ClipGround& ground, const PlannedTrail& planned) {
@@ -285,6 +298,21 @@ std::optional<std::size_t> axisAcross(const ClipGround& ground, const PlannedTra
   return across.x >= std::max(across.y, across.z) ? 0 : across.y >= across.z ? 1 : 2;
 }
 
+// A foot along the ground that goes a little below it, as its toes do on the way, is lifted by as much; false
+// where it would hang in the air.
+bool liftFoot(const ClipGround& ground, PlannedTrail& planned, double depth) {
+  constexpr double most = 0.03; // of the height
+  constexpr double spare = 1.1;
+  const std::vector<rig::SphereOffset>& spheres = planned.trail.settings.spheres;
+  const double lift = spare * depth + (spheres.empty() ? 0.0 : spheres.back().offset.y);
+  if (planned.follows || planned.trail.settings.axes[1] || depth <= 0.0 ||
+      lift > most * ground.document.body.height || !isLeg(*findLimb(ground.document, planned.trail.limb))) {
+    return false;
+  }
+  pullAlong(planned, {0.0, lift, 0.0});
+  return true;
+}
+
 // Less of the trail; left out where nothing is to be seen of it any more.
 void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   const std::string why = textOf(fault.kind);
@@ -295,6 +323,9 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   }
   if ((fault.kind == FaultKind::floor || fault.kind == FaultKind::lifted) && settings.axes == allAxes) {
     settings.axes = levelAxes;
+    return;
+  }
+  if (fault.kind == FaultKind::floor && liftFoot(ground, planned, fault.depth)) {
     return;
   }
   const std::optional<std::size_t> across =
@@ -308,6 +339,9 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
   }
   if (fault.kind == FaultKind::seam && settings.bend != rig::Bend::keep) {
     settings.bend = rig::Bend::keep; // a limb that is nearly straight makes much of a small step at the seam
+    return;
+  }
+  if (fault.kind == FaultKind::seam && endBeforeSeam(ground, settings)) {
     return;
   }
   settings = withShare(settings, step);
@@ -416,6 +450,26 @@ void evenRepeats(const ClipGround& ground, const std::vector<rig::Moment>& momen
   }
 }
 
+// In a walk or a run the steps are the action: arms that swing along gain twice as much at most.
+void keepArmsBesideSteps(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+  constexpr double most = 2.0;
+  const auto goesRound = [&](const PlannedTrail& planned, bool asLeg) {
+    const rig::Limb& limb = *findLimb(ground.document, planned.trail.limb);
+    return !planned.follows && moments[planned.moment].kind == rig::MomentKind::cycle &&
+           (asLeg ? isLeg(limb) : isArm(limb));
+  };
+  double steps = 0.0;
+  for (const PlannedTrail& planned : plan.trails) {
+    steps = std::max(steps, goesRound(planned, true) ? planned.trail.settings.scale - 1.0 : 0.0);
+  }
+  for (PlannedTrail& planned : plan.trails) {
+    const double gain = planned.trail.settings.scale - 1.0;
+    if (steps >= leastExcess && gain > most * steps && goesRound(planned, false)) {
+      planned.trail.settings = withShare(planned.trail.settings, most * steps / gain);
+    }
+  }
+}
+
 // As Trial::calm; what is too little to be seen cannot be done.
 std::string calmed(const ClipGround& ground, Trial& trial, PlannedTrail& planned) {
   return excessOf(ground, planned) >= leastExcess ? trial.calm(planned) : "the style hardly stretches it";
@@ -471,6 +525,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
   for (int round = 0; !plan.trails.empty(); ++round) {
     pairSides(ground, moments, settings, plan);
     evenRepeats(ground, moments, plan);
+    keepArmsBesideSteps(ground, moments, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty() && (!isChanged || round >= mostRounds)) {

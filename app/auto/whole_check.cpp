@@ -52,7 +52,7 @@ public:
     }
     std::vector<Fault> faults;
     for (const auto& [trail, kind] : faults_) {
-      faults.push_back({trail, kind});
+      faults.push_back({trail, kind, depths_[plan_.trails[trail].trail.limb]});
     }
     return faults;
   }
@@ -120,6 +120,8 @@ private:
     return found;
   }
 
+  void deepen(const rig::Limb& limb, double depth) { depths_[limb.id] = std::max(depths_[limb.id], depth); }
+
   // Of several trails it is the weakest without which nothing is wrong; all of them where none does it alone.
   template <typename IsWrong>
   void blame(const std::vector<double>& frames, const rig::Limb& limb, FaultKind kind,
@@ -151,6 +153,9 @@ private:
     lookAtMesh(frame, frameState, now);
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
       if (const std::optional<FaultKind> problem = problemOf(frame, i, now)) {
+        if (problem == FaultKind::floor) {
+          deepen(ground_.limbs[i], ground_.lowest - lowestOf({now[i]}));
+        }
         blame({frame}, ground_.limbs[i], *problem, [&](const Attempt& attempt) {
           const FrameState other = shown(attempt, frame / ground_.framesPerSecond);
           return problemOf(frame, i, placesOf(ground_.limbs, other)).has_value();
@@ -182,6 +187,7 @@ private:
       }
     }
     if (nearest != nullptr) {
+      deepen(*nearest, ground_.leastHeightAt(frame) - vertex->y);
       blame({frame}, *nearest, FaultKind::floor, [&](const Attempt& attempt) {
         return isBelowFloor(
             frame, lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
@@ -315,6 +321,7 @@ private:
   std::map<std::size_t, Attempt> without_;
   std::set<std::tuple<std::string, FaultKind, std::vector<std::size_t>>> judged_;
   std::map<std::size_t, FaultKind> faults_;
+  std::map<std::string, double> depths_; // of limbs below the floor
 };
 
 } // namespace

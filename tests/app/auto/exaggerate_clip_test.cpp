@@ -215,7 +215,6 @@ TEST_CASE("What is asked for alone is as weak beside the rest of the clip as tog
   const Document before = test::boxer();
   const rig::Moment punch = momentsOf(before, 0).front();
   rig::Moment stronger = punch;
-  stronger.limb = "spine";
   stronger.strength = 3.0 * punch.strength;
   AutoSettings settings = in("Opera");
   const double alone = exaggerateClip(before, 0, {punch}, settings).moments.front().scale;

@@ -161,6 +161,21 @@ TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.1
   CHECK(second(5.9, settings).leftOut[1].empty());
 }
 
+TEST_CASE("Beside a spine that leads a limb is as weak as beside three times that, and beside a limb not",
+          "[plan]") {
+  const Document document = striking();
+  const ClipGround ground = plannedGround(document);
+  const auto armBeside = [&](const char* leader, double strength) {
+    return shareOf(planFor(ground, {stroke(leader, 40, 50, strength), stroke("left-arm", 0, 10, 4.0)}), 1);
+  };
+  CHECK(armBeside("right-arm", 5.0) == Approx(0.8));
+  CHECK(armBeside("spine", 5.0) == Approx(0.8 * 4.0 / (0.6 * 15.0)));
+  CHECK(armBeside("spine", 3.0) == Approx(1.0)); // it does not lead
+  // Of spines one that leads is as any other.
+  CHECK(shareOf(planFor(ground, {stroke("spine", 40, 50, 5.0), stroke("spine", 0, 10, 1.5)}), 1) ==
+        Approx(0.75 * 1.5 / 3.0));
+}
+
 TEST_CASE("A moment that is refused makes no other one weak, and tells why it is", "[plan]") {
   const Document document = striking();
   const ClipGround ground = plannedGround(document);

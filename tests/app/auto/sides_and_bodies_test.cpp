@@ -267,7 +267,6 @@ TEST_CASE("What is weak beside the strongest is done all the same where the othe
       test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
   const rig::Moment punch = momentsOf(test::boxer(), 0).front();
   rig::Moment strongest = punch, left = punch, right = punch;
-  strongest.limb = "spine";
   strongest.strength = 60.0;
   left.strength = 10.0;
   right.limb = "right-arm";

@@ -1,0 +1,213 @@
+// Steps of walks and runs in a style: as long as the ground, the time before a foot is put down and the seam
+// of a loop allow, and what swings beside them.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/auto/clip_ground.h"
+#include "app/auto/planned_trail.h"
+#include "app/auto/whole_check.h"
+#include "app/evaluate/evaluate.h"
+#include "rig/trail/release.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+/// Legs and arms that swing in a loop of 24 frames, both sides at once: forwards until frame 7, and back. The
+/// hips go up and down so that the feet slide along the ground. On each shin is a heel so far behind the
+/// foot, which goes down as the leg leans forwards.
+double angleAt(double frame) {
+  return 0.8 *
+         ((frame < 7.0 ? rig::smoothstep(frame / 7.0) : 1.0 - rig::smoothstep((frame - 7.0) / 17.0)) - 0.5);
+}
+
+Document walker(double heel = 0.1) {
+  Document document = twoLeggedStepper();
+  Scene scene = *document.scene;
+  for (const char* const leg : {"left-leg", "right-leg"}) {
+    const rig::Limb& limb = *findLimb(document, leg);
+    const double length = limb.joints.size() > 1 ? 0.5 : 1.0;
+    Primitive shoe;
+    for (const Vec3& point :
+         {Vec3(0.0, -length, 0.0), Vec3(0.0, -length, -heel), Vec3(0.02, -length, -heel)}) {
+      shoe.positions.emplace_back(point);
+    }
+    shoe.indices = {0, 1, 2};
+    scene.nodes[at(limb.joints.back())].mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back({"shoe", {shoe}, {}});
+  }
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  std::vector<Track> tracks;
+  Track hips;
+  hips.node = document.body.hips;
+  hips.channel = Channel::translation;
+  hips.width = 3;
+  for (const char* const name : {"right-leg", "left-leg", "left-arm", "right-arm"}) {
+    Track track = turnsOf(document, name);
+    const std::string limb(name);
+    const Vec3 axis = limb == "left-arm"    ? Vec3(0.0, -1.0, 0.0)
+                      : limb == "right-arm" ? Vec3(0.0, 1.0, 0.0)
+                                            : Vec3(-1.0, 0.0, 0.0);
+    for (int frame = 0; frame <= 24; ++frame) {
+      addKey(track, frame, glm::angleAxis(angleAt(frame), axis));
+    }
+    tracks.push_back(track);
+  }
+  for (int frame = 0; frame <= 24; ++frame) {
+    hips.times.push_back(static_cast<float>(frame / 30.0));
+    for (const double value : {0.0, std::cos(angleAt(frame)), 0.0}) {
+      hips.values.push_back(static_cast<float>(value));
+    }
+  }
+  tracks.push_back(hips);
+  return withTracks(document, tracks);
+}
+
+rig::Moment roundOf(const char* limb, double start, double tip, double strength = 20.0) {
+  return {limb, rig::MomentKind::cycle, start, tip, tip, strength};
+}
+
+std::vector<rig::Moment> bothSteps() {
+  return {roundOf("right-leg", 0, 7), roundOf("left-leg", 0, 7)};
+}
+
+double lowestIn(const Document& document) {
+  const ClipGround ground = clipGround(document, 0);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  double lowest = 1e9;
+  for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
+    lowest = std::min(lowest, lowestVertexOf(*ground.surface, evaluate(document, motion, frame / 30.0))->y);
+  }
+  return lowest;
+}
+
+} // namespace
+
+TEST_CASE("A step along the ground whose heel would be a little below it is lifted by as much") {
+  const Document before = walker(0.1);
+  const double height = before.body.height;
+  const AutoClip made = exaggerateClip(before, 0, bothSteps(), in("Opera"));
+  for (const AutoMoment& step : made.moments) {
+    REQUIRE(step.trailId > 0);
+    CHECK(step.isLevel);
+    CHECK(step.scale > 1.35); // of 1.4; without the lift 1.2
+    const std::vector<rig::SphereOffset>& spheres = findTrail(made.document, step.trailId)->settings.spheres;
+    REQUIRE_FALSE(spheres.empty());
+    CHECK(spheres.back().offset.y > 0.005 * height);
+    CHECK(spheres.back().offset.y <= 0.03 * height);
+    CHECK(spheres.front().offset.y == 0.0);
+  }
+  CHECK(lowestIn(made.document) > lowestIn(before) - 0.0015 * height);
+}
+
+TEST_CASE("A foot that would have to hang in the air to be above the ground steps less far") {
+  const Document before = walker(0.2);
+  const double height = before.body.height;
+  const AutoClip made = exaggerateClip(before, 0, bothSteps(), in("Opera"));
+  for (const AutoMoment& step : made.moments) {
+    CHECK(step.scale < 1.3);
+    CHECK(step.why == "it would go through the floor");
+    CHECK(findTrail(made.document, step.trailId)->settings.spheres.back().offset.y <= 0.03 * height);
+  }
+  CHECK(lowestIn(made.document) > lowestIn(before) - 0.0015 * height);
+}
+
+TEST_CASE("How far below the floor a limb is, is told of the frame where it is most") {
+  const Document document = walker(0.1);
+  AutoPlan plan;
+  plan.trails.resize(1);
+  plan.trails.front().trail = withNewTrail(document, {"right-leg", 0.0, 7.0, 1.4}).trails.front();
+  plan.trails.front().trail.settings.axes = {true, false, true};
+  const ClipGround ground = clipGround(document, 0);
+  const std::vector<Fault> faults = faultsOf(ground, in("Opera"), plan);
+  const auto floor = std::ranges::find(faults, FaultKind::floor, &Fault::kind);
+  REQUIRE(floor != faults.end());
+  Document alone = document;
+  alone.trails = {plan.trails.front().trail};
+  CHECK(floor->depth == Approx(ground.groundHeight() - lowestIn(alone)).margin(1e-4));
+}
+
+TEST_CASE("Arms that swing along with steps gain twice as much as these at most, a strike all of its own") {
+  AutoSettings settings = in("Opera");
+  settings.style.leg = {1.0, 1.1, 5.0};
+  for (const rig::MomentKind kind : {rig::MomentKind::cycle, rig::MomentKind::stroke}) {
+    std::vector<rig::Moment> moments = bothSteps();
+    moments.push_back({"left-arm", kind, 0, 7, 7, 20.0});
+    const AutoClip made = exaggerateClip(walker(0.0), 0, moments, settings);
+    REQUIRE(made.moments[0].scale > 1.05);
+    const double most = 1.0 + 2.0 * (made.moments[0].scale - 1.0);
+    CHECK(made.moments[2].scale == Approx(kind == rig::MomentKind::cycle ? most : 1.4));
+  }
+  // What swings less than that, and what has no steps beside it, keeps what it has.
+  settings.style.arm = {1.0, 1.15, 5.0};
+  std::vector<rig::Moment> moments = bothSteps();
+  moments.push_back(roundOf("left-arm", 0, 7));
+  CHECK(exaggerateClip(walker(0.0), 0, moments, settings).moments[2].scale == Approx(1.15));
+  CHECK(exaggerateClip(walker(0.0), 0, {roundOf("left-arm", 0, 7)}, in("Opera")).moments[0].scale ==
+        Approx(1.4));
+}
+
+TEST_CASE("A step that is put down within a sixth of a second gets less, by the square of that share") {
+  const Document document = walker();
+  ClipGround ground{document, 0};
+  ground.framesPerSecond = 30.0;
+  ground.lastFrame = 24.0;
+  ground.limbs = allLimbs(document);
+  for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
+    ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));
+  }
+  const auto gainBefore = [&](double stand, rig::MomentKind kind) {
+    ground.stands["right-leg"] = {{stand, stand + 3.0}};
+    rig::Moment step = roundOf("right-leg", 0, 7);
+    step.kind = kind;
+    const AutoPlan plan = planTrails(ground, {step}, in("Opera"), {});
+    REQUIRE(plan.trails.size() == 1);
+    CHECK(*plan.trails.front().trail.settings.releaseFrames <= stand - 7.0);
+    return plan.trails.front().trail.settings.scale - 1.0;
+  };
+  const double all = gainBefore(20.0, rig::MomentKind::cycle);
+  CHECK(all == Approx(0.4));
+  CHECK(gainBefore(12.0, rig::MomentKind::cycle) == Approx(all));
+  CHECK(gainBefore(11.0, rig::MomentKind::cycle) == Approx(all * 16.0 / 25.0));
+  CHECK(gainBefore(9.0, rig::MomentKind::cycle) == Approx(all * 4.0 / 25.0));
+  CHECK(gainBefore(9.0, rig::MomentKind::stroke) == Approx(all)); // a reach for the ground
+}
+
+TEST_CASE("A step that turns back sharply at the seam of a loop is over before it, and is as long") {
+  const Document start = stepper();
+  Track thigh = turnsOf(start, "left-leg");
+  Track knee = thigh;
+  knee.node = findLimb(start, "left-leg")->joints[1];
+  for (int frame = 0; frame <= 24; ++frame) {
+    const double out = std::abs(12 - frame);
+    addKey(thigh, frame, glm::angleAxis(0.03 * (out - 6.0), Vec3(-1.0, 0.0, 0.0)));
+    addKey(knee, frame, glm::angleAxis(0.5 + 0.1 * out, Vec3(1.0, 0.0, 0.0)));
+  }
+  const Document before = withTracks(start, {thigh, knee});
+  const AutoClip made = exaggerateClip(before, 0, {roundOf("left-leg", 12, 24)}, in("Opera"));
+  REQUIRE(made.document.trails.size() == 1);
+  const rig::TrailSettings& settings = made.document.trails.front().settings;
+  CHECK(settings.scale == Approx(1.4));
+  CHECK(settings.endFrame == 20.0);
+  CHECK(*settings.releaseFrames == 3.0);
+  CHECK(settings.lingerFrames == 0.0);
+  // One that would hardly have started by then gets less.
+  const AutoClip late = exaggerateClip(before, 0, {roundOf("left-leg", 18, 24)}, in("Opera"));
+  CHECK(late.moments.front().scale < 1.4);
+  for (const rig::Trail& trail : late.document.trails) {
+    CHECK(trail.settings.endFrame > 20.0);
+  }
+}
