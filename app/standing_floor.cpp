@@ -34,24 +34,6 @@ double soleDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces
   return ankle - lowest;
 }
 
-// The same at a frame: the boxes that the parts of the foot have in the bind pose go along with it.
-double footDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces& places,
-                 const FrameState& frame) {
-  const double ankle = rig::endPosition(leg, frame).y;
-  double lowest = ankle;
-  const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
-  for (const NodeIndex node : withSubtrees(scene, {foot})) {
-    const Bounds& box = places.meshes[at(node)];
-    const Mat4 moved = frame.worlds[at(node)] * glm::inverse(places.worlds[at(node)]);
-    for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
-      const Vec3 point((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                       (corner & 4) != 0 ? box.high.z : box.low.z);
-      lowest = std::min(lowest, (moved * Vec4(point, 1.0)).y);
-    }
-  }
-  return ankle - lowest;
-}
-
 // How high the highest of the blocks is that a foot comes down on soon after a time.
 std::optional<double> blockTopSoonUnder(const Document& document, int clip, const rig::Limb& leg, double sole,
                                         const std::vector<Bounds>& blocks, double timeSeconds) {
@@ -171,6 +153,23 @@ bool beatsInTheAir(const Document& document, int clip, const rig::BindPlaces& pl
 }
 
 } // namespace
+
+double footDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces& places,
+                 const FrameState& frame) {
+  const double ankle = rig::endPosition(leg, frame).y;
+  double lowest = ankle;
+  const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
+  for (const NodeIndex node : withSubtrees(scene, {foot})) {
+    const Bounds& box = places.meshes[at(node)];
+    const Mat4 moved = frame.worlds[at(node)] * glm::inverse(places.worlds[at(node)]);
+    for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+      const Vec3 point((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                       (corner & 4) != 0 ? box.high.z : box.low.z);
+      lowest = std::min(lowest, (moved * Vec4(point, 1.0)).y);
+    }
+  }
+  return ankle - lowest;
+}
 
 std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places) {
   std::optional<double> lowest;

@@ -29,6 +29,11 @@ struct StandingFloor {
 /// How high the lowest point of all feet is in the bind pose, along +Y. Nothing where there is no leg.
 [[nodiscard]] std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places);
 
+/// Height of a leg's end above the lowest point of its foot at a frame, along +Y: the boxes around the foot's
+/// meshes in the bind pose go along with its nodes. 0 for a leg without a mesh on its foot.
+[[nodiscard]] double footDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces& places,
+                               const FrameState& frame);
+
 /// Returns what a foot may stand on beside the floor, as boxes in the world: what holds a mesh, stands still
 /// in the clip, is not held in it and is no part of the body.
 [[nodiscard]] std::vector<Bounds> blocksOf(const Document& document, int clip);

@@ -46,29 +46,37 @@ std::vector<Vec3> poseAt(const ClipGround& ground, double seconds) {
   return points;
 }
 
-// Whether the limbs are at the clip's end where they are at its beginning, or before that by no more than
-// they go on to move in two and a half frames, as in clips that leave out the last frame because it is the
-// first; wherever the body got to and whatever else moves.
-bool limbsMeet(const ClipGround& ground) {
+// Counts the limbs that are at the clip's end neither where they are at its beginning nor before that by no
+// more than they go on to move in two and a half frames, as in clips that leave out the last frame because it
+// is the first; wherever the body got to and whatever else moves.
+std::size_t limbsApart(const ClipGround& ground) {
   const double same = 0.02 * ground.document.body.height;
   constexpr double uneven = 1.5; // of a step, which is seldom like the next
   const Clip& clip = clipOf(ground.document, ground.clip);
   const double frame = 1.0 / clip.framesPerSecond;
   if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 1.5 * frame) {
-    return false;
+    return std::numeric_limits<std::size_t>::max();
   }
   const std::vector<Vec3> first = poseAt(ground, clip.startSeconds);
   const std::vector<Vec3> second = poseAt(ground, clip.startSeconds + frame);
   const std::vector<Vec3> beforeLast = poseAt(ground, clip.endSeconds - frame);
   const std::vector<Vec3> last = poseAt(ground, clip.endSeconds);
-  for (std::size_t i = 0; i < first.size(); ++i) {
+  const auto isApart = [&](std::size_t i) {
     const Vec3 gap = first[i] - last[i];
     const Vec3 step = 0.5 * (second[i] - first[i] + last[i] - beforeLast[i]);
-    if (glm::length(gap) > same && glm::length(gap - step) > std::max(same, uneven * glm::length(step))) {
-      return false;
+    return glm::length(gap) > same && glm::length(gap - step) > std::max(same, uneven * glm::length(step));
+  };
+  std::size_t apart = 0;
+  std::size_t point = 0;
+  for (const std::vector<Vec3>& places : ground.places.front()) {
+    const std::size_t next = point + places.size();
+    bool any = false;
+    for (; point < next; ++point) {
+      any = any || isApart(point);
     }
+    apart += any ? 1U : 0U;
   }
-  return true;
+  return apart;
 }
 
 // From where the foot comes down to where it leaves the ground: it is at its place before it rests and after.
@@ -203,6 +211,11 @@ double ClipGround::leastHeightAt(double frame) const {
   return std::min(groundHeight(), lowestVertexAt(frame));
 }
 
+void ClipGround::closeLoop() {
+  endsMeet = true;
+  wraps = clipOf(document, clip).startSeconds < 1.5 / framesPerSecond && !hasWeight(document, clip);
+}
+
 const std::vector<Vec2>& ClipGround::standsOf(const std::string& leg, bool orSlides) const {
   static const std::vector<Vec2> none;
   const std::map<std::string, std::vector<Vec2>>& all = orSlides ? slides : stands;
@@ -216,9 +229,6 @@ ClipGround clipGround(const Document& document, int clip) {
   ground.framesPerSecond = motion.framesPerSecond;
   ground.lastFrame = std::max(0.0, wholeFrameAtMost(endInFrames(motion)));
   ground.limbs = allLimbs(document);
-  ground.endsMeet = endsMeet(document, clip) || limbsMeet(ground);
-  ground.wraps =
-      ground.endsMeet && motion.startSeconds < 1.5 / motion.framesPerSecond && !hasWeight(document, clip);
   ground.lowest = std::numeric_limits<double>::infinity();
   ground.lowestVertex = ground.lowest;
   ground.surface = std::make_shared<const skinning::SurfacePart>(
@@ -232,6 +242,17 @@ ClipGround clipGround(const Document& document, int clip) {
     const FrameState shown = evaluate(source, state, frame / ground.framesPerSecond);
     ground.places.push_back(placesOf(ground.limbs, shown));
     lowerTo(shown, ground.places.back(), ground);
+    for (const rig::Limb& limb : ground.limbs) {
+      if (isLeg(limb)) {
+        ground.soles[limb.id].push_back(rig::endPosition(limb, shown).y -
+                                        footDepth(*document.scene, limb, *ground.facts->places(), shown));
+      }
+    }
+  }
+  const std::size_t apart = limbsApart(ground);
+  ground.nearlyMeets = apart <= ground.limbs.size() / 4;
+  if (apart == 0 || endsMeet(document, clip)) {
+    ground.closeLoop();
   }
   const StandingFloor& standing = ground.facts->standing();
   if (standing.flies) {

@@ -23,8 +23,9 @@ struct ClipGround {
   const Document& document; ///< Has to outlive it.
   int clip = 0;
   double framesPerSecond = 30.0;
-  double lastFrame = 0.0; ///< Whole.
-  bool endsMeet = false;  ///< Its last pose is its first again, or goes on to it.
+  double lastFrame = 0.0;   ///< Whole.
+  bool endsMeet = false;    ///< Its last pose is its first again, or goes on to it.
+  bool nearlyMeets = false; ///< Three of four limbs do so.
   bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first
                       ///< pose for a frame, and nothing hangs on its end.
   std::vector<rig::Limb> limbs = {};
@@ -34,11 +35,13 @@ struct ClipGround {
   std::map<std::string, std::vector<Vec2>> slides = {}; ///< `stands`, and where a foot slides while another
                                                         ///< leg stands.
   std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh, without edges.
-  std::shared_ptr<ClipFacts> facts = {};   ///< Facts that looking at each of its trails needs.
-  double lowestVertex = 0.0;               ///< Height that no vertex goes below in the clip.
-  std::vector<double> lowestVertices = {}; ///< Lowest of each whole frame from 0.
-  double lowest = 0.0;                     ///< Height that no point of a limb goes below in the clip.
-  std::optional<double> floor = {};        ///< Floor on which feet stand.
+  std::shared_ptr<ClipFacts> facts = {};                 ///< Facts that looking at each of its trails needs.
+  double lowestVertex = 0.0;                             ///< Height that no vertex goes below in the clip.
+  std::vector<double> lowestVertices = {};               ///< Lowest of each whole frame from 0.
+  std::map<std::string, std::vector<double>> soles = {}; ///< By leg: how high its foot is at each whole
+                                                         ///< frame.
+  double lowest = 0.0;              ///< Height that no point of a limb goes below in the clip.
+  std::optional<double> floor = {}; ///< Floor on which feet stand.
 
   [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
   /// Points of the limb of this id, which is there.
@@ -52,6 +55,8 @@ struct ClipGround {
   [[nodiscard]] double leastHeightAt(double frame) const;
   /// Height of the floor on which feet stand, or of the lowest vertex where that is higher or there is none.
   [[nodiscard]] double groundHeight() const { return std::max(lowestVertex, floor.value_or(lowestVertex)); }
+  /// Takes its last pose to go on to its first.
+  void closeLoop();
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg, bool orSlides = false) const;
 };
 

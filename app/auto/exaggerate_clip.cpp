@@ -152,7 +152,12 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
   if (moments.empty() || settings.strength <= 0.0) {
     return unchanged(document, moments, "the strength is 0");
   }
-  const ClipGround ground = clipGround(document, clip);
+  ClipGround ground = clipGround(document, clip);
+  const auto goesRound = [](const rig::Moment& moment) { return moment.kind == rig::MomentKind::cycle; };
+  if (ground.nearlyMeets &&
+      (std::ranges::any_of(moments, goesRound) || std::ranges::any_of(settings.beside, goesRound))) {
+    ground.closeLoop(); // though a foot is not quite back in its place
+  }
   AutoPlan plan = settledPlan(ground, moments, settings);
   std::erase_if(plan.holds.props, [&](const rig::Prop& prop) {
     return std::ranges::none_of(

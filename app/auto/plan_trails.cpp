@@ -23,9 +23,6 @@ namespace {
 constexpr double idleStrength = 1.0; // reaches per second: a breath and a swaying tail are below, a slow walk
                                      // above
 constexpr double weakShare = 0.15;   // of the clip's strongest: what is weaker is no action beside it
-constexpr double fullStrength = 6.0; // reaches per second: from here on a moment gets all that the style
-                                     // says
-constexpr double fullChain = 2.0;    // likewise of necks, tails and the like, which are as long as the body
 constexpr double calmClip = 0.5;     // of what is full: a clip whose strongest has that gets all of it, too
 constexpr double leastShare = 0.2;   // of the style's exaggeration, for the weakest of a weak clip
 constexpr double nearStrongest = 0.6; // of the clip's strongest: what is weaker gets less, as a wind-up
@@ -54,10 +51,8 @@ public:
       for (std::size_t i = 0; i < all->size(); ++i) {
         const rig::Moment& moment = (*all)[i];
         const bool isRefused = (all == &moments && refused.contains(i)) || !refusalOf(moment).empty();
-        if ((hasOwnTrail(moment) || !isRefused) && moment.strength > strongest_) {
-          const rig::Limb* const limb = findLimb(ground.document, moment.limb);
-          strongest_ = moment.strength;
-          isLedByChain_ = limb != nullptr && isChain(*limb);
+        if (hasOwnTrail(moment) || !isRefused) {
+          countIn(moment);
         }
       }
     }
@@ -84,6 +79,25 @@ public:
   }
 
 private:
+  void countIn(const rig::Moment& moment) {
+    const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
+    if (moment.strength > strongest_) {
+      strongest_ = moment.strength;
+      isLedByChain_ = limb != nullptr && isChain(*limb);
+    }
+    if (limb != nullptr && isAct(*limb, moment)) {
+      strongestAct_ = std::max(strongestAct_, moment.strength);
+    }
+    isLedByBeats_ = limb != nullptr && moment.strength == strongest_ ? isBeat(*limb, moment) : isLedByBeats_;
+  }
+
+  // The clip's strongest, beside which a moment counts. What a body does while it flies counts beside that,
+  // and not beside the beats of its wings.
+  [[nodiscard]] double strongestBeside(const rig::Moment& moment) const {
+    const bool isInFlight = isLedByBeats_ && strongestAct_ > 0.0 && moment.kind == rig::MomentKind::stroke;
+    return isInFlight ? std::max(strongestAct_, moment.strength) : strongest_;
+  }
+
   // Both sides choose the same of what has no room beside each other.
   [[nodiscard]] bool goTogether(const rig::Moment& one, const rig::Moment& other) const {
     return one.kind == rig::MomentKind::stroke && one.kind == other.kind && arePartners(ground_, one, other);
@@ -145,7 +159,7 @@ private:
   }
 
   [[nodiscard]] bool isWeak(const rig::Moment& moment) const {
-    return moment.strength < weakShare * strongest_;
+    return moment.strength < weakShare * strongestBeside(moment);
   }
 
   [[nodiscard]] bool hasOwnTrail(const rig::Moment& moment) const {
@@ -174,6 +188,12 @@ private:
     }
     if (moment.kind == rig::MomentKind::stroke && foldsIn(ground_, *limb, *range)) {
       return "the limb folds in";
+    }
+    if (moment.kind == rig::MomentKind::stroke && isDraggedBack(*limb, range->y)) {
+      return "the foot would be dragged back along the ground";
+    }
+    if (crawls(ground_, *limb, *range)) {
+      return "the body crawls along the ground by it";
     }
     return carriesStandingLeg(*limb, *range) ? "it carries a leg that stands" : "";
   }
@@ -205,6 +225,14 @@ private:
     return range.y - range.x >= shortestRange ? std::optional(range) : std::nullopt;
   }
 
+  // One that is put down by then comes back before that.
+  [[nodiscard]] bool isDraggedBack(const rig::Limb& limb, double tip) const {
+    const double back = tip + seenFrames();
+    return isOnGround(ground_, limb, {tip, back}) &&
+           std::ranges::none_of(ground_.standsOf(limb.id),
+                                [&](const Vec2& stand) { return tip < stand.x && stand.x <= back; });
+  }
+
   [[nodiscard]] bool carriesStandingLeg(const rig::Limb& limb, const Vec2& range) const {
     return std::ranges::any_of(ground_.limbs, [&](const rig::Limb& leg) {
       const std::vector<Vec2>& stands = ground_.standsOf(leg.id);
@@ -213,26 +241,19 @@ private:
     });
   }
 
-  [[nodiscard]] static bool isChain(const rig::Limb& limb) {
-    return rig::isTrunk(limb) || limb.kind == rig::LimbKind::tail || limb.kind == rig::LimbKind::feeler;
-  }
-
   [[nodiscard]] bool isFollower(const std::string& limb) const {
     const rig::LimbKind kind = findLimb(ground_.document, limb)->kind;
     return kind == rig::LimbKind::tail || kind == rig::LimbKind::feeler;
-  }
-
-  [[nodiscard]] double fullOf(const rig::Moment& moment) const {
-    return isChain(*findLimb(ground_.document, moment.limb)) ? fullChain : fullStrength;
   }
 
   // Share of the style's exaggeration: of the moment's own strength, which counts by the clip's strongest
   // where that is calm, as in a slow walk; less beside the clip's strongest, and beside a stronger limb at
   // the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double most = fullOf(moment);
-    const double full = std::clamp(strongest_, calmClip * most, most);
-    const double strongest = strongest_ * (isLedByChain_ ? fullOf(moment) / fullChain : 1.0);
+    const double most = fullStrengthOf(*findLimb(ground_.document, moment.limb));
+    const double beside = strongestBeside(moment);
+    const double full = std::clamp(beside, calmClip * most, most);
+    const double strongest = beside * (isLedByChain_ ? most / fullChain : 1.0);
     const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
                        std::min(1.0, moment.strength / (nearStrongest * strongest));
     const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
@@ -525,6 +546,8 @@ private:
   const AutoSettings& settings_;
   const std::map<std::size_t, std::string>& refused_;
   double strongest_ = 0.0;
+  double strongestAct_ = 0.0;
+  bool isLedByBeats_ = false; // the strongest is a beat of a wing
   bool isLedByChain_ = false; // the strongest is of a tail, a neck or a spine
   AutoPlan plan_;
 };
@@ -534,45 +557,6 @@ private:
 AutoPlan planTrails(const ClipGround& ground, const std::vector<rig::Moment>& moments,
                     const AutoSettings& settings, const std::map<std::size_t, std::string>& refused) {
   return Planner(ground, moments, settings, refused).plan();
-}
-
-Vec2 windowOf(const rig::TrailSettings& settings) {
-  const double range = settings.endFrame - settings.startFrame;
-  return {settings.startFrame, settings.endFrame + settings.releaseFrames.value_or(range)};
-}
-
-rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {
-  wanted.scale = 1.0 + share * (wanted.scale - 1.0);
-  for (rig::SphereOffset& sphere : wanted.spheres) {
-    sphere.offset *= share;
-  }
-  return wanted;
-}
-
-void pullAlong(PlannedTrail& planned, const Vec3& pull) {
-  constexpr int spheres = 4;
-  rig::TrailSettings& settings = planned.trail.settings;
-  settings.spheres.clear();
-  planned.trail.controlFrames.clear();
-  for (int i = 0; i <= spheres; ++i) {
-    const double part = static_cast<double>(i) / spheres;
-    const double frame = settings.startFrame + part * (settings.endFrame - settings.startFrame);
-    settings.spheres.push_back({frame, rig::smoothstep(part) * pull, {}});
-    planned.trail.controlFrames.push_back(frame);
-  }
-}
-
-void leaveOut(AutoPlan& plan, std::size_t place, const std::string& why) {
-  const PlannedTrail planned = plan.trails[place];
-  plan.trails.erase(plan.trails.begin() + static_cast<std::ptrdiff_t>(place));
-  if (planned.follows) {
-    return;
-  }
-  plan.leftOut[planned.moment] = why;
-  std::erase_if(plan.trails, [&](const PlannedTrail& other) { return other.moment == planned.moment; });
-  std::erase_if(plan.holds.grips, [&](const rig::Grip& grip) {
-    return grip.leader == planned.trail.limb && grip.time.rangeFrames.x == planned.trail.settings.startFrame;
-  });
 }
 
 } // namespace stretch::app

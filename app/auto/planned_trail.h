@@ -12,6 +12,9 @@
 namespace stretch::app {
 
 inline constexpr double shortestRange = 2.0; ///< Frames of a trail.
+inline constexpr double fullStrength = 6.0;  ///< Reaches per second: from here on a moment gets all of a
+                                             ///< style.
+inline constexpr double fullChain = 2.0;     ///< Likewise of necks, tails and the like, as long as the body.
 
 /// A trail that is thought of for a moment.
 struct PlannedTrail {
@@ -47,6 +50,18 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
 
 /// Whether two moments are of both sides, which do the same: at once or, going round, in turn.
 [[nodiscard]] bool arePartners(const ClipGround& ground, const rig::Moment& one, const rig::Moment& other);
+
+/// Whether a limb is a neck, a spine, a tail or a feeler.
+[[nodiscard]] bool isChain(const rig::Limb& limb);
+
+/// fullStrength or fullChain.
+[[nodiscard]] double fullStrengthOf(const rig::Limb& limb);
+
+/// Whether a wing does it over and over, which carries the body.
+[[nodiscard]] bool isBeat(const rig::Limb& limb, const rig::Moment& moment);
+
+/// Whether a flying body does something by it: a clear stroke of what is no wing and does not only follow.
+[[nodiscard]] bool isAct(const rig::Limb& limb, const rig::Moment& moment);
 
 /// Frames over which a trail does anything, its way back included as far as it is known.
 [[nodiscard]] Vec2 windowOf(const rig::TrailSettings& settings);

@@ -1,4 +1,6 @@
 #include "app/auto/poses_of_strokes.h"
+#include <cstdlib>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +105,29 @@ bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& rang
   const Vec3 tip = ground.reachOf(limb.id, range.y);
   const Vec3 way = tip - ground.reachOf(limb.id, range.x);
   return std::abs(way.y) < level * glm::length(way) && tip.y < -level * glm::length(tip);
+}
+
+bool isOnGround(const ClipGround& ground, const rig::Limb& leg, const Vec2& range) {
+  constexpr double lifted = 0.05; // of the height: above all of the mesh
+  constexpr double near = 0.1;    // of the height: between the ground and that
+  const auto soles = ground.soles.find(leg.id);
+  const double height = ground.document.body.height;
+  bool isOn = soles != ground.soles.end() && !ground.lowestVertices.empty();
+  for (double frame = range.x; isOn && frame <= range.y; frame += 1.0) {
+    const auto at = static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, ground.lastFrame));
+    const double lowest = ground.lowestVertices[at];
+    isOn = soles->second[at] < lowest + lifted * height && lowest < ground.groundHeight() + near * height;
+  }
+  return isOn;
+}
+
+bool crawls(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {
+  constexpr double low = 0.15; // of the height
+  bool isLow = rig::isTrunk(limb) && ground.soles.empty();
+  for (double frame = range.x; isLow && frame <= range.y; frame += 1.0) {
+    isLow = ground.pointsOf(limb.id, frame).back().y < ground.lowest + low * ground.document.body.height;
+  }
+  return isLow;
 }
 
 bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range) {

@@ -32,6 +32,12 @@ namespace stretch::app {
 /// Whether a limb that points down is swung along the ground.
 [[nodiscard]] bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
 
+/// Whether a foot is on the ground at all whole frames of a range.
+[[nodiscard]] bool isOnGround(const ClipGround& ground, const rig::Limb& leg, const Vec2& range);
+
+/// Whether a body without legs keeps its head on the ground over a range, along which it crawls.
+[[nodiscard]] bool crawls(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
+
 /// Whether a leg hangs from a body that is in the air at the tip, where no leg stands, and does not reach for
 /// the ground.
 [[nodiscard]] bool isUpInTheAir(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);

@@ -450,24 +450,37 @@ void evenRepeats(const ClipGround& ground, const std::vector<rig::Moment>& momen
   }
 }
 
-// In a walk or a run the steps are the action: arms that swing along gain twice as much at most.
-void keepArmsBesideSteps(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
-  constexpr double most = 2.0;
-  const auto goesRound = [&](const PlannedTrail& planned, bool asLeg) {
-    const rig::Limb& limb = *findLimb(ground.document, planned.trail.limb);
-    return !planned.follows && moments[planned.moment].kind == rig::MomentKind::cycle &&
-           (asLeg ? isLeg(limb) : isArm(limb));
-  };
-  double steps = 0.0;
+// What only goes along gains so many times as much, at most, as what leads beside it.
+template <typename Leads, typename Follows>
+void keepBeside(AutoPlan& plan, double most, const Leads& leads, const Follows& follows) {
+  double led = 0.0;
   for (const PlannedTrail& planned : plan.trails) {
-    steps = std::max(steps, goesRound(planned, true) ? planned.trail.settings.scale - 1.0 : 0.0);
+    led = std::max(led, !planned.follows && leads(planned) ? planned.trail.settings.scale - 1.0 : 0.0);
   }
   for (PlannedTrail& planned : plan.trails) {
     const double gain = planned.trail.settings.scale - 1.0;
-    if (steps >= leastExcess && gain > most * steps && goesRound(planned, false)) {
-      planned.trail.settings = withShare(planned.trail.settings, most * steps / gain);
+    if (led >= leastExcess && gain > most * led && !planned.follows && follows(planned)) {
+      planned.trail.settings = withShare(planned.trail.settings, most * led / gain);
     }
   }
+}
+
+// In a walk or a run the steps are the action, and arms swing along; in flight what the body does, and wings
+// carry it.
+void keepBesideAction(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
+  constexpr double armsBesideSteps = 2.0;
+  const auto limbOf = [&](const PlannedTrail& planned) -> const rig::Limb& {
+    return *findLimb(ground.document, planned.trail.limb);
+  };
+  const auto goesRound = [&](const PlannedTrail& planned) {
+    return moments[planned.moment].kind == rig::MomentKind::cycle;
+  };
+  keepBeside(
+      plan, armsBesideSteps, [&](const auto& step) { return goesRound(step) && isLeg(limbOf(step)); },
+      [&](const auto& swing) { return goesRound(swing) && isArm(limbOf(swing)); });
+  keepBeside(
+      plan, 1.0, [&](const auto& act) { return isAct(limbOf(act), moments[act.moment]); },
+      [&](const auto& beat) { return isBeat(limbOf(beat), moments[beat.moment]); });
 }
 
 // As Trial::calm; what is too little to be seen cannot be done.
@@ -525,7 +538,7 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
   for (int round = 0; !plan.trails.empty(); ++round) {
     pairSides(ground, moments, settings, plan);
     evenRepeats(ground, moments, plan);
-    keepArmsBesideSteps(ground, moments, plan);
+    keepBesideAction(ground, moments, plan);
     const bool isChanged = calmEach(ground, trial, plan);
     const std::vector<Fault> faults = faultsOf(ground, settings, plan);
     if (faults.empty() && (!isChanged || round >= mostRounds)) {

@@ -176,6 +176,31 @@ TEST_CASE("Beside a spine that leads a limb is as weak as beside three times tha
         Approx(0.75 * 1.5 / 3.0));
 }
 
+TEST_CASE("What a flying body does counts beside that, and not beside the beats of its wings", "[plan]") {
+  Document document = striking();
+  const auto right = std::ranges::find(document.body.limbs, std::string("right-arm"), &rig::Limb::id);
+  right->kind = rig::LimbKind::wing;
+  const ClipGround ground = plannedGround(document);
+  const auto spineBeside = [&](rig::MomentKind kind, double strength) {
+    rig::Moment beat = stroke("right-arm", 0, 10, 5.0);
+    beat.kind = kind;
+    return shareOf(planFor(ground, {beat, stroke("spine", 20, 30, strength)}), 1);
+  };
+  CHECK(spineBeside(rig::MomentKind::cycle, 1.0) == Approx(1.0));
+  CHECK(spineBeside(rig::MomentKind::cycle, 0.8) == Approx(0.8));
+  CHECK(spineBeside(rig::MomentKind::cycle, 0.78) == Approx(0.39 * 0.78 / 3.0)); // only a nod
+  CHECK(spineBeside(rig::MomentKind::stroke, 1.0) == Approx(0.5 * 1.0 / 3.0));
+  right->kind = rig::LimbKind::arm;
+  CHECK(spineBeside(rig::MomentKind::cycle, 1.0) == Approx(0.5 * 1.0 / 3.0));
+  // Nor are weaker acts weak beside the beats, but beside the strongest act.
+  right->kind = rig::LimbKind::wing;
+  rig::Moment beat = stroke("right-arm", 0, 10, 20.0);
+  beat.kind = rig::MomentKind::cycle;
+  const AutoPlan plan = planFor(ground, {beat, stroke("left-arm", 0, 10, 2.5), stroke("spine", 20, 30, 0.3)});
+  CHECK(plan.leftOut[1].empty());
+  CHECK(plan.leftOut[2] == isWeak);
+}
+
 TEST_CASE("A moment that is refused makes no other one weak, and tells why it is", "[plan]") {
   const Document document = striking();
   const ClipGround ground = plannedGround(document);

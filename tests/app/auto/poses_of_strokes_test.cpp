@@ -281,3 +281,53 @@ TEST_CASE("A plan leaves out what folds in, and takes no leg of a body in the ai
   points.back() = points.front() + 0.5 * (points.back() - points.front());
   CHECK(plan().leftOut[0] == "the limb folds in");
 }
+
+TEST_CASE("A foot is on the ground where it is the lowest of the body, and that near the ground") {
+  const Document document = twoLeggedStepper();
+  const double height = document.body.height;
+  const rig::Limb& leg = *findLimb(document, "left-leg");
+  ClipGround ground{document, 0};
+  ground.lastFrame = 3.0;
+  ground.lowestVertices = {0.0, 0.0, 0.09 * height, 0.11 * height};
+  ground.soles["left-leg"] = {0.04 * height, 0.06 * height, 0.13 * height, 0.15 * height};
+  CHECK(isOnGround(ground, leg, {0.0, 0.0}));
+  CHECK_FALSE(isOnGround(ground, leg, {1.0, 1.0})); // above what is lowest
+  CHECK(isOnGround(ground, leg, {2.0, 2.0}));
+  CHECK_FALSE(isOnGround(ground, leg, {3.0, 3.0})); // the body is in the air
+  CHECK_FALSE(isOnGround(ground, leg, {0.0, 1.0})); // at all frames
+  CHECK_FALSE(isOnGround(ground, leg, {3.0, 9.0})); // the last one stays
+  ground.soles["left-leg"][3] = ground.lowestVertices[3] = 0.0;
+  CHECK(isOnGround(ground, leg, {3.0, 9.0}));
+  CHECK_FALSE(isOnGround(ground, *findLimb(document, "left-arm"), {0.0, 0.0}));
+  ground.lowestVertices.clear();
+  CHECK_FALSE(isOnGround(ground, leg, {0.0, 0.0}));
+}
+
+TEST_CASE(
+    "The sole of a foot is known at each frame of a clip, and a stroke that would drag it back is left out") {
+  const Document document = twoLeggedStepper();
+  ClipGround ground = clipGround(document, 0);
+  REQUIRE(ground.soles.size() == 2);
+  REQUIRE(ground.soles["left-leg"].size() == 51);
+  CHECK(ground.soles["left-leg"][25] - ground.soles["left-leg"][0] ==
+        Approx(1.0 - std::cos(0.7)).margin(1e-4));
+  CHECK(ground.soles["right-leg"][25] == Approx(ground.soles["right-leg"][0]));
+  ground.stands.clear();
+  ground.slides.clear();
+  ground.lowestVertices.assign(51, ground.soles["right-leg"][0]);
+  const auto whyNot = [&](rig::MomentKind kind) {
+    return planTrails(ground, {momentOf("left-leg", kind, 14.0, 25.0, 20.0)}, in("Opera"), {}).leftOut[0];
+  };
+  CHECK(whyNot(rig::MomentKind::stroke).empty()); // it comes back through the air
+  ground.soles["left-leg"] = ground.soles["right-leg"];
+  CHECK(whyNot(rig::MomentKind::stroke) == "the foot would be dragged back along the ground");
+  CHECK(whyNot(rig::MomentKind::cycle).empty());
+  ground.stands["left-leg"] = {{29.0, 40.0}}; // it is back before it is put down
+  CHECK(whyNot(rig::MomentKind::stroke).empty());
+  ground.stands.clear();
+  ground.soles["left-leg"][30] += 1.0; // a sixth of a second later
+  CHECK(whyNot(rig::MomentKind::stroke).empty());
+  ground.soles["left-leg"][30] -= 1.0;
+  ground.soles["left-leg"][31] += 1.0;
+  CHECK_FALSE(whyNot(rig::MomentKind::stroke).empty());
+}

@@ -12,6 +12,7 @@
 
 #include "app/auto/clip_ground.h"
 #include "app/auto/planned_trail.h"
+#include "app/auto/poses_of_strokes.h"
 #include "app/auto/whole_check.h"
 #include "app/evaluate/clip_moments.h"
 #include "app/evaluate/evaluate.h"
@@ -574,4 +575,22 @@ TEST_CASE("A serpent that rears up keeps its belly on the ground, and what has l
   leg.endNode = NodeIndex{1};
   document.body.limbs.push_back(leg);
   CHECK(faultsOf(clipGround(document, 0), in("Rubber hose", 2.0), plan).empty());
+}
+
+TEST_CASE("A serpent that crawls along the ground is left alone, one that rears up is not") {
+  Document document = rearing();
+  document.body.height = 2.0;
+  const ClipGround ground = clipGround(document, 0);
+  const rig::Limb& spine = *findLimb(document, "spine");
+  CHECK(crawls(ground, spine, {0.0, 4.0}));
+  CHECK_FALSE(crawls(ground, spine, {0.0, 12.0}));
+  CHECK_FALSE(crawls(ground, spine, {12.0, 13.0}));
+  const auto whyNot = [&](double start, double tip) {
+    return planTrails(ground, {strokeOf("spine", start, tip, 5.0)}, in("Opera"), {}).leftOut[0];
+  };
+  CHECK(whyNot(0.0, 4.0) == "the body crawls along the ground by it");
+  CHECK(whyNot(4.0, 12.0).empty());
+  ClipGround walking = ground; // what has legs does not crawl
+  walking.soles["left-leg"] = {0.0};
+  CHECK_FALSE(crawls(walking, spine, {0.0, 4.0}));
 }

@@ -160,6 +160,37 @@ TEST_CASE("Arms that swing along with steps gain twice as much as these at most,
         Approx(1.4));
 }
 
+TEST_CASE("Wings that carry a body gain no more than what it does in flight, and a nod does not hold them") {
+  Document document = stepper();
+  for (rig::Limb& limb : document.body.limbs) {
+    limb.kind = isArm(limb) ? rig::LimbKind::wing : limb.kind;
+  }
+  std::vector<Track> tracks{*document.clips->front().tracks.front()};
+  for (const char* const name : {"left-arm", "right-arm"}) {
+    tracks.push_back(turnsOf(document, name));
+    const double side = name == std::string("right-arm") ? 1.0 : -1.0;
+    for (const auto& [frame, angle] : {std::pair(0, 0.8), {10, 0.8}, {20, -0.4}, {40, 0.8}, {50, 0.8}}) {
+      addKey(tracks.back(), frame, glm::angleAxis(side * angle, Vec3(0.0, 0.0, 1.0)));
+    }
+  }
+  document = withTracks(document, tracks);
+  AutoSettings settings = in("Opera");
+  settings.style.leg = {1.0, 1.2, 5.0};
+  const auto beatBeside = [&](double strength) {
+    const AutoClip made = exaggerateClip(document, 0,
+                                         {roundOf("left-arm", 10, 20, 5.0),
+                                          roundOf("right-arm", 10, 20, 5.0),
+                                          {"left-leg", rig::MomentKind::stroke, 10, 25, 25, strength}},
+                                         settings);
+    CHECK(made.moments[0].scale == Approx(made.moments[1].scale));
+    return std::pair(made.moments[0].scale, made.moments[2].scale);
+  };
+  const auto [beat, act] = beatBeside(6.0);
+  CHECK(act > 1.15);
+  CHECK(beat == Approx(act));
+  CHECK(beatBeside(2.3).first == Approx(1.4)); // of 2.4 that an act of a leg has at least
+}
+
 TEST_CASE("A step that is put down within a sixth of a second gets less, by the square of that share") {
   const Document document = walker();
   ClipGround ground{document, 0};
@@ -210,4 +241,29 @@ TEST_CASE("A step that turns back sharply at the seam of a loop is over before i
   for (const rig::Trail& trail : late.document.trails) {
     CHECK(trail.settings.endFrame > 20.0);
   }
+}
+
+TEST_CASE("A clip in which limbs go round is a loop, though one of four is not back in its place") {
+  const auto tipWith = [](int limbsOff, rig::MomentKind kind) {
+    const Document document = twoLeggedStepper();
+    std::vector<Track> tracks{turnsOf(document, "left-arm")};
+    for (int frame = 0; frame <= 24; ++frame) {
+      const double angle = 0.4 * std::cos(2.0 * pi * frame / 24.0);
+      addKey(tracks.back(), frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+    }
+    const std::vector<const char*> off{"right-arm", "spine"};
+    for (int i = 0; i < limbsOff; ++i) {
+      tracks.push_back(turnsOf(document, off[static_cast<std::size_t>(i)]));
+      addKey(tracks.back(), 0.0, glm::angleAxis(0.0, Vec3(0.0, 0.0, 1.0)));
+      addKey(tracks.back(), 24.0, glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0)));
+    }
+    const AutoClip made = exaggerateClip(withTracks(document, tracks), 0,
+                                         {{"left-arm", kind, 12.0, 24.0, 24.0, 20.0}}, in("Opera"));
+    REQUIRE(made.document.trails.size() == 1);
+    return made.document.trails.front().settings.endFrame;
+  };
+  CHECK(tipWith(0, rig::MomentKind::stroke) >= 23.0); // it is one
+  CHECK(tipWith(1, rig::MomentKind::cycle) >= 23.0);  // of five limbs
+  CHECK(tipWith(2, rig::MomentKind::cycle) == 20.0);
+  CHECK(tipWith(1, rig::MomentKind::stroke) == 20.0);
 }
