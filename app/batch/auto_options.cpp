@@ -164,6 +164,11 @@ Result<Json> autoExaggerated(const AutoArguments& arguments, const FileArguments
   if (!clips) {
     return clips.error();
   }
+  for (const int clip : *clips) {
+    if (Status bounded = checkFrameCount(clipOf(document, clip)); !bounded) {
+      return bounded.error();
+    }
+  }
   Json report{{"style", settings->style.name},
               {"origin", rig::originName(settings->style.origin)},
               {"strength", settings->strength},

@@ -214,10 +214,10 @@ TEST_CASE(
   for (const float seconds : {1e30F, 1e6F}) {
     lastAt(seconds);
     characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
-    for (const std::string verb : {"elastic", "pose"}) {
+    for (const std::string verb : {"elastic", "pose", "exaggerate"}) {
       std::vector<std::string> line{verb, (folder / "in.glb").string(), "-o", output};
-      if (verb == "pose") {
-        line.emplace_back("--pin-feet");
+      if (verb != "elastic") {
+        line.emplace_back(verb == "pose" ? "--pin-feet" : "--auto");
       }
       INFO(verb << " " << seconds);
       const VerbAnswer run = runVerb(line);
