@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # surroundings.sh PROGRAM DRIVEN_EDITOR ROOT: the same punch, in batch and in the window, wherever a user may start the program: a locale
-# with a comma, names that are no ASCII, no home, a home that cannot be written, windows tiny and huge, no OpenGL 3.3, no screen.
+# with a comma, names that are no ASCII, no home, a home that cannot be written, windows tiny and huge, no OpenGL 3.3, no screen, no EGL.
 # Pictures go to $STRETCH_UI_PICTURES, if it is set.
 set -euo pipefail
 program=$(realpath "$1") driven=$(realpath "$2") root=$(realpath "$3")
@@ -86,4 +86,6 @@ refused() {
 }
 refused "OpenGL 3.3" env MESA_GL_VERSION_OVERRIDE=2.1 "$root/tests/ui/on_screen.sh" 1280x720 timeout 60 "$program" "$source"
 refused "cannot open a window" timeout 60 "$program" "$source"
-echo "no OpenGL 3.3, no screen: one line, which says what to do"
+mkdir "$work/broken" && : >"$work/broken/libEGL.so.1"
+refused "libegl1" env LD_LIBRARY_PATH="$work/broken" timeout 60 "$program" render "$source" -o "$work/picture.png"
+echo "no OpenGL 3.3, no screen, no EGL: one line, which says what to do"

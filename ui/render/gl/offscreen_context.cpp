@@ -1,7 +1,10 @@
 #include "ui/render/gl/offscreen_context.h"
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 
 namespace stretch::ui {
@@ -30,6 +33,10 @@ namespace {
 Error lacking(const char* what) {
   return {what, "pictures without a display",
           "install Mesa's software driver (package libgl1-mesa-dri) and libegl1"};
+}
+
+bool isThereAny(std::initializer_list<const char*> libraries) {
+  return std::ranges::any_of(libraries, [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; });
 }
 
 EGLDisplay surfacelessDisplay() {
@@ -65,6 +72,10 @@ OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = def
 OffscreenContext::~OffscreenContext() = default;
 
 Result<OffscreenContext> OffscreenContext::create() {
+  // epoxy ends the program where it finds none of them.
+  if (!isThereAny({"libEGL.so.1"}) || !isThereAny({"libOpenGL.so.0", "libGL.so.1"})) {
+    return lacking("no library of EGL or OpenGL is there");
+  }
   auto handles = std::make_unique<Handles>();
   const EGLDisplay display = surfacelessDisplay();
   if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
