@@ -207,25 +207,50 @@ double unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) 
   return medianOf(std::move(ratios), 1.0);
 }
 
-// The placement scaled about a point, where it is in other units than the scene; bones that a pose stretches
-// are within a factor of two.
+// Bones that a pose stretches are within a factor of two.
+bool areOfScene(double units) {
+  return units > 0.5 && units < 2.0;
+}
+
+// The placement scaled about a point, where it is in other units than the scene.
 Mat4 inUnitsOfScene(const Placer& placer, const Binds& binds, const Mat4& placement, const Vec3& about) {
   const double units = unitsOf(placer, binds, placement);
-  if (units > 0.5 && units < 2.0) {
+  if (areOfScene(units)) {
     return placement;
   }
   return glm::translate(Mat4(1.0), about) * glm::scale(Mat4(1.0), Vec3(units)) *
          glm::translate(Mat4(1.0), -about) * placement;
 }
 
+Mat4 placementBy(const Placer& placer, const Binds& binds, NodeIndex anchor) {
+  return placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
+}
+
+// An identity above all other joints by which these come out in other units than the scene, though the next
+// joint below places them in the scene's: it stands for nothing, and its axes may be others as well.
+void dropIdentityInOtherUnits(const Placer& placer, Binds& binds) {
+  const NodeIndex top = anchorOf(placer, binds);
+  if (!top.exists() || placer.bound[at(top)] || !isNearIdentity(*binds[at(top)], reachOf(binds)) ||
+      areOfScene(unitsOf(placer, binds, placementBy(placer, binds, top)))) {
+    return;
+  }
+  Binds others = binds;
+  others[at(top)].reset();
+  const NodeIndex next = anchorOf(placer, others);
+  if (next.exists() && areOfScene(unitsOf(placer, others, placementBy(placer, others, next)))) {
+    binds = std::move(others);
+  }
+}
+
 Mat4 placeSkin(Placer& placer, const Skin& skin) {
   Binds binds = modelBinds(placer.scene, skin);
   dropFalseIdentities(placer, binds);
+  dropIdentityInOtherUnits(placer, binds);
   const NodeIndex anchor = anchorOf(placer, binds);
   if (!anchor.exists()) {
     return Mat4(1.0);
   }
-  const Mat4 anchored = placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
+  const Mat4 anchored = placementBy(placer, binds, anchor);
   const bool isPlacedAlready = placer.bound[at(anchor)].has_value();
   const Mat4 placement =
       isPlacedAlready ? anchored : inUnitsOfScene(placer, binds, anchored, positionOf(placer.world(anchor)));

@@ -110,6 +110,29 @@ TEST_CASE("helper joints that are bound alike where they rest apart stand as the
   CHECK(glm::distance(positionOf(bindPoseWorlds(plain)[1]), Vec3(0, 1, 0)) < 1e-12);
 }
 
+TEST_CASE("an identity above all joints that puts them in other units and axes says nothing") {
+  // Bound in centimetres, Z up; the topmost joint, which nothing follows, has a matrix that was never set.
+  Scene scene = bentChain({});
+  const Mat4 centimetres = glm::scale(glm::rotate(Mat4(1.0), pi / 2.0, Vec3(1, 0, 0)), Vec3(0.01));
+  const std::vector<Mat4> whole = bindPoseWorlds(scene);
+  scene.nodes[2].rest.rotation = Quat(1, 0, 0, 0);
+  for (Mat4& bind : scene.skins[0].inverseBind) {
+    bind = bind * centimetres;
+  }
+  scene.skins[0].inverseBind[0] = Mat4(1.0);
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  for (std::size_t node = 1; node < 4; ++node) {
+    INFO(node);
+    CHECK(largestDifference(worlds[node], whole[node]) < 1e-9);
+  }
+  // One that puts them in the scene's units does say where they stand, however the next one rests.
+  scene = bentChain({});
+  for (std::size_t i = 0; i < 3; ++i) {
+    scene.skins[0].inverseBind[i] = glm::translate(Mat4(1.0), Vec3(0, -static_cast<double>(i), 0));
+  }
+  CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[2]), Vec3(0, 2, 0)) < 1e-12);
+}
+
 TEST_CASE("a bind matrix that says nothing is seen through however many nodes that no skin binds") {
   Scene scene = bentChain({});
   constexpr int between = 200'000;
