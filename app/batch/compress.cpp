@@ -76,10 +76,6 @@ Status writeTable(const CompressArguments& arguments, const MeshSequence& sequen
   if (arguments.table.empty()) {
     return Success{};
   }
-  if (!compressed.model) {
-    return Error{"the body has no centre line, so there is no curvature to write", "--curvature",
-                 "leave it out, or give a body without branches"};
-  }
   return writeText(arguments.table, curvatureTable(sequence, *compressed.model), MissingFolder::isError);
 }
 
@@ -131,6 +127,10 @@ Status compressSequence(const CompressArguments& arguments, const skinning::Comp
       skinning::compress(sequence, settings, terminalProgress("compressing"));
   if (!compressed) {
     return compressed.error();
+  }
+  if (!arguments.table.empty() && !compressed->model) {
+    return Error{"the body has no centre line, so there is no curvature to write", "--curvature",
+                 "leave it out, or give a body without branches"};
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);

@@ -368,7 +368,7 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
       {{"compress", tube, "-o", out, "--moduli", moduli, "--bones", "3"},
        "names bone 7, and the last one is 2"},
       {{"compress", (inputs / "armed").string(), "-o", out, "--bones", "6", "--stretch", "measured",
-        "--curvature", (outputs / "table.csv").string()},
+        "--curvature", (outputs / "table.csv").string(), "--stream", (outputs / "stream").string()},
        "the body has no centre line, so there is no curvature to write"},
       {{"compress", tube, "-o", out, "--append", tube, "--stream", tube},
        "the bones are those of the stream that is there"},
