@@ -175,6 +175,51 @@ std::vector<std::string> lostMotion(const Document& document, const BodyToBind& 
   return warnings;
 }
 
+// Joints that a skin's vertices follow, as the file has it.
+std::set<NodeIndex> followedBefore(const Scene& scene, const BodyToBind& body) {
+  std::set<NodeIndex> followed;
+  for (const MeshToBind& mesh : body.meshes) {
+    if (mesh.skin < 0) {
+      continue;
+    }
+    const Skin& skin = scene.skins[at(mesh.skin)];
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(mesh.node)].mesh)].primitives) {
+      for (const VertexInfluences& vertex : primitive.influences) {
+        for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+          if (vertex.weights[i] > 0.0F && vertex.joints[i] < skin.joints.size()) {
+            followed.insert(skin.joints[vertex.joints[i]]);
+          }
+        }
+      }
+    }
+  }
+  return followed;
+}
+
+// Joints of limbs that no vertex follows; an end joint counts where vertices followed it before.
+std::vector<std::string> idleJoints(const Document& document, const SkeletonToBind& skeleton,
+                                    const BodyToBind& body, const std::vector<skinning::Influences>& rows) {
+  std::set<NodeIndex> followed;
+  for (const skinning::Influences& row : rows) {
+    for (std::size_t i = 0; i < skinning::Influences::capacity && row.weights[i] > 0.0F; ++i) {
+      followed.insert(skeleton.nodes[row.bones[i]]);
+    }
+  }
+  const std::set<NodeIndex> before = followedBefore(*document.scene, body);
+  std::vector<std::string> warnings;
+  for (const rig::Limb& limb : document.body.limbs) {
+    for (const NodeIndex node : rig::jointsAndEnd(limb)) {
+      const bool isNeeded = node != limb.endNode || before.contains(node);
+      if (isNeeded && !followed.contains(node)) {
+        warnings.push_back(
+            fmt::format("no vertex follows \"{}\" of the {}: no part of the mesh is nearest to its bone",
+                        nameOf(*document.scene, node), limb.id));
+      }
+    }
+  }
+  return warnings;
+}
+
 Result<std::vector<NodeIndex>> unboundMeshes(const Scene& scene) {
   std::vector<NodeIndex> nodes = meshNodesToBind(scene, {});
   for (const NodeIndex node : nodes) {
@@ -262,10 +307,15 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   if (!source) {
     return source.error();
   }
+  std::vector<std::string> warnings = lostMotion(document, body, skeleton.added);
+  if (skeleton.added.empty()) {
+    const std::vector<std::string> idle = idleJoints(document, skeleton, body, bound->influences);
+    warnings.insert(warnings.end(), idle.begin(), idle.end());
+  }
   return BoundMeshes{std::make_shared<const gltf::Source>(std::move(source).value()),
                      std::move(found->moves),
                      {skeleton.nodes.size(), body.meshes.size(), body.positions.size(), bound->cubes,
-                      bound->bytes, lostMotion(document, body, skeleton.added)}};
+                      bound->bytes, std::move(warnings)}};
 }
 
 Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound) {

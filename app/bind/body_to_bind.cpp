@@ -120,6 +120,34 @@ Mat4 bindWorld(const Mat4& bind, const Mat4& atRest, const Vec3& parent, double 
   return glm::distance(positionOf(bind), parent) > most ? atRest : bind;
 }
 
+bool hangsOn(const std::vector<skinning::BindJoint>& joints, int joint, int carrier) {
+  while (joint >= 0 && joint != carrier) {
+    joint = joints[at(joint)].parent;
+  }
+  return joint >= 0;
+}
+
+// A foot that hangs on the root, apart from the shin, is bound as the end of its leg.
+void joinLimbs(const std::vector<rig::Limb>& limbs, const std::map<NodeIndex, int>& places,
+               std::vector<skinning::BindJoint>& joints) {
+  for (const rig::Limb& limb : limbs) {
+    std::vector<NodeIndex> chain = limb.joints;
+    chain.push_back(limb.endNode);
+    int above = -1;
+    for (const NodeIndex node : chain) {
+      const auto found = places.find(node);
+      if (found == places.end()) {
+        continue;
+      }
+      const int joint = found->second;
+      if (above >= 0 && !hangsOn(joints, joint, above) && !hangsOn(joints, above, joint)) {
+        joints[at(joint)].parent = above;
+      }
+      above = joint;
+    }
+  }
+}
+
 } // namespace
 
 SkeletonToBind ownSkeleton(const Document& document) {
@@ -148,6 +176,7 @@ SkeletonToBind ownSkeleton(const Document& document) {
     skeleton.worlds.push_back(world);
     skeleton.joints.push_back({positionOf(world), parent.exists() ? places[parent] : -1});
   }
+  joinLimbs(document.body.limbs, places, skeleton.joints);
   return skeleton;
 }
 

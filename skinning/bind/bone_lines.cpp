@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/math/median.h"
@@ -33,6 +34,44 @@ Vec3 endOf(const VoxelBody& body, const Vec3& place, const Vec3& along) {
                      (share * lengthInside(body, place, along / length, mostOfBody * cubes * body.grid.size));
 }
 
+// Where a sibling stands that a last joint lies on the way to, and that goes on from there: the last one is a
+// twist joint of the bone that ends at it.
+std::optional<Vec3> siblingAhead(const std::vector<BindJoint>& joints, const std::vector<bool>& isLast,
+                                 std::size_t joint, const Vec3& along) {
+  constexpr double leastCosine = 0.95;
+  for (std::size_t other = 0; other < joints.size(); ++other) {
+    const Vec3 way = joints[other].place - joints[joint].place;
+    if (!isLast[other] && joints[other].parent == joints[joint].parent &&
+        glm::dot(way, along) > leastCosine * glm::length(way) * glm::length(along)) {
+      return joints[other].place;
+    }
+  }
+  return {};
+}
+
+struct Shares {
+  double from = 0.0;
+  double to = 1.0;
+};
+
+// The part of a line within the box of the cubes; empty where `to` is below `from`.
+Shares withinBox(const VoxelGrid& grid, const BoneLine& line) {
+  Shares part;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<glm::length_t>(axis);
+    const double way = line.end[i] - line.start[i];
+    const double low = grid.origin[i] - line.start[i];
+    const double high = low + grid.size * grid.counts[axis];
+    if (way == 0.0) {
+      part.to = low <= 0.0 && high >= 0.0 ? part.to : -1.0;
+    } else {
+      part.from = std::max(part.from, std::min(low / way, high / way));
+      part.to = std::min(part.to, std::max(low / way, high / way));
+    }
+  }
+  return part;
+}
+
 } // namespace
 
 std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints) {
@@ -56,22 +95,29 @@ std::vector<BoneLine> boneLines(const std::vector<BindJoint>& joints,
       const BindJoint& joint = joints[i];
       const Vec3 before =
           joint.parent < 0 ? joint.place : joints[static_cast<std::size_t>(joint.parent)].place;
+      const Vec3 along = joint.place - before;
+      const std::optional<Vec3> ahead = siblingAhead(joints, isLast, i, along);
       lines.push_back(
-          {static_cast<std::uint16_t>(i), joint.place, endOfLast(joint.place, joint.place - before)});
+          {static_cast<std::uint16_t>(i), joint.place, ahead ? *ahead : endOfLast(joint.place, along)});
     }
   }
   return lines;
 }
 
 std::vector<BoneCell> boneCells(const VoxelBody& body, const std::vector<BoneLine>& lines) {
-  constexpr int cubesAround = 3; // a joint may lie just outside of a thin part
+  constexpr int cubesAround = 3;           // a joint may lie just outside of a thin part
+  constexpr double mostHalfCubes = 2000.0; // of a bone that is looked at all along: several times a body
   std::vector<BoneCell> cells;
   for (std::size_t index = 0; index < lines.size(); ++index) {
     const BoneLine& line = lines[index];
-    const int steps =
-        std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(line.start, line.end) / body.grid.size)));
+    const double halfCubes = 2.0 * glm::distance(line.start, line.end) / body.grid.size;
+    const Shares part = halfCubes > mostHalfCubes ? withinBox(body.grid, line) : Shares();
+    if (part.to < part.from) {
+      continue;
+    }
+    const int steps = std::max(1, static_cast<int>(std::ceil((part.to - part.from) * halfCubes)));
     for (int i = 0; i <= steps; ++i) {
-      const double along = static_cast<double>(i) / steps;
+      const double along = part.from + (part.to - part.from) * i / steps;
       const Vec3 point = glm::mix(line.start, line.end, along);
       const std::int32_t cell = body.cellNear(point, cubesAround);
       if (cell != VoxelBody::outside) {

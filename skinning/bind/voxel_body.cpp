@@ -214,6 +214,11 @@ Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions, const std::vec
   if (!(longest > 0.0) || !std::isfinite(longest)) {
     return Error{"the mesh has no extent", "", "bind a mesh with a body"};
   }
+  constexpr double leastOfDistance = 1e-5; // single precision tells no cubes apart below that
+  const Vec3 farthest = glm::max(glm::abs(low), glm::abs(high));
+  if (longest < leastOfDistance * std::max({farthest.x, farthest.y, farthest.z})) {
+    return Error{"the mesh is too far from the origin for its size", "", "move it to the origin"};
+  }
   const int along = cubesThatShow(positions, triangles, low, high, cubesAlong);
   VoxelBody body = filling(positions, triangles, gridAround(low, high, along)).body;
   body.depths = depthsOf(body);

@@ -28,7 +28,8 @@ TEST_CASE("Joints to bind are all that limbs need, wherever they hang, and no ha
   app::Document document;
   document.scene = std::make_shared<const Scene>(built.scene);
   document.body = rig::detectBody(built.scene);
-  const std::vector<NodeIndex> bound = app::ownSkeleton(document).nodes;
+  const app::SkeletonToBind skeleton = app::ownSkeleton(document);
+  const std::vector<NodeIndex>& bound = skeleton.nodes;
   const auto isBound = [&](const std::string& key) {
     return std::ranges::find(bound, built.node.at(key)) != bound.end();
   };
@@ -39,6 +40,14 @@ TEST_CASE("Joints to bind are all that limbs need, wherever they hang, and no ha
       INFO(name);
       CHECK(isBound(name));
     }
+  }
+  // A foot that hangs on the root goes on as its shin comes, or its shin would take all that it has.
+  const auto slot = [&](const std::string& key) {
+    return static_cast<int>(std::ranges::find(bound, built.node.at(key)) - bound.begin());
+  };
+  for (const std::string side : {".l", ".r"}) {
+    CHECK(skeleton.joints[at(slot("foot" + side))].parent == slot("shin" + side));
+    CHECK(skeleton.joints[at(slot("shin" + side))].parent == slot("thigh" + side));
   }
   CHECK_FALSE(isBound("handle.l"));
   CHECK_FALSE(isBound("handle.r"));

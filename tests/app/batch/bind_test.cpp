@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <span>
 
+#include "app/bind/bind_mesh.h"
 #include "app/document.h"
 #include "app/evaluate/evaluate.h"
 #include "core/base/file.h"
@@ -167,6 +170,38 @@ TEST_CASE("Binding again at the file's own joints changes weights and nothing el
     sum += miss * miss;
   }
   CHECK(std::sqrt(sum / static_cast<double>(artists.size())) < 0.01);
+}
+
+TEST_CASE("A joint of a limb that no vertex follows any more is told") {
+  Document document = openedFile(posedCharacter);
+  const Result<BoundMeshes> whole = bindMeshes(document, {});
+  REQUIRE(whole.ok());
+  CHECK(whole->report.warnings.empty());
+  Scene footless = *document.scene;
+  for (Mesh& mesh : footless.meshes) {
+    for (Primitive& primitive : mesh.primitives) {
+      std::vector<std::uint32_t> kept;
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const auto triangle = std::span(primitive.indices).subspan(i, 3);
+        if (std::ranges::all_of(triangle, [&](std::uint32_t v) { return primitive.positions[v].y > 0.3F; })) {
+          kept.insert(kept.end(), triangle.begin(), triangle.end());
+        }
+      }
+      primitive.indices = kept;
+    }
+  }
+  document.scene = std::make_shared<const Scene>(std::move(footless));
+  const Result<BoundMeshes> bound = bindMeshes(document, {});
+  REQUIRE(bound.ok());
+  const auto told = [&](const std::string& joint) {
+    return std::ranges::any_of(bound->report.warnings, [&](const std::string& warning) {
+      return warning.starts_with("no vertex follows") && warning.find(joint + "\"") != std::string::npos;
+    });
+  };
+  CHECK(told("LeftFoot"));
+  CHECK(told("RightFoot"));
+  CHECK_FALSE(told("LeftUpLeg"));
+  CHECK_FALSE(told("LeftHand"));
 }
 
 TEST_CASE("What cannot be bound is said in one line, and nothing is written") {

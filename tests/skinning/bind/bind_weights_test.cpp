@@ -262,6 +262,38 @@ TEST_CASE("What cannot be bound is said in one line") {
   const std::vector<glm::vec3> point(3, glm::vec3(1.0F));
   CHECK(test::refusal(skinning::bindWeights(point, {{0, 1, 2}}, tubeBones)) ==
         "the mesh has no extent; bind a mesh with a body");
+  Shape far = tube;
+  for (glm::vec3& position : far.positions) {
+    position.x = 1e30F; // where single precision knows no tube
+  }
+  CHECK(test::refusal(skinning::bindWeights(far.positions, far.triangles, tubeBones)) ==
+        "the mesh is too far from the origin for its size; move it to the origin");
+}
+
+TEST_CASE("A bone that ends a million bodies away is followed within the body alone, at once") {
+  const Shape tube = test::tube(10.0, 1.0, 40, 12);
+  std::vector<BindJoint> joints = tubeBones;
+  joints.back().place = Vec3(1e7, 0, 0);
+  const std::vector<Influences> rows = bound(tube, joints);
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    const bool isBeyond = tube.positions[v].x > 5.0F;
+    if (std::abs(tube.positions[v].x - 5.0F) > 1.0F) {
+      CHECK((weightOf(rows[v], 0) < 0.5) == isBeyond);
+    }
+  }
+}
+
+TEST_CASE("A twist joint has no part of the bone beyond the joint that its own bone ends at") {
+  const Shape tube = test::tube(10.0, 1.0, 40, 12);
+  // Upper arm, its twist joint, elbow, wrist.
+  const std::vector<BindJoint> joints{
+      {Vec3(0, 0, 0), -1}, {Vec3(2.5, 0, 0), 0}, {Vec3(5, 0, 0), 0}, {Vec3(9.5, 0, 0), 2}};
+  const std::vector<Influences> rows = bound(tube, joints);
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    if (tube.positions[v].x > 6.5F) {
+      CHECK(weightOf(rows[v], 1) < 0.05);
+    }
+  }
 }
 
 TEST_CASE("On a closed surface weights go by the way over it, an open one is refused") {
