@@ -196,7 +196,7 @@ std::set<NodeIndex> followedBefore(const Scene& scene, const BodyToBind& body) {
   return followed;
 }
 
-// Joints of limbs that no vertex follows; an end joint counts where vertices followed it before.
+// Joints of limbs that no vertex follows; where the file has weights, those that vertices followed before.
 std::vector<std::string> idleJoints(const Document& document, const SkeletonToBind& skeleton,
                                     const BodyToBind& body, const std::vector<skinning::Influences>& rows) {
   std::set<NodeIndex> followed;
@@ -209,7 +209,7 @@ std::vector<std::string> idleJoints(const Document& document, const SkeletonToBi
   std::vector<std::string> warnings;
   for (const rig::Limb& limb : document.body.limbs) {
     for (const NodeIndex node : rig::jointsAndEnd(limb)) {
-      const bool isNeeded = node != limb.endNode || before.contains(node);
+      const bool isNeeded = before.contains(node) || (before.empty() && node != limb.endNode);
       if (isNeeded && !followed.contains(node)) {
         warnings.push_back(
             fmt::format("no vertex follows \"{}\" of the {}: no part of the mesh is nearest to its bone",
