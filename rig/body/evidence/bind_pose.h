@@ -22,8 +22,9 @@ struct BindPose {
 /// at rest; a skin that shares a joint with one placed before stands where that joint is; any other one hangs
 /// at rest from the nearest node above it. Bones that come out more than twice or less than half as long as
 /// at rest are in other units than the scene, and the skin is scaled to the scene's. Matrices that cannot be
-/// a bind pose (singular, not finite, or the identity under a parent whose matrix is not, as exporters write
-/// for joints that move nothing) are replaced by the rest transform.
+/// a bind pose (singular, not finite, or the identity under a parent whose matrix is not, or above joints
+/// that it alone puts in other units, as exporters write for joints that move nothing) are replaced by the
+/// rest transform.
 [[nodiscard]] BindPose placeBindPose(const Scene& scene);
 
 } // namespace body
