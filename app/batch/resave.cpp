@@ -18,8 +18,15 @@ Status runResave(const ResaveArguments& arguments) {
   if (Status apart = checkOutput(arguments.output, {arguments.input.file}); !apart) {
     return apart;
   }
-  const Result<Document> document = openDocument(arguments.input);
-  return document ? saveDocument(*document, arguments.output.path, {}) : Status(document.error());
+  Result<Document> document = openDocument(arguments.input);
+  if (!document) {
+    return document.error();
+  }
+  Document sourceAlone; // the scene goes before the file as it will be stands beside it
+  sourceAlone.source = document->source;
+  const gltf::Edits edits = editsOf(*document, {}).edits;
+  document = Error{};
+  return saveEdits(sourceAlone, edits, arguments.output.path);
 }
 
 } // namespace

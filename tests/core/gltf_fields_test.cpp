@@ -163,7 +163,7 @@ TEST_CASE("Base64 is that of its standard's examples, there and back, and nothin
     CHECK(read->bytes == bytesOf(plain));
     CHECK(read->mediaType == "application/octet-stream");
   }
-  CHECK(encodeBase64({0xFB, 0xFF, 0x3E}) == "+/8+");
+  CHECK(encodeBase64(Bytes{0xFB, 0xFF, 0x3E}) == "+/8+");
   CHECK(decodeDataUri("data:;base64,+/8+")->bytes == Bytes{0xFB, 0xFF, 0x3E});
   CHECK(decodeDataUri("data:;base64,Zg")->bytes == bytesOf("f")); // without its padding
   CHECK_FALSE(decodeDataUri("data:;base64,Zm9vY"));

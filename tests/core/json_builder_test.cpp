@@ -57,6 +57,23 @@ TEST_CASE("A tree is built as the library parses it, order of keys included") {
   }
 }
 
+TEST_CASE(
+    "Data that stand in a text as long strings are built as any other string, and so are errors after them") {
+  const std::string data = "data:application/octet-stream;base64," + std::string((1 << 20) + 5, 'A');
+  const std::string escaped = "say \"" + data + "\" or";
+  const std::string mark = GENERATE("", "data:taken-out", "data:taken-out by hand");
+  const Json tree = {{"a", {data, 1, escaped}}, {"b", mark}, {"c", data + "end"}, {data, "data:short"}};
+  const std::string text = tree.dump(GENERATE(-1, 2));
+  const Json read = built(text);
+  CHECK((read == tree)); // too long to be shown
+  CHECK((read.dump() == Json::parse(text).dump()));
+  Json broken;
+  const std::string cut = text.substr(0, text.size() - 1);
+  const auto failure = buildJson(cut, broken);
+  REQUIRE(failure);
+  CHECK(failure->byte == cut.size() + 1);
+}
+
 TEST_CASE("Of two members with one key stay the first place and the last value") {
   CHECK(built(R"({"a":1,"b":2,"a":{"c":3}})").dump() == R"({"a":{"c":3},"b":2})");
 }

@@ -1,7 +1,9 @@
 #include "core/gltf/json/json_builder.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -34,11 +36,32 @@ struct OpenValue {
   }
 };
 
+constexpr std::string_view mark = "data:taken-out";
+
+// The text with the mark in the place of each long string of data: the parser grows strings letter
+// by letter, twice. A quote before "data:" begins a string in any valid JSON, unless it is escaped.
+std::string withoutData(std::string_view text, std::vector<std::string_view>& taken) {
+  constexpr std::string_view start = "\"data:";
+  constexpr std::size_t isLong = 1 << 20;
+  const auto isPlain = [](char letter) { return letter > ' ' && letter <= '~' && letter != '\\'; };
+  std::string rest;
+  std::size_t copied = 0;
+  for (std::size_t at = text.find(start); at != std::string_view::npos; at = text.find(start, at + 1)) {
+    const std::string_view data = text.substr(at + 1, text.find('"', at + 1) - at - 1);
+    if (data.size() >= isLong && at > 0 && text[at - 1] != '\\' && std::ranges::all_of(data, isPlain)) {
+      rest.append(text, copied, at + 1 - copied).append(mark);
+      taken.push_back(data);
+      copied = at + 1 + data.size();
+    }
+  }
+  return taken.empty() ? rest : rest.append(text, copied);
+}
+
 // Takes the events of the library's parser. A value goes where `open_` ends: into the list there, or to the
 // key that was named last.
 class Builder {
 public:
-  explicit Builder(Json& root) : root_(root) {}
+  explicit Builder(Json& root, std::span<const std::string_view> taken = {}) : root_(root), taken_(taken) {}
 
   [[nodiscard]] const std::optional<JsonFailure>& failure() const { return failure_; }
   [[nodiscard]] const std::optional<std::string>& repeated() const { return repeated_; }
@@ -49,7 +72,7 @@ public:
   bool number_integer(Json::number_integer_t value) { return add(value); }
   bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
   bool number_float(Json::number_float_t value, const std::string& /*text*/) { return add(value); }
-  bool string(std::string& value) { return add(std::move(value)); }
+  bool string(std::string& value) { return add(std::move(whole(value))); }
   bool binary(Json::binary_t& value) { return add(std::move(value)); }
 
   bool start_object(std::size_t /*count*/) { return open(Json::object()); }
@@ -60,7 +83,7 @@ public:
   bool key(std::string& name) {
     auto& object = open_.back().value->get_ref<Json::object_t&>();
     Json::object_t::Container& members = object;
-    if (const std::optional<std::size_t> present = open_.back().placeOf(name)) {
+    if (const std::optional<std::size_t> present = open_.back().placeOf(whole(name))) {
       repeated_ = repeated_ ? repeated_ : pathTo(name);
       named_ = &members[*present].second;
       return true;
@@ -81,6 +104,15 @@ public:
 
 private:
   static constexpr std::size_t fewMembers = 4;
+
+  // The string itself where a mark stands for it.
+  std::string& whole(std::string& text) {
+    if (!taken_.empty() && text.starts_with(mark)) {
+      text = std::string(taken_.front());
+      taken_ = taken_.subspan(1);
+    }
+    return text;
+  }
 
   // Of a key where every open value is the last one in what holds it, as long as none came twice.
   [[nodiscard]] std::string pathTo(const std::string& name) const {
@@ -122,7 +154,8 @@ private:
   }
 
   Json& root_;
-  std::vector<OpenValue> open_; ///< From the root inwards.
+  std::span<const std::string_view> taken_; ///< By withoutData, those that were not put back yet.
+  std::vector<OpenValue> open_;             ///< From the root inwards.
   Json* named_ = nullptr;
   std::optional<JsonFailure> failure_;
   std::optional<std::string> repeated_;
@@ -140,6 +173,15 @@ void reserveMembers(Json::object_t& object, std::size_t count) {
 }
 
 std::optional<JsonFailure> buildJson(std::string_view text, Json& tree) {
+  std::vector<std::string_view> taken;
+  if (text.find(mark) == std::string_view::npos) {
+    const std::string rest = withoutData(text, taken);
+    Builder builder(tree, taken);
+    if (!taken.empty() && Json::sax_parse(rest, &builder)) {
+      return std::nullopt;
+    }
+  }
+  tree = nullptr; // an error is told by its place in the whole text
   Builder builder(tree);
   const bool isWhole = Json::sax_parse(text, &builder);
   if (!isWhole && !builder.failure()) {

@@ -89,6 +89,9 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   if (!json) {
     return json.error();
   }
+  if (!bytes.empty() && buffer < source.buffers.size()) {
+    json->at("buffers")[buffer].erase("uri"); // before anything large stands beside it
+  }
   Source result{source.path, std::move(json.value()), withRoom(source.buffers, buffer, start + bytes.size()),
                 source.hasBinaryChunk, source.otherChunks};
   growBuffer(result, buffer, start, bytes);

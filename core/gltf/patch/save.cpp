@@ -48,12 +48,19 @@ std::string uriOf(const fs::path& file) {
   return percentEncoded(std::string(text.begin(), text.end()));
 }
 
+// Whether a buffer or an image holds its bytes as text, which may be most of the file: it is not copied.
+bool isEmbedded(const Json& thing) {
+  const Json* const uri = find(thing, "uri");
+  return uri != nullptr && uri->is_string() && isDataUri(uri->get_ref<const std::string&>());
+}
+
 // The files that the glTF names by relative paths.
 std::vector<fs::path> referencesOf(const Source& source) {
   std::vector<fs::path> files;
   for (const char* list : {"buffers", "images"}) {
     for (std::size_t i = 0; i < sizeOf(source.json, list); ++i) {
-      if (const auto relative = relativePath(textOr(element(source.json, list, i), "uri"))) {
+      const Json& thing = element(source.json, list, i);
+      if (const auto relative = isEmbedded(thing) ? std::nullopt : relativePath(textOr(thing, "uri"))) {
         files.push_back(relative->lexically_normal());
       }
     }
@@ -120,10 +127,11 @@ private:
            });
   }
 
-  [[nodiscard]] Bytes withinLength(std::size_t buffer) const {
-    const Bytes& bytes = source_.buffers[buffer];
+  [[nodiscard]] Bytes takenWithinLength(std::size_t buffer) {
+    Bytes bytes = std::move(source_.buffers[buffer]);
     const auto length = static_cast<std::size_t>(wholeOr(element(json_, "buffers", buffer), "byteLength", 0));
-    return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(length, bytes.size()))};
+    bytes.resize(std::min(length, bytes.size()));
+    return bytes;
   }
 
   Status placeBuffers() {
@@ -136,15 +144,16 @@ private:
   }
 
   Status placeBuffer(std::size_t index) {
-    const std::string uri = textOr(element(json_, "buffers", index), "uri");
+    const bool isText = isEmbedded(element(json_, "buffers", index));
+    const std::string uri = isText ? std::string() : textOr(element(json_, "buffers", index), "uri");
     const bool isBinaryChunk = index == 0 && source_.hasBinaryChunk;
     if (index == 0 && hasRoomInBinary() && (isBinaryChunk || !source_.buffers[0].empty())) {
       hasBinary_ = true;
-      binary_ = isBinaryChunk ? std::move(source_.buffers[0]) : withinLength(0);
+      binary_ = isBinaryChunk ? std::move(source_.buffers[0]) : takenWithinLength(0);
       json_["buffers"][0].erase("uri");
       return Success{};
     }
-    if (source_.buffers[index].empty() || isDataUri(uri)) {
+    if (source_.buffers[index].empty() || isText) {
       return Success{};
     }
     if (!uri.empty()) {
@@ -156,7 +165,7 @@ private:
     if (fs::exists(name, ignored)) {
       replaced_.emplace_back(index, files_.size());
     }
-    files_.push_back({name, withinLength(index)});
+    files_.push_back({name, takenWithinLength(index)});
     return Success{};
   }
 
@@ -219,7 +228,7 @@ private:
     }
     for (std::size_t i = 0; i < sizeOf(json_, "images"); ++i) {
       const std::string uri = textOr(element(json_, "images", i), "uri");
-      const std::optional<fs::path> relative = isDataUri(uri) ? std::nullopt : relativePath(uri);
+      const std::optional<fs::path> relative = relativePath(uri);
       if (relative && escapesFolder(*relative)) {
         if (Status kept = keepOutside(*relative, uri, at("images", i)); !kept) {
           return kept;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -61,7 +62,8 @@ void addJson(const Json& json, Hash& sum) {
   } else if (json.is_number()) {
     addNumber(json.get<double>(), sum);
   } else {
-    addText(json.is_string() ? json.get_ref<const std::string&>() : json.dump(), sum);
+    const std::string other = json.is_string() ? std::string() : json.dump();
+    addText(json.is_string() ? json.get_ref<const std::string&>() : other, sum);
   }
 }
 
@@ -77,18 +79,26 @@ std::string checksumOf(const Source& source) {
 }
 
 // A data URI is left out of what is stored where its bytes give it back.
-bool isCanonicalDataUri(const std::string& uri, const Bytes& bytes) {
+bool isCanonicalDataUri(std::string_view uri, std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t piece = 3 << 16; // made text of at a time, so that it does not all stand there twice
   const std::size_t comma = uri.find(',');
-  return isDataUri(uri) && comma != std::string::npos &&
-         std::string_view(uri).substr(comma + 1) == encodeBase64(bytes);
+  const std::string_view text = uri.substr(std::min(uri.size(), comma + 1));
+  bool isSame = isDataUri(uri) && comma < uri.size() && text.size() == (bytes.size() + 2) / 3 * 4;
+  for (std::size_t i = 0; isSame && i < bytes.size(); i += piece) {
+    isSame = text.substr(i / 3 * 4, piece / 3 * 4) ==
+             encodeBase64(bytes.subspan(i, std::min(piece, bytes.size() - i)));
+  }
+  return isSame;
 }
 
 Json firstBufferRecord(const Source& source) {
-  Json buffer = element(source.json, "buffers", 0);
-  const std::string uri = textOr(buffer, "uri");
+  const Json& first = element(source.json, "buffers", 0);
+  const Json* const text = find(first, "uri");
+  const std::string_view uri = text == nullptr ? "" : std::string_view(text->get_ref<const std::string&>());
   const bool isEmbedded = isCanonicalDataUri(uri, source.buffers[0]);
-  if (isEmbedded) {
-    buffer["uri"] = uri.substr(0, uri.find(',') + 1);
+  Json buffer = Json::object();
+  for (const auto& [key, value] : first.items()) {
+    buffer[key] = isEmbedded && &value == text ? Json(uri.substr(0, uri.find(',') + 1)) : value;
   }
   return {{"json", buffer}, {"bytes", source.buffers[0].size()}, {"embedded", isEmbedded}};
 }

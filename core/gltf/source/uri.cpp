@@ -108,7 +108,7 @@ std::optional<DataUri> decodeDataUri(std::string_view uri) {
   return DataUri{std::string(header), *std::move(bytes)};
 }
 
-std::string encodeBase64(const Bytes& bytes) {
+std::string encodeBase64(std::span<const std::uint8_t> bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -124,8 +124,8 @@ std::string encodeBase64(const Bytes& bytes) {
 }
 
 std::optional<std::filesystem::path> relativePath(std::string_view uri) {
-  const std::string decoded = percentDecoded(uri);
-  if (decoded.empty() || hasScheme(uri) || decoded.find('\0') != std::string::npos) {
+  const std::string decoded = hasScheme(uri) ? std::string() : percentDecoded(uri);
+  if (decoded.empty() || decoded.find('\0') != std::string::npos) {
     return std::nullopt;
   }
   std::filesystem::path path(std::u8string(decoded.begin(), decoded.end()));

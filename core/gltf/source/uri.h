@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,7 @@ struct DataUri {
 /// In base64 or written out. Nothing for a URI that is malformed.
 [[nodiscard]] std::optional<DataUri> decodeDataUri(std::string_view uri);
 
-[[nodiscard]] std::string encodeBase64(const Bytes& bytes);
+[[nodiscard]] std::string encodeBase64(std::span<const std::uint8_t> bytes);
 
 /// The path that a relative URI stands for, %-escapes decoded. Nothing for URIs with a scheme, absolute paths
 /// and names that no file can have.
