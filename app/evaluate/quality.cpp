@@ -29,18 +29,19 @@ rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
   return alone;
 }
 
-// The same trail with other settings, solved alone.
-rig::MotionState solvedWith(const Document& document, int clip, const rig::SolvedTrail& trail,
-                            const rig::TrailSettings& settings,
+// The same trail of a motion with other settings, solved alone.
+rig::MotionState solvedWith(const Document& document, const rig::MotionState& motion,
+                            const rig::SolvedTrail& trail, const rig::TrailSettings& settings,
                             const std::shared_ptr<const rig::BindPlaces>& places) {
   Document other = document;
   other.trails = {trail.trail};
   other.weights.clear();
   other.holds = {};
   other.trails.front().settings = settings;
-  const EvaluationInput input = evaluationInput(other, clip);
+  const EvaluationInput input = evaluationInput(other, motion.clip);
   rig::MotionInput wanted = motionInput(input);
   wanted.places = places;
+  wanted.previous = &motion; // its path is the same under most settings
   return rig::solveMotion(wanted);
 }
 
@@ -172,8 +173,7 @@ public:
 
 private:
   [[nodiscard]] bool helps(const rig::TrailSettings& settings) {
-    const rig::MotionState other =
-        solvedWith(document_, motion_.clip, trail_, settings, look_.facts()->places());
+    const rig::MotionState other = solvedWith(document_, motion_, trail_, settings, look_.facts()->places());
     if (other.trails.empty()) {
       return false;
     }
