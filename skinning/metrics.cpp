@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -95,14 +96,6 @@ private:
   double square_ = 0.0;
 };
 
-double sumOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
-}
-
 double spatialPart(const MeshSequence& a, const MeshSequence& b, const std::vector<Edge>& edges,
                    const std::vector<std::vector<std::uint32_t>>& around) {
   std::vector<double> sums(a.frameCount(), 0.0);
@@ -121,7 +114,7 @@ double spatialPart(const MeshSequence& a, const MeshSequence& b, const std::vect
       sums[k] += deviation.value();
     }
   });
-  return sumOf(sums) / static_cast<double>(a.frameCount() * a.vertexCount);
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(a.frameCount() * a.vertexCount);
 }
 
 /// Length of the virtual edge that joins a vertex to itself one frame on.
@@ -150,7 +143,7 @@ double temporalPart(const MeshSequence& a, const MeshSequence& b, const StedSett
       }
     }
   });
-  return sumOf(sums) / static_cast<double>(steps * a.vertexCount);
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(steps * a.vertexCount);
 }
 
 void measureSted(const MeshSequence& a, const MeshSequence& b, SequenceMetrics& metrics) {

@@ -107,11 +107,8 @@ double ClipFacts::lowestVertexIn(const FrameState& frame) {
   }
   std::vector<glm::vec3> places;
   whole_->positions(frame, places);
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const glm::vec3& place : places) {
-    lowest = std::min(lowest, static_cast<double>(place.y));
-  }
-  return lowest;
+  const auto lowest = std::ranges::min_element(places, {}, &glm::vec3::y);
+  return lowest == places.end() ? std::numeric_limits<double>::infinity() : static_cast<double>(lowest->y);
 }
 
 double ClipFacts::lowestVertexAtFirst() {

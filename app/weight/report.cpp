@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -23,14 +24,6 @@ std::vector<double> boneLengths(const rig::Limb& limb, const FrameState& frame) 
   return lengths;
 }
 
-double sumOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
-}
-
 // Factors that a limb and its bones reach in one frame.
 struct Ratio {
   double frame = 0.0;
@@ -39,7 +32,8 @@ struct Ratio {
 };
 
 Ratio ratioOf(double frame, const std::vector<double>& before, const std::vector<double>& after) {
-  Ratio ratio{frame, sumOf(before) > 0.0 ? sumOf(after) / sumOf(before) : 1.0, 1.0};
+  const double was = std::accumulate(before.begin(), before.end(), 0.0);
+  Ratio ratio{frame, was > 0.0 ? std::accumulate(after.begin(), after.end(), 0.0) / was : 1.0, 1.0};
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double bone = before[i] > 0.0 ? after[i] / before[i] : 1.0;
     ratio.farthestBone =

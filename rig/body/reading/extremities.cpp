@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/finite.h"
+#include "core/math/polyline.h"
 #include "rig/body/evidence/name_text.h"
 #include "rig/body/evidence/name_words.h"
 
@@ -283,9 +284,7 @@ private:
       extremity.points.push_back(positionOf(bindPose_.worlds[at(extremity.tip)]));
       extremity.lowest = std::min(extremity.lowest, heightOf(extremity.points.back()));
     }
-    for (std::size_t i = 1; i < extremity.points.size(); ++i) {
-      extremity.length += glm::distance(extremity.points[i - 1], extremity.points[i]);
-    }
+    extremity.length = polylineLength(extremity.points);
     for (double& share : extremity.words) {
       share /= static_cast<double>(extremity.path.size());
     }

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
+
 namespace stretch::rig::body {
 
 namespace {
@@ -528,10 +530,7 @@ private:
       Extremity rest = other;
       rest.path.assign(otherStart, other.path.end());
       rest.points.erase(rest.points.begin(), rest.points.begin() + static_cast<std::ptrdiff_t>(shared));
-      rest.length = 0.0;
-      for (std::size_t i = 1; i < rest.points.size(); ++i) {
-        rest.length += glm::distance(rest.points[i - 1], rest.points[i]);
-      }
+      rest.length = polylineLength(rest.points);
       const bool named = std::ranges::any_of(rest.path, [&](int joint) {
         return partWords(scene_.nodes[at(view_.nodes[index(joint)])].name).contains(PartWord::tail);
       });

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
+
 namespace stretch::skinning {
 
 namespace {
@@ -34,19 +36,11 @@ std::size_t placeAt(double part) {
   return static_cast<std::size_t>(std::lround(std::clamp(part, 0.0, 1.0) * (placeCount - 1.0)));
 }
 
-double lengthOf(const std::vector<Vec3>& line) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    length += glm::distance(line[i - 1], line[i]);
-  }
-  return length;
-}
-
 } // namespace
 
 std::vector<Vec3> evenly(const std::vector<Vec3>& line, std::size_t count) {
   std::vector<Vec3> places;
-  const double step = lengthOf(line) / std::max(1.0, static_cast<double>(count) - 1.0);
+  const double step = polylineLength(line) / std::max(1.0, static_cast<double>(count) - 1.0);
   double before = 0.0; // the length up to the place `next - 1`
   std::size_t next = 1;
   for (std::size_t i = 0; i < count; ++i) {
@@ -69,7 +63,7 @@ std::vector<Vec3> jointsAlong(const std::vector<Vec3>& line, const std::vector<d
   constexpr std::size_t shortest = 2;
   constexpr double never = std::numeric_limits<double>::max();
   const std::vector<Vec3> places = evenly(line, placeCount);
-  const double length = std::max(lengthOf(places), 1e-12);
+  const double length = std::max(polylineLength(places), 1e-12);
   std::vector<std::vector<double>> costs(parts.size(), std::vector<double>(placeCount, never));
   std::vector<std::vector<std::size_t>> before(parts.size(), std::vector<std::size_t>(placeCount, 0));
   costs[0][placeAt(parts.front())] = 0.0;
