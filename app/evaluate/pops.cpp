@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/index.h"
+#include "core/math/rotation.h"
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 
@@ -38,12 +39,25 @@ Jolt joltOf(const ThreeFrames& points) {
   return jolt;
 }
 
-// One limb over the clip, frame by frame; jolts[k] is that of frame k + 1.
+// The angle by which the bone turns that turns most from one frame to the next.
+double turnOf(const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < std::min(before.size(), after.size()); ++i) {
+    most = std::max(most, angleBetween(before[i + 1] - before[i], after[i + 1] - after[i]));
+  }
+  return most * 180.0 / pi;
+}
+
+// One limb over the clip, frame by frame; jolts[k] is that of frame k + 1, turns[k] that from frame k to the
+// next.
 class Jolts {
 public:
   void add(std::vector<Vec3> points) {
     std::rotate(last_.begin(), last_.begin() + 1, last_.end());
     last_.back() = std::move(points);
+    if (!last_[1].empty()) {
+      turns_.push_back(turnOf(last_[1], last_[2]));
+    }
     if (!last_.front().empty()) {
       jolts_.push_back(joltOf(last_));
     }
@@ -57,10 +71,17 @@ public:
     return most;
   }
   [[nodiscard]] const std::vector<Jolt>& all() const { return jolts_; }
+  [[nodiscard]] const std::vector<double>& turns() const { return turns_; }
+  [[nodiscard]] double turnAround(std::size_t place) const {
+    const auto first = turns_.begin() + static_cast<std::ptrdiff_t>(place > 0 ? place - 1 : 0);
+    const auto end = turns_.begin() + static_cast<std::ptrdiff_t>(std::min(place + 2, turns_.size()));
+    return *std::max_element(first, end);
+  }
 
 private:
   ThreeFrames last_;
   std::vector<Jolt> jolts_;
+  std::vector<double> turns_; // degrees
 };
 
 std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, const Jolts& moved) {
@@ -76,6 +97,22 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
     if (isOurs && joint > smallest * limb.restLength && joint > told * ends &&
         joint / ends > (worst ? worst->times : 0.0)) {
       worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends};
+    }
+  }
+  return worst;
+}
+
+std::optional<LimbPop> worstTurn(const rig::Limb& limb, const Jolts& source, const Jolts& moved) {
+  constexpr double ofSource = 2.0;
+  constexpr double more = 45.0; // degrees: less looks like haste
+  std::optional<LimbPop> worst;
+  double most = more;
+  for (std::size_t k = 0; k < moved.turns().size(); ++k) {
+    const double turned = moved.turns()[k];
+    const double before = source.turnAround(k);
+    if (turned - ofSource * before > most) {
+      most = turned - ofSource * before;
+      worst = LimbPop{limb.id, static_cast<double>(k + 1), 0.0, turned, before};
     }
   }
   return worst;
@@ -102,7 +139,8 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
   }
   std::vector<LimbPop> pops;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    if (std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i])) {
+    std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i]);
+    if (pop = pop ? pop : worstTurn(limbs[i], source[i], moved[i]); pop) {
       pop->frame += static_cast<double>(first);
       pops.push_back(*pop);
     }
@@ -113,6 +151,11 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
 std::string popWarning(const LimbPop& pop) {
   std::string limb = pop.limb;
   std::ranges::replace(limb, '-', ' ');
+  if (pop.turnDegrees > 0.0) {
+    return fmt::format("the {} turns over at frame {:g}, by {:.0f} degrees where the clip has {:.0f}: it is "
+                       "folded until its end passes its base; let it fold less far",
+                       limb, pop.frame, pop.turnDegrees, pop.sourceDegrees);
+  }
   return fmt::format("the {} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as "
                      "abruptly as its ends; "
                      "give it some softness, such as 0.1, or let it reach less far",

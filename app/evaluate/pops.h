@@ -10,12 +10,15 @@
 namespace stretch::app {
 
 /// An elbow or a knee that pops: a limb that straightens moves its middle joint as the root of what is left
-/// to straighten, far quicker than its ends (docs/controllers.md, Arms and legs).
+/// to straighten, far quicker than its ends (docs/controllers.md, Arms and legs). Or a limb that turns over,
+/// as one does that is folded up until its end passes its base.
 struct LimbPop {
   std::string limb;
   double frame = 0.0; ///< Whole frame at which it is worst.
   double times = 0.0; ///< Second difference of the joint over frames, in those of the limb's base and end
-                      ///< around it.
+                      ///< around it; 0 for a limb that turns over.
+  double turnDegrees = 0.0;   ///< Of the bone that turns most within a frame, where the limb turns over.
+  double sourceDegrees = 0.0; ///< In the source, around that frame.
 };
 
 /// Whole frames that are looked at; those beyond the clip are passed over.
@@ -26,13 +29,13 @@ struct FrameSpan {
   friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
 };
 
-/// The worst pop of each limb with an elbow or a knee that is above 4 times, where offsets and holds make it:
-/// the source's own jolts are not counted, nor what is too small to see. `motion`: of the clip.
+/// The worst pop of each limb with an elbow or a knee that is above 4 times, else where it turns over by 45
+/// degrees more than twice as far as in the source, where offsets and holds make it: the source's own jolts
+/// are not counted, nor what is too small to see. `motion`: of the clip.
 [[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion,
                                             const FrameSpan& frames = {});
 
-/// One line with the way out: "the knee of left-leg pops at frame 12 (9 times as quick as ...); raise its
-/// softness".
+/// One line with the way out, such as some softness.
 [[nodiscard]] std::string popWarning(const LimbPop& pop);
 
 } // namespace stretch::app

@@ -121,3 +121,22 @@ TEST_CASE("A session tells the pops around the playhead, and during a drag those
   session.cancel();
   CHECK(session.pops().size() == 2);
 }
+
+TEST_CASE("A leg that is folded until its foot passes its hip turns over, and is told of with its frame") {
+  const auto turnedBy = [](double share) {
+    const Document posed =
+        posedBy({{"hips",
+                  0,
+                  std::nullopt,
+                  {lowered(0, 0.6), lowered(10, 0.6), lowered(11, share), lowered(40, share)}},
+                 softened("left-leg.softness", 0.1),
+                 softened("right-leg.softness", 0.1)});
+    return limbPops(posed, prepareMotion(posed, 0), {});
+  };
+  for (const LimbPop& pop : turnedBy(1.3)) {
+    WARN(pop.limb << " " << pop.frame << " " << pop.times << " " << pop.turnDegrees);
+  }
+  for (const LimbPop& pop : turnedBy(0.8)) {
+    WARN(pop.limb << " " << pop.frame << " " << pop.times << " " << pop.turnDegrees);
+  }
+}
