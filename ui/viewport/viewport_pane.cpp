@@ -41,10 +41,16 @@ void addOverlay(Hash& key, const Overlay& overlay) {
       key.mix(point.color);
       key.mix(point.widthPoints);
     }
+    key.mix(std::array{line.dashPoints, line.gapPoints});
+    key.mix(line.depth);
+    key.mix(line.outlined);
   }
   for (const Marker& marker : overlay.markers) {
     key.mix(marker.world);
-    key.mix(marker.radiusPoints);
+    key.mix(marker.shape);
+    key.mix(std::array{marker.radiusPoints, marker.edgePoints});
+    key.mix(marker.turnRadians);
+    key.mix(marker.depth);
     key.mix(marker.fill);
     key.mix(marker.edge);
   }
@@ -52,7 +58,7 @@ void addOverlay(Hash& key, const Overlay& overlay) {
     key.mix(arrow.from);
     key.mix(arrow.to);
     key.mix(arrow.color);
-    key.mix(arrow.widthPoints);
+    key.mix(std::array{arrow.widthPoints, arrow.headPoints});
   }
 }
 
@@ -75,7 +81,9 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const View
   key.mix(picture.style.normals);
   key.mix(picture.style.newStretchTurns);
   key.mix(picture.style.wireframe);
+  key.mix(picture.style.mesh);
   key.mix(picture.style.floor);
+  key.mix(std::array{picture.style.measures.floorHeight, picture.style.measures.characterHeight});
   const Quality& quality = picture.style.quality;
   key.mix(std::array{quality.samples, quality.floorShadowPixels, quality.floorShadowBlurs,
                      quality.selfShadowPixels, quality.thinned ? 1 : 0});
@@ -86,6 +94,7 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const View
     key.mix(Vec3(backdrop.across, backdrop.height, backdrop.opacity));
   }
   key.mix(std::span(picture.style.highlight));
+  key.mix(std::span(picture.style.stretchRatio));
   return key.value();
 }
 
