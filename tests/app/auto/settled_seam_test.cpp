@@ -128,3 +128,18 @@ TEST_CASE("Where a way back cannot go on at a loop's start there is less of what
   CHECK(now->scale < 1.2);
   CHECK_FALSE(settled(over(12.0, 23.0, 5.0), false)); // It has no room at all.
 }
+
+TEST_CASE("A trail whose limb is farthest before its end ends there, and is back when it would have been") {
+  struct Ended {
+    double start, end, held, back, heldSince;
+  };
+  const Ended ended = GENERATE(Ended{2.0, 16.0, 0.0, 13.0, 0.0}, Ended{2.0, 16.0, 2.0, 13.0, 11.0},
+                               Ended{4.0, 14.0, 0.0, 11.0, 0.0}, Ended{4.0, 14.0, 2.0, 11.0, 9.0});
+  CAPTURE(ended.start, ended.end, ended.held);
+  const std::optional<rig::TrailSettings> now = settled(over(ended.start, ended.end, 4.0, ended.held), false);
+  REQUIRE(now);
+  CHECK(now->startFrame == ended.start);
+  CHECK(now->endFrame == 7.0); // The arm strikes until then.
+  CHECK(*now->releaseFrames == Approx(ended.back).margin(1e-6));
+  CHECK(now->lingerFrames == Approx(ended.heldSince).margin(1e-6));
+}

@@ -57,7 +57,7 @@ ClipGround swingGround(const Document& document) {
   return ground;
 }
 
-rig::Moment stroke(const std::string& limb, double startFrame, double endFrame, double strength) {
+rig::Moment swingOf(const std::string& limb, double startFrame, double endFrame, double strength) {
   return {limb, rig::MomentKind::stroke, startFrame, endFrame, endFrame, strength};
 }
 
@@ -78,18 +78,19 @@ TEST_CASE("The weaker of two hands on one thing goes where the stronger one does
   const Document document = withStick();
   const auto [strong, weak] =
       GENERATE(table<std::string, std::string>({{"left-arm", "right-arm"}, {"right-arm", "left-arm"}}));
-  const AutoPlan plan = planned(document, {stroke(strong, 2, 12, 8.0), stroke(weak, 4, 11, 4.0)});
+  const AutoPlan plan = planned(document, {swingOf(strong, 2, 12, 8.0), swingOf(weak, 4, 11, 4.0)});
   REQUIRE(plan.holds.props.size() == 1);
   CHECK(settingsAt(plan, 0).startFrame == 2.0);
   CHECK(settingsAt(plan, 0).endFrame == 12.0);
-  CHECK(settingsAt(plan, 0).lingerFrames == 4.0); // A weak stroke by itself is not held.
+  CHECK(settingsAt(plan, 0).lingerFrames == 4.0); // A weak swingOf by itself is not held.
   CHECK(settingsAt(plan, 1) == settingsAt(plan, 0));
   CHECK(plan.trails[1].trail.limb == weak);
 }
 
 TEST_CASE("Arms are as they are by themselves where only one of them is on the thing") {
   const Document document = withStick(0.75);
-  const AutoPlan plan = planned(document, {stroke("left-arm", 2, 12, 8.0), stroke("right-arm", 4, 11, 4.0)});
+  const AutoPlan plan =
+      planned(document, {swingOf("left-arm", 2, 12, 8.0), swingOf("right-arm", 4, 11, 4.0)});
   REQUIRE(plan.holds.props.size() == 1);
   REQUIRE(plan.holds.props[0].hands.size() == 1);
   CHECK(settingsAt(plan, 0).lingerFrames == 4.0);
@@ -99,26 +100,26 @@ TEST_CASE("Arms are as they are by themselves where only one of them is on the t
   CHECK(settingsAt(plan, 1).scale < settingsAt(plan, 0).scale);
 }
 
-TEST_CASE("Hands on one thing swing as one where half of the shorter stroke at least is at the same time") {
+TEST_CASE("Hands on one thing swing as one where half of the shorter swingOf at least is at the same time") {
   const auto [start, end, isAtOnce] = GENERATE(table<double, double, bool>(
       {{7, 17, true}, {8, 18, false}, {9, 15, true}, {10, 15, false}, {2, 6, true}}));
   CAPTURE(start, end);
   const AutoPlan plan =
-      planned(withStick(), {stroke("left-arm", 2, 12, 8.0), stroke("right-arm", start, end, 4.0)});
+      planned(withStick(), {swingOf("left-arm", 2, 12, 8.0), swingOf("right-arm", start, end, 4.0)});
   REQUIRE(plan.trails.size() == 2);
   CHECK((settingsAt(plan, 1) == settingsAt(plan, 0)) == isAtOnce);
   CHECK((settingsAt(plan, 1).startFrame == start) == (!isAtOnce || start == 2.0));
 }
 
-TEST_CASE("One stroke of a hand alone goes along with the other hand's, where nothing else of it is there") {
-  const std::vector<rig::Moment> moments{stroke("left-arm", 2, 12, 8.0), stroke("right-arm", 3, 8, 5.0),
-                                         stroke("right-arm", 9, 20, 4.0)};
+TEST_CASE("One swingOf of a hand alone goes along with the other hand's, where nothing else of it is there") {
+  const std::vector<rig::Moment> moments{swingOf("left-arm", 2, 12, 8.0), swingOf("right-arm", 3, 8, 5.0),
+                                         swingOf("right-arm", 9, 20, 4.0)};
   const AutoPlan plan = planned(withStick(), moments);
   REQUIRE(plan.trails.size() == 3);
   CHECK(settingsAt(plan, 1).startFrame == 3.0); // A second one is in the range of the left arm's.
   CHECK(settingsAt(plan, 2).startFrame == 9.0);
   std::vector<rig::Moment> later = moments;
-  later[2] = stroke("right-arm", 40, 50, 4.0);
+  later[2] = swingOf("right-arm", 40, 50, 4.0);
   const AutoPlan free = planned(withStick(), later);
   REQUIRE(free.trails.size() == 3);
   CHECK(settingsAt(free, 1) == settingsAt(free, 0));

@@ -70,7 +70,7 @@ double& numberAt(OffsetKey& key, std::size_t which) {
   return which < 3 ? key.move[axis] : which < 6 ? key.turn[axis] : key.value;
 }
 
-double& slopeAt(OffsetKey& key, std::size_t which) {
+double& keySlope(OffsetKey& key, std::size_t which) {
   const auto axis = static_cast<Vec3::length_type>(which % 3);
   return which < 3 ? key.moveSlope[axis] : which < 6 ? key.turnSlope[axis] : key.valueSlope;
 }
@@ -88,14 +88,14 @@ struct KeyNumbers {
   KeyInterpolation interpolation = KeyInterpolation::automatic;
 };
 
-Adjustment keyed(const std::vector<KeyNumbers>& keys, std::size_t which = 6) {
+Adjustment adjustmentWith(const std::vector<KeyNumbers>& keys, std::size_t which = 6) {
   Adjustment adjustment{"a", 0, {}, {}};
   for (const KeyNumbers& one : keys) {
     OffsetKey key;
     key.frame = one.frame;
     key.interpolation = one.interpolation;
     numberAt(key, which) = one.number;
-    slopeAt(key, which) = one.slope;
+    keySlope(key, which) = one.slope;
     adjustment.keys.push_back(key);
   }
   return adjustment;
@@ -109,7 +109,7 @@ std::pair<double, double> slopesAt(const OffsetCurve& curve, double frame) {
 }
 
 constexpr KeyInterpolation freely = KeyInterpolation::free;
-constexpr KeyInterpolation straight = KeyInterpolation::linear;
+constexpr KeyInterpolation linearly = KeyInterpolation::linear;
 constexpr KeyInterpolation flatly = KeyInterpolation::flat;
 constexpr KeyInterpolation smoothly = KeyInterpolation::automatic;
 constexpr KeyInterpolation inSteps = KeyInterpolation::stepped;
@@ -118,11 +118,11 @@ constexpr KeyInterpolation inSteps = KeyInterpolation::stepped;
 
 TEST_CASE("moves and turns along each axis pass the same curve as values, and leave the other ones alone") {
   const std::vector<KeyNumbers> keys{{2, 0.5, 0.3, freely},    {5, -1.0, -0.2, smoothly},
-                                     {9, -1.5, 0.1, straight}, {12, 2.0, 0.7, inSteps},
+                                     {9, -1.5, 0.1, linearly}, {12, 2.0, 0.7, inSteps},
                                      {13, 1.0, -0.4, freely},  {20, 0.2, 0.5, flatly}};
-  const OffsetCurve values(keyed(keys), 0.0, 24.0);
+  const OffsetCurve values(adjustmentWith(keys), 0.0, 24.0);
   for (std::size_t which = 0; which < numbersOfKey; ++which) {
-    const OffsetCurve curve(keyed(keys, which), 0.0, 24.0);
+    const OffsetCurve curve(adjustmentWith(keys, which), 0.0, 24.0);
     for (double frame = 0.0; frame <= 22.0; frame += 0.25) {
       const Offset offset = curve.at(frame / 24.0);
       CAPTURE(which, frame);
@@ -137,7 +137,7 @@ TEST_CASE("moves and turns along each axis pass the same curve as values, and le
 TEST_CASE("between two free keys stands the one cubic that has their numbers and slopes") {
   const double rate = GENERATE(24.0, 30.0, 120.0);
   const double from = 0.4, to = -0.9, out = 0.35, in = -0.6, first = 3.0, last = 11.0;
-  const OffsetCurve curve(keyed({{first, from, out, freely}, {last, to, in, freely}}), 0.0, rate);
+  const OffsetCurve curve(adjustmentWith({{first, from, out, freely}, {last, to, in, freely}}), 0.0, rate);
   const double length = last - first;
   const double cube = (2.0 * (from - to) / length + out + in) / (length * length);
   const double square = (3.0 * (to - from) / length - 2.0 * out - in) / length;
@@ -150,13 +150,14 @@ TEST_CASE("between two free keys stands the one cubic that has their numbers and
 TEST_CASE("a key of each kind is come to and left as it says, at both ends of the keys too") {
   const auto around = [](KeyInterpolation interpolation, double number) {
     const OffsetCurve curve(
-        keyed({{0, 0.0, 0.0, flatly}, {4, number, 0.25, interpolation}, {12, 2.0, 0.0, flatly}}), 0.0, 24.0);
+        adjustmentWith({{0, 0.0, 0.0, flatly}, {4, number, 0.25, interpolation}, {12, 2.0, 0.0, flatly}}),
+        0.0, 24.0);
     return slopesAt(curve, 4.0);
   };
   const auto isNear = [](const std::pair<double, double>& slopes, double in, double out) {
     return std::abs(slopes.first - in) < 1e-3 && std::abs(slopes.second - out) < 1e-3;
   };
-  CHECK(isNear(around(straight, 1.0), 0.25, 0.125));
+  CHECK(isNear(around(linearly, 1.0), 0.25, 0.125));
   CHECK(isNear(around(flatly, 1.0), 0.0, 0.0));
   CHECK(isNear(around(freely, 1.0), 0.25, 0.25));
   CHECK(isNear(around(smoothly, 3.0), 0.0, 0.0)); // A highest place is passed level.
@@ -164,18 +165,18 @@ TEST_CASE("a key of each kind is come to and left as it says, at both ends of th
   CHECK(in == Approx(out).epsilon(1e-2));
   CHECK(in == Approx(36.0 / 208.0).epsilon(1e-2)); // The harmonic mean of a quarter and an eighth, 20 to 16.
   // The first and the last key have one neighbour alone.
-  const OffsetCurve lines(keyed({{2, 1.0, 0.0, straight}, {6, 3.0, 0.0, straight}}), 0.0, 24.0);
+  const OffsetCurve lines(adjustmentWith({{2, 1.0, 0.0, linearly}, {6, 3.0, 0.0, linearly}}), 0.0, 24.0);
   CHECK(isNear(slopesAt(lines, 2.0), 0.0, 0.5));
   CHECK(isNear(slopesAt(lines, 6.0), 0.5, 0.0));
-  const OffsetCurve curves(keyed({{2, 1.0}, {6, 3.0}}), 0.0, 24.0);
+  const OffsetCurve curves(adjustmentWith({{2, 1.0}, {6, 3.0}}), 0.0, 24.0);
   CHECK(isNear(slopesAt(curves, 2.0), 0.0, 0.0));
   CHECK(isNear(slopesAt(curves, 6.0), 0.0, 0.0));
 }
 
 TEST_CASE("a stepped key holds until the next one, however that one is come to") {
-  const KeyInterpolation next = GENERATE(freely, straight, flatly, smoothly, inSteps);
-  const OffsetCurve curve(keyed({{2, 1.0, 0.0, inSteps}, {6, 3.0, 0.5, next}, {8, 3.0, 0.0, flatly}}), 0.0,
-                          24.0);
+  const KeyInterpolation next = GENERATE(freely, linearly, flatly, smoothly, inSteps);
+  const OffsetCurve curve(
+      adjustmentWith({{2, 1.0, 0.0, inSteps}, {6, 3.0, 0.5, next}, {8, 3.0, 0.0, flatly}}), 0.0, 24.0);
   for (const double frame : {2.0, 3.0, 5.99}) {
     CHECK(valueAt(curve, frame) == 1.0);
   }
@@ -184,7 +185,7 @@ TEST_CASE("a stepped key holds until the next one, however that one is come to")
 
 TEST_CASE("a curve jumps at the key after a stepped one of another value, in whatever number that is") {
   const auto seconds = [](const std::vector<KeyNumbers>& keys, std::size_t which) {
-    return OffsetCurve(keyed(keys, which), 0.0, 24.0).jumpSeconds();
+    return OffsetCurve(adjustmentWith(keys, which), 0.0, 24.0).jumpSeconds();
   };
   for (std::size_t which = 0; which < numbersOfKey; ++which) {
     CHECK(seconds({{0, 1.0, 0.0, inSteps}, {6, 2.0}, {12, 5.0, 0.0, inSteps}, {18, 5.0}, {24, 0.0}}, which) ==
@@ -197,7 +198,7 @@ TEST_CASE("a curve jumps at the key after a stepped one of another value, in wha
 
 TEST_CASE("a curve jumps at an end of its range where a key with another than the standard value is there") {
   const auto curveOf = [](double frame, double number, std::size_t which) {
-    Adjustment adjustment = keyed({{frame, number}}, which);
+    Adjustment adjustment = adjustmentWith({{frame, number}}, which);
     adjustment.rangeFrames = Vec2(4, 20);
     return OffsetCurve(adjustment, which == 6 ? 0.7 : 0.0, 24.0);
   };
@@ -211,13 +212,14 @@ TEST_CASE("a curve jumps at an end of its range where a key with another than th
   }
   CHECK_FALSE(curveOf(4, 0.7, 6).jumpsAtStart());
   CHECK_FALSE(curveOf(20, 0.7, 6).jumpsAtEnd());
-  const OffsetCurve endless(keyed({{4, 0.2}, {20, 0.3}}), 0.0, 24.0); // Without a range it is held instead.
+  const OffsetCurve endless(adjustmentWith({{4, 0.2}, {20, 0.3}}), 0.0, 24.0); // Without a range it is held
+                                                                               // instead.
   CHECK_FALSE(endless.jumpsAtStart());
   CHECK_FALSE(endless.jumpsAtEnd());
 }
 
 TEST_CASE("a range covers its ends, and stands in for keys there that are not") {
-  Adjustment adjustment = keyed({{12, 0.4}});
+  Adjustment adjustment = adjustmentWith({{12, 0.4}});
   adjustment.rangeFrames = Vec2(4, 20);
   const OffsetCurve curve(adjustment, 0.0, 24.0);
   CHECK(curve.startSeconds() == 4.0 / 24.0);
@@ -229,10 +231,10 @@ TEST_CASE("a range covers its ends, and stands in for keys there that are not") 
   CHECK(curve.covers(static_cast<float>(4.0 / 24.0)));
   CHECK_FALSE(curve.covers(3.99 / 24.0));
   CHECK_FALSE(curve.covers(20.01 / 24.0));
-  adjustment = keyed({{4, 0.1}, {20, 0.4}});
+  adjustment = adjustmentWith({{4, 0.1}, {20, 0.4}});
   adjustment.rangeFrames = Vec2(4, 20);
   CHECK(OffsetCurve(adjustment, 0.0, 24.0).keySeconds() == std::vector<double>{4.0 / 24.0, 20.0 / 24.0});
-  const OffsetCurve endless(keyed({{4, 0.2}}), 0.0, 24.0);
+  const OffsetCurve endless(adjustmentWith({{4, 0.2}}), 0.0, 24.0);
   CHECK(endless.covers(-100.0));
   CHECK(endless.covers(100.0));
   CHECK(endless.keySeconds() == std::vector<double>{4.0 / 24.0});

@@ -71,7 +71,7 @@ struct Stander {
   }
 };
 
-Vec3 placeIn(const BodyPose& pose, NodeIndex node) {
+Vec3 posedPlace(const BodyPose& pose, NodeIndex node) {
   return positionOf(pose.worlds[at(node)]);
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("Without turns, a shift or places of feet a body stands as in its bind
   const BodyPoser poser(body.skeleton, {});
   const BodyPose pose = poser.pose({}, Vec3(0.0), {});
   for (std::size_t node = 0; node < body.scene.nodes.size(); ++node) {
-    CHECK(glm::length(placeIn(pose, NodeIndex(node)) - positionOf(body.skeleton.bind[node])) < 1e-12);
+    CHECK(glm::length(posedPlace(pose, NodeIndex(node)) - positionOf(body.skeleton.bind[node])) < 1e-12);
     CHECK(poser.pairOf(NodeIndex(node)) == -1);
   }
 }
@@ -136,7 +136,7 @@ TEST_CASE("Paired joints have the turns that are asked for in the world, whateve
     CHECK(glm::length(positionOf(before) - positionOf(now)) < 1e-9);
     CHECK(unequal(rotationOf(before), rotationOf(now)) < 1e-7);
   }
-  CHECK(glm::length(placeIn(pose, body.hips) - positionOf(body.skeleton.bind[at(body.hips)])) < 1e-12);
+  CHECK(glm::length(posedPlace(pose, body.hips) - positionOf(body.skeleton.bind[at(body.hips)])) < 1e-12);
 }
 
 TEST_CASE("The carrier is shifted in the world, with all that hangs on it and nothing else") {
@@ -148,7 +148,7 @@ TEST_CASE("The carrier is shifted in the world, with all that hangs on it and no
   for (std::size_t node = 0; node < body.scene.nodes.size(); ++node) {
     const bool isCarried = node != at(body.space) && node != at(body.feet[1]);
     const Vec3 wanted = positionOf(body.skeleton.bind[node]) + (isCarried ? shift : Vec3(0.0));
-    CHECK(glm::length(placeIn(pose, NodeIndex(node)) - wanted) < 1e-9);
+    CHECK(glm::length(posedPlace(pose, NodeIndex(node)) - wanted) < 1e-9);
   }
 }
 
@@ -157,10 +157,12 @@ TEST_CASE("A foot that hangs beside its leg comes to its place, one on its leg g
   const BodyPoser poser(body.skeleton, {});
   const Vec3 left(0.7, 0.1, 0.2), right(-0.6, 0.3, 0.4);
   const BodyPose pose = poser.pose({}, Vec3(0.0), {left, right});
-  CHECK(glm::length(placeIn(pose, body.feet[1]) - right) < 1e-9);
-  CHECK(glm::length(placeIn(pose, body.feet[0]) - positionOf(body.skeleton.bind[at(body.feet[0])])) < 1e-9);
+  CHECK(glm::length(posedPlace(pose, body.feet[1]) - right) < 1e-9);
+  CHECK(glm::length(posedPlace(pose, body.feet[0]) - positionOf(body.skeleton.bind[at(body.feet[0])])) <
+        1e-9);
   const BodyPose loose = poser.pose({}, Vec3(0.0), {left, std::nullopt});
-  CHECK(glm::length(placeIn(loose, body.feet[1]) - positionOf(body.skeleton.bind[at(body.feet[1])])) < 1e-9);
+  CHECK(glm::length(posedPlace(loose, body.feet[1]) - positionOf(body.skeleton.bind[at(body.feet[1])])) <
+        1e-9);
 }
 
 TEST_CASE("Tracks of poses take joints to their places, within the tolerance and in any units") {
@@ -186,10 +188,10 @@ TEST_CASE("Tracks of poses take joints to their places, within the tolerance and
     const std::vector<Mat4> worlds =
         worldMatrices(body.scene, samplePose(body.scene, clip, static_cast<double>(times[i])));
     for (const NodeIndex node : {body.hips, body.chest, body.feet[1], body.feet[0]}) {
-      farthest = std::max(farthest, glm::length(positionOf(worlds[at(node)]) - placeIn(poses[i], node)));
+      farthest = std::max(farthest, glm::length(positionOf(worlds[at(node)]) - posedPlace(poses[i], node)));
     }
     // The shin hangs on two of them.
-    CHECK(glm::length(positionOf(worlds[at(body.shins[1])]) - placeIn(poses[i], body.shins[1])) <
+    CHECK(glm::length(positionOf(worlds[at(body.shins[1])]) - posedPlace(poses[i], body.shins[1])) <
           2.0 * tolerance);
   }
   CHECK(farthest < 1.01 * tolerance);

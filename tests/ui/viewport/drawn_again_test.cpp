@@ -17,7 +17,7 @@ using namespace stretch::ui;
 namespace {
 
 /// All that a picture is drawn from.
-struct Drawing {
+struct DrawnFrom {
   View view;
   ThemeKind theme = ThemeKind::dark;
   FrameState frame;
@@ -28,7 +28,7 @@ struct Drawing {
 
 struct Change {
   const char* name;
-  std::function<void(Drawing&)> make;
+  std::function<void(DrawnFrom&)> make;
 };
 
 std::shared_ptr<const Image> greyImage() {
@@ -38,8 +38,8 @@ std::shared_ptr<const Image> greyImage() {
   return std::make_shared<const Image>(std::move(image));
 }
 
-Drawing usualDrawing(const Scene& scene) {
-  Drawing drawing;
+DrawnFrom usuallyDrawn(const Scene& scene) {
+  DrawnFrom drawing;
   drawing.view = makeView(Camera{}, {48.0, 40.0, 1.0});
   drawing.frame = test::wavingFrame(scene);
   drawing.frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
@@ -57,88 +57,88 @@ Drawing usualDrawing(const Scene& scene) {
 
 const std::vector<Change>& changesOfScene() {
   static const std::vector<Change> changes{
-      {"camera", [](Drawing& d) { d.view.view[3].z -= 0.1; }},
-      {"projection", [](Drawing& d) { d.view.projection[0].x *= 1.1; }},
-      {"width", [](Drawing& d) { d.view.viewport.widthPixels = 52.0; }},
-      {"height", [](Drawing& d) { d.view.viewport.heightPixels = 44.0; }},
-      {"display scale", [](Drawing& d) { d.view.viewport.pixelsPerPoint = 2.0; }},
-      {"theme", [](Drawing& d) { d.theme = ThemeKind::light; }},
-      {"first node", [](Drawing& d) { d.frame.worlds.front()[3].x += 0.1; }},
-      {"last node", [](Drawing& d) { d.frame.worlds.back()[3].x += 0.1; }},
-      {"first stretch", [](Drawing& d) { d.frame.stretch.front()[0].x = 1.1; }},
-      {"last stretch", [](Drawing& d) { d.frame.stretch.back()[0].x = 1.1; }},
-      {"first morph weight", [](Drawing& d) { d.frame.pose.weights[0][0] = 0.3F; }},
-      {"last morph weight", [](Drawing& d) { d.frame.pose.weights[0][1] = 0.3F; }},
-      {"no ghost", [](Drawing& d) { d.ghosts.clear(); }},
-      {"a second ghost", [](Drawing& d) { d.ghosts.push_back(d.ghosts.front()); }},
-      {"a ghost's pose", [](Drawing& d) { d.ghosts[0].frame.worlds.back()[3].x += 0.1; }},
-      {"a ghost's colour", [](Drawing& d) { d.ghosts[0].tint.a = 0.6F; }},
+      {"camera", [](DrawnFrom& d) { d.view.view[3].z -= 0.1; }},
+      {"projection", [](DrawnFrom& d) { d.view.projection[0].x *= 1.1; }},
+      {"width", [](DrawnFrom& d) { d.view.viewport.widthPixels = 52.0; }},
+      {"height", [](DrawnFrom& d) { d.view.viewport.heightPixels = 44.0; }},
+      {"display scale", [](DrawnFrom& d) { d.view.viewport.pixelsPerPoint = 2.0; }},
+      {"theme", [](DrawnFrom& d) { d.theme = ThemeKind::light; }},
+      {"first node", [](DrawnFrom& d) { d.frame.worlds.front()[3].x += 0.1; }},
+      {"last node", [](DrawnFrom& d) { d.frame.worlds.back()[3].x += 0.1; }},
+      {"first stretch", [](DrawnFrom& d) { d.frame.stretch.front()[0].x = 1.1; }},
+      {"last stretch", [](DrawnFrom& d) { d.frame.stretch.back()[0].x = 1.1; }},
+      {"first morph weight", [](DrawnFrom& d) { d.frame.pose.weights[0][0] = 0.3F; }},
+      {"last morph weight", [](DrawnFrom& d) { d.frame.pose.weights[0][1] = 0.3F; }},
+      {"no ghost", [](DrawnFrom& d) { d.ghosts.clear(); }},
+      {"a second ghost", [](DrawnFrom& d) { d.ghosts.push_back(d.ghosts.front()); }},
+      {"a ghost's pose", [](DrawnFrom& d) { d.ghosts[0].frame.worlds.back()[3].x += 0.1; }},
+      {"a ghost's colour", [](DrawnFrom& d) { d.ghosts[0].tint.a = 0.6F; }},
   };
   return changes;
 }
 
 const std::vector<Change>& changesOfStyle() {
   static const std::vector<Change> changes{
-      {"samples", [](Drawing& d) { d.style.quality.samples = 4; }},
-      {"floor shadow", [](Drawing& d) { d.style.quality.floorShadowPixels = 128; }},
-      {"floor shadow's blurs", [](Drawing& d) { d.style.quality.floorShadowBlurs = 2; }},
-      {"self shadow", [](Drawing& d) { d.style.quality.selfShadowPixels = 64; }},
-      {"thinned", [](Drawing& d) { d.style.quality.thinned = true; }},
-      {"shading", [](Drawing& d) { d.style.shading = SurfaceShading::clay; }},
-      {"normals", [](Drawing& d) { d.style.normals = skinning::NormalMatrix::plain; }},
-      {"stretch that turns normals", [](Drawing& d) { d.style.newStretchTurns = false; }},
-      {"mesh", [](Drawing& d) { d.style.mesh = false; }},
-      {"floor", [](Drawing& d) { d.style.floor = false; }},
-      {"wireframe", [](Drawing& d) { d.style.wireframe = true; }},
-      {"floor's height", [](Drawing& d) { d.style.measures.floorHeight = -0.2; }},
-      {"character's height", [](Drawing& d) { d.style.measures.characterHeight = 1.2; }},
-      {"first joint's highlight", [](Drawing& d) { d.style.highlight.front() = 1.0F; }},
-      {"last joint's highlight", [](Drawing& d) { d.style.highlight.back() = 1.0F; }},
-      {"first joint's heat", [](Drawing& d) { d.style.stretchRatio.front() = 1.5; }},
-      {"last joint's heat", [](Drawing& d) { d.style.stretchRatio.back() = 1.5; }},
-      {"no backdrop", [](Drawing& d) { d.style.backdrop.reset(); }},
+      {"samples", [](DrawnFrom& d) { d.style.quality.samples = 4; }},
+      {"floor shadow", [](DrawnFrom& d) { d.style.quality.floorShadowPixels = 128; }},
+      {"floor shadow's blurs", [](DrawnFrom& d) { d.style.quality.floorShadowBlurs = 2; }},
+      {"self shadow", [](DrawnFrom& d) { d.style.quality.selfShadowPixels = 64; }},
+      {"thinned", [](DrawnFrom& d) { d.style.quality.thinned = true; }},
+      {"shading", [](DrawnFrom& d) { d.style.shading = SurfaceShading::clay; }},
+      {"normals", [](DrawnFrom& d) { d.style.normals = skinning::NormalMatrix::plain; }},
+      {"stretch that turns normals", [](DrawnFrom& d) { d.style.newStretchTurns = false; }},
+      {"mesh", [](DrawnFrom& d) { d.style.mesh = false; }},
+      {"floor", [](DrawnFrom& d) { d.style.floor = false; }},
+      {"wireframe", [](DrawnFrom& d) { d.style.wireframe = true; }},
+      {"floor's height", [](DrawnFrom& d) { d.style.measures.floorHeight = -0.2; }},
+      {"character's height", [](DrawnFrom& d) { d.style.measures.characterHeight = 1.2; }},
+      {"first joint's highlight", [](DrawnFrom& d) { d.style.highlight.front() = 1.0F; }},
+      {"last joint's highlight", [](DrawnFrom& d) { d.style.highlight.back() = 1.0F; }},
+      {"first joint's heat", [](DrawnFrom& d) { d.style.stretchRatio.front() = 1.5; }},
+      {"last joint's heat", [](DrawnFrom& d) { d.style.stretchRatio.back() = 1.5; }},
+      {"no backdrop", [](DrawnFrom& d) { d.style.backdrop.reset(); }},
       {"backdrop's image",
-       [](Drawing& d) { d.style.backdrop->image = [image = greyImage()] { return Result(image); }; }},
-      {"backdrop's place", [](Drawing& d) { d.style.backdrop->across = 0.6; }},
-      {"backdrop's height", [](Drawing& d) { d.style.backdrop->height = 0.6; }},
-      {"backdrop's opacity", [](Drawing& d) { d.style.backdrop->opacity = 0.6; }},
+       [](DrawnFrom& d) { d.style.backdrop->image = [image = greyImage()] { return Result(image); }; }},
+      {"backdrop's place", [](DrawnFrom& d) { d.style.backdrop->across = 0.6; }},
+      {"backdrop's height", [](DrawnFrom& d) { d.style.backdrop->height = 0.6; }},
+      {"backdrop's opacity", [](DrawnFrom& d) { d.style.backdrop->opacity = 0.6; }},
   };
   return changes;
 }
 
 const std::vector<Change>& changesOfOverlay() {
   static const std::vector<Change> changes{
-      {"no line", [](Drawing& d) { d.overlay.lines.clear(); }},
-      {"line's first point", [](Drawing& d) { d.overlay.lines[0].points[0].world.x = 0.1; }},
-      {"line's last point", [](Drawing& d) { d.overlay.lines[0].points[1].world.x = 0.9; }},
-      {"line's colour", [](Drawing& d) { d.overlay.lines[0].points[1].color.r = 0.5F; }},
-      {"line's width", [](Drawing& d) { d.overlay.lines[0].points[1].widthPoints = 3.0F; }},
-      {"line's dashes", [](Drawing& d) { d.overlay.lines[0].dashPoints = 5.0F; }},
-      {"line's gaps", [](Drawing& d) { d.overlay.lines[0].gapPoints = 2.0F; }},
-      {"line's depth", [](Drawing& d) { d.overlay.lines[0].depth = OverlayDepth::onTop; }},
-      {"line's edge", [](Drawing& d) { d.overlay.lines[0].outlined = true; }},
+      {"no line", [](DrawnFrom& d) { d.overlay.lines.clear(); }},
+      {"line's first point", [](DrawnFrom& d) { d.overlay.lines[0].points[0].world.x = 0.1; }},
+      {"line's last point", [](DrawnFrom& d) { d.overlay.lines[0].points[1].world.x = 0.9; }},
+      {"line's colour", [](DrawnFrom& d) { d.overlay.lines[0].points[1].color.r = 0.5F; }},
+      {"line's width", [](DrawnFrom& d) { d.overlay.lines[0].points[1].widthPoints = 3.0F; }},
+      {"line's dashes", [](DrawnFrom& d) { d.overlay.lines[0].dashPoints = 5.0F; }},
+      {"line's gaps", [](DrawnFrom& d) { d.overlay.lines[0].gapPoints = 2.0F; }},
+      {"line's depth", [](DrawnFrom& d) { d.overlay.lines[0].depth = OverlayDepth::onTop; }},
+      {"line's edge", [](DrawnFrom& d) { d.overlay.lines[0].outlined = true; }},
       {"a line in two",
-       [](Drawing& d) {
+       [](DrawnFrom& d) {
          Polyline rest = d.overlay.lines[0];
          rest.points.erase(rest.points.begin());
          d.overlay.lines[0].points.pop_back();
          d.overlay.lines.push_back(rest);
        }},
-      {"no mark", [](Drawing& d) { d.overlay.markers.clear(); }},
-      {"mark's place", [](Drawing& d) { d.overlay.markers[0].world.y = 0.1; }},
-      {"mark's shape", [](Drawing& d) { d.overlay.markers[0].shape = MarkerShape::diamond; }},
-      {"mark's radius", [](Drawing& d) { d.overlay.markers[0].radiusPoints = 5.0F; }},
-      {"mark's fill", [](Drawing& d) { d.overlay.markers[0].fill.g = 0.5F; }},
-      {"mark's edge", [](Drawing& d) { d.overlay.markers[0].edge.a = 0.5F; }},
-      {"width of a mark's edge", [](Drawing& d) { d.overlay.markers[0].edgePoints = 1.0F; }},
-      {"mark's turn", [](Drawing& d) { d.overlay.markers[0].turnRadians = 0.5; }},
-      {"mark's depth", [](Drawing& d) { d.overlay.markers[0].depth = OverlayDepth::onTop; }},
-      {"no arrow", [](Drawing& d) { d.overlay.arrows.clear(); }},
-      {"arrow's start", [](Drawing& d) { d.overlay.arrows[0].from.x = 0.1; }},
-      {"arrow's end", [](Drawing& d) { d.overlay.arrows[0].to.x = 0.1; }},
-      {"arrow's colour", [](Drawing& d) { d.overlay.arrows[0].color.b = 0.5F; }},
-      {"arrow's width", [](Drawing& d) { d.overlay.arrows[0].widthPoints = 4.0F; }},
-      {"arrow's head", [](Drawing& d) { d.overlay.arrows[0].headPoints = 9.0F; }},
+      {"no mark", [](DrawnFrom& d) { d.overlay.markers.clear(); }},
+      {"mark's place", [](DrawnFrom& d) { d.overlay.markers[0].world.y = 0.1; }},
+      {"mark's shape", [](DrawnFrom& d) { d.overlay.markers[0].shape = MarkerShape::diamond; }},
+      {"mark's radius", [](DrawnFrom& d) { d.overlay.markers[0].radiusPoints = 5.0F; }},
+      {"mark's fill", [](DrawnFrom& d) { d.overlay.markers[0].fill.g = 0.5F; }},
+      {"mark's edge", [](DrawnFrom& d) { d.overlay.markers[0].edge.a = 0.5F; }},
+      {"width of a mark's edge", [](DrawnFrom& d) { d.overlay.markers[0].edgePoints = 1.0F; }},
+      {"mark's turn", [](DrawnFrom& d) { d.overlay.markers[0].turnRadians = 0.5; }},
+      {"mark's depth", [](DrawnFrom& d) { d.overlay.markers[0].depth = OverlayDepth::onTop; }},
+      {"no arrow", [](DrawnFrom& d) { d.overlay.arrows.clear(); }},
+      {"arrow's start", [](DrawnFrom& d) { d.overlay.arrows[0].from.x = 0.1; }},
+      {"arrow's end", [](DrawnFrom& d) { d.overlay.arrows[0].to.x = 0.1; }},
+      {"arrow's colour", [](DrawnFrom& d) { d.overlay.arrows[0].color.b = 0.5F; }},
+      {"arrow's width", [](DrawnFrom& d) { d.overlay.arrows[0].widthPoints = 4.0F; }},
+      {"arrow's head", [](DrawnFrom& d) { d.overlay.arrows[0].headPoints = 9.0F; }},
   };
   return changes;
 }
@@ -152,7 +152,7 @@ TEST_CASE("A picture is drawn again where anything that it shows is another one,
   ViewportGpu& gpu = painter.viewportGpu();
   gpu.renderer.setScene(scene);
   DrawnPicture drawn;
-  const auto isDrawn = [&](const Drawing& drawing) {
+  const auto isDrawn = [&](const DrawnFrom& drawing) {
     gpu.drewPicture = false;
     stage.viewport.view = drawing.view;
     stage.theme.kind = drawing.theme;
@@ -161,14 +161,14 @@ TEST_CASE("A picture is drawn again where anything that it shows is another one,
     });
     return gpu.drewPicture;
   };
-  const Drawing usual = usualDrawing(scene);
+  const DrawnFrom usual = usuallyDrawn(scene);
   CHECK(isDrawn(usual));
   for (const std::vector<Change>* const changes :
        {&changesOfScene(), &changesOfStyle(), &changesOfOverlay()}) {
     for (const Change& change : *changes) {
       CAPTURE(change.name);
       CHECK_FALSE(isDrawn(usual));
-      Drawing changed = usual;
+      DrawnFrom changed = usual;
       change.make(changed);
       CHECK(isDrawn(changed));
       CHECK_FALSE(isDrawn(changed));

@@ -1,0 +1,80 @@
+// What a foot may stand on beside the floor.
+#include <memory>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/standing_floor.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/nodes.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+struct BlockNodes {
+  NodeIndex holder;
+  NodeIndex block;
+};
+
+/// The stepper beside a box of half a metre, which hangs on a node of its own.
+Document besideBlock(BlockNodes& nodes) {
+  Document document = test::stepper();
+  Scene scene = *document.scene;
+  Primitive box;
+  for (const float x : {-0.25F, 0.25F}) {
+    for (const float y : {0.0F, 0.5F}) {
+      for (const float z : {-0.25F, 0.25F}) {
+        box.positions.emplace_back(x, y, z);
+      }
+    }
+  }
+  box.indices = {0, 1, 2, 5, 6, 7};
+  scene.meshes.push_back({"Box", {box}, {}});
+  nodes.holder = test::addNode(scene, "Holder", NodeIndex::none, {0.0, 0.0, 1.0});
+  nodes.block = test::addNode(scene, "Block", nodes.holder, {0.0, 0.0, 0.0});
+  scene.nodes[at(nodes.block)].mesh = static_cast<int>(scene.meshes.size()) - 1;
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  return document;
+}
+
+Document withKeysOn(Document document, NodeIndex node) {
+  std::vector<Clip> clips = *document.clips;
+  Track track;
+  track.node = node;
+  track.times = {0.0F, 1.0F};
+  track.values = {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 2.0F};
+  clips.front().tracks.emplace_back(track);
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  return document;
+}
+
+} // namespace
+
+TEST_CASE("A foot stands on what holds a mesh and stands still, no skin bends and is no part of the body") {
+  BlockNodes nodes;
+  const Document document = besideBlock(nodes);
+  const std::vector<Bounds> blocks = blocksOf(document, 0);
+  REQUIRE(blocks.size() == 1);
+  CHECK(blocks[0].low == Vec3(-0.25, 0.0, 0.75));
+  CHECK(blocks[0].high == Vec3(0.25, 0.5, 1.25));
+  CHECK(blocksOf(withKeysOn(document, nodes.block), 0).empty());
+  CHECK(blocksOf(withKeysOn(document, nodes.holder), 0).empty());
+  CHECK(blocksOf(withKeysOn(document, document.body.hips), 0).size() == 1);
+  const int skin = GENERATE(0, 1);
+  Document skinned = document;
+  Scene scene = *document.scene;
+  scene.nodes[at(nodes.block)].skin = skin;
+  skinned.scene = std::make_shared<const Scene>(scene);
+  CHECK(blocksOf(skinned, 0).empty());
+  scene.nodes[at(nodes.block)].skin = -1;
+  scene.nodes[at(nodes.block)].parent = document.body.hips;
+  scene.nodes[at(nodes.holder)].children.clear();
+  scene.nodes[at(document.body.hips)].children.push_back(nodes.block);
+  Document worn = document;
+  worn.scene = std::make_shared<const Scene>(scene);
+  CHECK(blocksOf(worn, 0).empty());
+  CHECK(blockTopUnder(blocks, Vec3(0.0, 2.0, 1.0)) == 0.5);
+  CHECK_FALSE(blockTopUnder(blocks, Vec3(0.3, 2.0, 1.0)));
+}
