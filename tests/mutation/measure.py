@@ -47,6 +47,7 @@ def options():
     parser.add_argument("--living", action="store_true", help="only what lived in the last run; the dead stay dead")
     parser.add_argument("--reuse", action="store_true", help="known traces stay, though a test program was built anew")
     parser.add_argument("--no-build", action="store_true", help="what is planted already stands")
+    parser.add_argument("--build-only", action="store_true", help="stop when the programs stand; plan.json tells what would be tried")
     parser.add_argument("--check", action="store_true", help="only tell written mutants whose line is gone; 1 where they are many")
     return parser.parse_args()
 
@@ -215,6 +216,13 @@ class Measure:
             list(pool.map(attempt, waiting))
         return {one.number: tuple(results.get(str(one.number), ["untried", ""])) for one in mutants}
 
+    def plan(self, mutants, programs):
+        """Writes what another machine needs to know to try the same: the mutants that count, and the programs."""
+        told = [{"number": one.number, "room": one.room, "place": self.tree.source(one.file).line_of(one.begin) + 1, **one.as_data()}
+                for one in mutants if one.key not in self.equivalent]
+        data = {"mutants": told, "programs": {pathlib.Path(name).name: str(path) for name, path in programs.items()}}
+        (self.folder / "plan.json").write_text(json.dumps(data, indent=1))
+
     def run(self):
         mutants = self.mutants()
         for mutant in self.gone:
@@ -224,8 +232,12 @@ class Measure:
         planting = self.planted(mutants)
         refused = [mutant for mutant in planting.dropped if mutant.operator == "written"]
         print(f"{len(planting.mutants)} mutants stand, {len(planting.dropped)} do not compile", flush=True)
-        cases = self.traces(self.linked())
+        programs = self.linked()
         standing = self.chosen(planting.mutants)
+        if self.asked.build_only:
+            self.plan(standing, programs)
+            return 0
+        cases = self.traces(programs)
         results = self.trial(standing, cases)
         return table.told(standing, results, self.equivalent, refused)
 
