@@ -78,12 +78,13 @@ TEST_CASE("a given skeleton is measured against the first frame of the mesh") {
   }
   CompressSettings settings;
   settings.skeleton = truth.bones;
-  const auto result = compress(sequence, settings);
+  const auto stop = [](double) { return false; }; // It is looked at before anything is fitted.
+  const auto result = compress(sequence, settings, stop);
   CHECK((result.ok() || result.error().line().find("in the units of the mesh") == std::string::npos));
   for (std::size_t v = 0; v < vertices; ++v) {
     sequence.positions[v] *= 40.0F;
   }
-  const auto refused = compress(sequence, settings);
+  const auto refused = compress(sequence, settings, stop);
   REQUIRE_FALSE(refused);
   CHECK_THAT(refused.error().line(), Catch::Contains("in the units of the mesh"));
 }
