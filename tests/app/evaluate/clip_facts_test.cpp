@@ -111,6 +111,17 @@ TEST_CASE("The lowest place of a body counts hips, fingers, ends that are no joi
   CHECK_FALSE(ClipFacts(document, 0).lowestPlace());
 }
 
+TEST_CASE("The lowest place of a body is no higher than in its bind pose, whatever it does in the clip") {
+  Document document = dipping({{0, -1.2}, {20, -1.2}}); // Up all the time.
+  Scene scene = *document.scene;
+  const NodeIndex shoulder = findLimb(document, "left-arm")->joints.front();
+  scene.nodes[at(shoulder)].rest.rotation = glm::angleAxis(1.3, Vec3(0.0, 0.0, -1.0));
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  document.body.hips = NodeIndex::none;
+  std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id != "left-arm"; });
+  CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(dippedHand(1.3)));
+}
+
 TEST_CASE("Limbs that were marked by hand count for the lowest place as those that were found do") {
   Document document = dipping({{0, 0.0}, {20, 0.0}});
   rig::Limb marked;
