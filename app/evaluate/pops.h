@@ -17,8 +17,8 @@ struct LimbPop {
   double frame = 0.0; ///< Whole frame at which it is worst.
   double times = 0.0; ///< Second difference of the joint over frames, in those of the limb's base and end
                       ///< around it; 0 for a limb that turns over.
-  double turnDegrees = 0.0;   ///< Of the bone that turns most within a frame, where the limb turns over.
-  double sourceDegrees = 0.0; ///< In the source, around that frame.
+  double turnDegrees = 0.0;   ///< Angle by which a bone turns within a frame, where the limb turns over.
+  double sourceDegrees = 0.0; ///< Likewise in the source, around that frame.
 };
 
 /// Whole frames that are looked at; those beyond the clip are passed over.

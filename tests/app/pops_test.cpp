@@ -133,10 +133,15 @@ TEST_CASE("A leg that is folded until its foot passes its hip turns over, and is
                  softened("right-leg.softness", 0.1)});
     return limbPops(posed, prepareMotion(posed, 0), {});
   };
-  for (const LimbPop& pop : turnedBy(1.3)) {
-    WARN(pop.limb << " " << pop.frame << " " << pop.times << " " << pop.turnDegrees);
+  const std::vector<LimbPop> over = turnedBy(1.3);
+  REQUIRE(over.size() == 2);
+  for (const LimbPop& pop : over) {
+    CHECK(pop.frame == 11.0);
+    CHECK(pop.times == 0.0);
+    CHECK(pop.turnDegrees > 150.0);
+    CHECK(pop.sourceDegrees == Approx(0.0).margin(0.1));
   }
-  for (const LimbPop& pop : turnedBy(0.8)) {
-    WARN(pop.limb << " " << pop.frame << " " << pop.times << " " << pop.turnDegrees);
-  }
+  CHECK(popWarning(over[1]).starts_with("the right leg turns over at frame 11, by 174 degrees where the clip "
+                                        "has 0: "));
+  CHECK(turnedBy(0.8).empty()); // folded more, and not past its hip
 }
