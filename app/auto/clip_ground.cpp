@@ -46,16 +46,21 @@ std::vector<Vec3> poseAt(const ClipGround& ground, double seconds) {
   return points;
 }
 
-// Counts the limbs that are at the clip's end neither where they are at its beginning nor before that by no
-// more than they go on to move in two and a half frames, as in clips that leave out the last frame because it
-// is the first; wherever the body got to and whatever else moves.
-std::size_t limbsApart(const ClipGround& ground) {
+// Limbs that are at the clip's end neither where they are at its beginning nor before that by no more than
+// they go on to move in two and a half frames, as in clips that leave out the last frame because it is the
+// first; wherever the body got to and whatever else moves.
+struct LimbsApart {
+  std::size_t count = std::numeric_limits<std::size_t>::max();
+  double farthest = 0.0; // world units
+};
+
+LimbsApart limbsApart(const ClipGround& ground) {
   const double same = 0.02 * ground.document.body.height;
   constexpr double uneven = 1.5; // of a step, which is seldom like the next
   const Clip& clip = clipOf(ground.document, ground.clip);
   const double frame = 1.0 / clip.framesPerSecond;
   if (ground.limbs.empty() || clip.endSeconds - clip.startSeconds < 1.5 * frame) {
-    return std::numeric_limits<std::size_t>::max();
+    return {};
   }
   const std::vector<Vec3> first = poseAt(ground, clip.startSeconds);
   const std::vector<Vec3> second = poseAt(ground, clip.startSeconds + frame);
@@ -66,15 +71,16 @@ std::size_t limbsApart(const ClipGround& ground) {
     const Vec3 step = 0.5 * (second[i] - first[i] + last[i] - beforeLast[i]);
     return glm::length(gap) > same && glm::length(gap - step) > std::max(same, uneven * glm::length(step));
   };
-  std::size_t apart = 0;
+  LimbsApart apart{0, 0.0};
   std::size_t point = 0;
   for (const std::vector<Vec3>& places : ground.places.front()) {
     const std::size_t next = point + places.size();
     bool any = false;
     for (; point < next; ++point) {
       any = any || isApart(point);
+      apart.farthest = std::max(apart.farthest, glm::length(first[point] - last[point]));
     }
-    apart += any ? 1U : 0U;
+    apart.count += any ? 1U : 0U;
   }
   return apart;
 }
@@ -249,9 +255,10 @@ ClipGround clipGround(const Document& document, int clip) {
       }
     }
   }
-  const std::size_t apart = limbsApart(ground);
-  ground.nearlyMeets = apart <= ground.limbs.size() / 4;
-  if (apart == 0 || endsMeet(document, clip)) {
+  constexpr double near = 0.15; // of the height
+  const LimbsApart apart = limbsApart(ground);
+  ground.nearlyMeets = apart.count <= ground.limbs.size() / 4 && apart.farthest < near * document.body.height;
+  if (apart.count == 0 || endsMeet(document, clip)) {
     ground.closeLoop();
   }
   const StandingFloor& standing = ground.facts->standing();

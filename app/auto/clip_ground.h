@@ -25,7 +25,7 @@ struct ClipGround {
   double framesPerSecond = 30.0;
   double lastFrame = 0.0;   ///< Whole.
   bool endsMeet = false;    ///< Its last pose is its first again, or goes on to it.
-  bool nearlyMeets = false; ///< Three of four limbs do so.
+  bool nearlyMeets = false; ///< Three of four limbs do so, and none is far off.
   bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first
                       ///< pose for a frame, and nothing hangs on its end.
   std::vector<rig::Limb> limbs = {};

@@ -91,8 +91,8 @@ private:
     isLedByBeats_ = limb != nullptr && moment.strength == strongest_ ? isBeat(*limb, moment) : isLedByBeats_;
   }
 
-  // The clip's strongest, beside which a moment counts. What a body does while it flies counts beside that,
-  // and not beside the beats of its wings.
+  // The clip's strongest, beside which a moment counts. What a body does while its wings beat counts beside
+  // that, and not beside the beats.
   [[nodiscard]] double strongestBeside(const rig::Moment& moment) const {
     const bool isInFlight = isLedByBeats_ && strongestAct_ > 0.0 && moment.kind == rig::MomentKind::stroke;
     return isInFlight ? std::max(strongestAct_, moment.strength) : strongest_;
@@ -229,8 +229,10 @@ private:
   [[nodiscard]] bool isDraggedBack(const rig::Limb& limb, double tip) const {
     const double back = tip + seenFrames();
     return isOnGround(ground_, limb, {tip, back}) &&
-           std::ranges::none_of(ground_.standsOf(limb.id),
-                                [&](const Vec2& stand) { return tip < stand.x && stand.x <= back; });
+           std::ranges::none_of(ground_.standsOf(limb.id), [&](const Vec2& stand) {
+             const double again = ground_.wraps ? stand.x + ground_.lastFrame : stand.x;
+             return (tip < stand.x && stand.x <= back) || (tip < again && again <= back);
+           });
   }
 
   [[nodiscard]] bool carriesStandingLeg(const rig::Limb& limb, const Vec2& range) const {
@@ -468,7 +470,7 @@ private:
       }
       const rig::Moment& moment = moments_[planned.moment];
       const bool leads = moment.kind == rig::MomentKind::stroke &&
-                         moment.strength >= nearStrongest * strongest_ && !planned.follows;
+                         moment.strength >= nearStrongest * strongestBeside(moment) && !planned.follows;
       settings.lingerFrames = leads ? heldFor(ground_, planned.trail, room - release) : 0.0;
       settings.releaseFrames = settings.lingerFrames + release;
       const double time = std::min(1.0, release / ground_.framesPerSecond / fullOvershoot);

@@ -1,6 +1,4 @@
 #include "app/auto/poses_of_strokes.h"
-#include <cstdlib>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +112,8 @@ bool isOnGround(const ClipGround& ground, const rig::Limb& leg, const Vec2& rang
   const double height = ground.document.body.height;
   bool isOn = soles != ground.soles.end() && !ground.lowestVertices.empty();
   for (double frame = range.x; isOn && frame <= range.y; frame += 1.0) {
-    const auto at = static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, ground.lastFrame));
+    const double here = ground.wraps && frame > ground.lastFrame ? frame - ground.lastFrame : frame;
+    const auto at = static_cast<std::size_t>(std::clamp(std::round(here), 0.0, ground.lastFrame));
     const double lowest = ground.lowestVertices[at];
     isOn = soles->second[at] < lowest + lifted * height && lowest < ground.groundHeight() + near * height;
   }

@@ -32,7 +32,8 @@ namespace stretch::app {
 /// Whether a limb that points down is swung along the ground.
 [[nodiscard]] bool goesLevel(const ClipGround& ground, const rig::Limb& limb, const Vec2& range);
 
-/// Whether a foot is on the ground at all whole frames of a range.
+/// Whether a foot is on the ground at all whole frames of a range, which goes on at the clip's start where
+/// that wraps.
 [[nodiscard]] bool isOnGround(const ClipGround& ground, const rig::Limb& leg, const Vec2& range);
 
 /// Whether a body without legs keeps its head on the ground over a range, along which it crawls.

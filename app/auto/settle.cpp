@@ -145,14 +145,23 @@ private:
     return variants;
   }
 
+  // Spheres go along with a range that has changed.
+  static void pullAgain(PlannedTrail& planned) {
+    if (const std::vector<rig::SphereOffset>& spheres = planned.trail.settings.spheres; !spheres.empty()) {
+      pullAlong(planned, Vec3(spheres.back().offset));
+    }
+  }
+
   // A path that comes back on itself ends where it is farthest.
   [[nodiscard]] std::string problemWith(PlannedTrail& planned, bool mayBeStopped) {
+    pullAgain(planned);
     rig::MotionState alone = solved(planned.trail);
     if (alone.trails.empty()) {
       return "its range holds no frame";
     }
     if (!planned.follows && alone.trails.front().tip.moved &&
         endsFarther(alone.trails.front(), planned.trail.settings)) {
+      pullAgain(planned);
       alone = solved(planned.trail);
     }
     if (!planned.follows && isCutShort(alone.trails.front().tip)) {
@@ -242,7 +251,8 @@ private:
 // How much longer or shorter the limb is to become, in lengths of itself.
 double excessOf(const ClipGround& ground, const PlannedTrail& planned) {
   const rig::TrailSettings& settings = planned.trail.settings;
-  const double pulled = settings.spheres.empty() ? 0.0 : glm::length(settings.spheres.back().offset);
+  const bool isPulled = planned.follows && !settings.spheres.empty(); // else a foot is lifted
+  const double pulled = isPulled ? glm::length(settings.spheres.back().offset) : 0.0;
   return std::abs(settings.scale - 1.0) + pulled / findLimb(ground.document, planned.trail.limb)->restLength;
 }
 
@@ -273,14 +283,16 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
 
 // Takes the trail back before the seam; false where its limb would hardly have started by then.
 bool endBeforeSeam(const ClipGround& ground, rig::TrailSettings& settings) {
-  const double end = ground.lastFrame - 1.0 - calmRelease;
+  constexpr double seconds = 0.1; // hardly seen as a jump, and leaves most of a stride
+  const double back = std::max(calmRelease, std::round(seconds * ground.framesPerSecond));
+  const double end = ground.lastFrame - 1.0 - back;
   const double range = settings.endFrame - settings.startFrame;
   if (settings.endFrame <= end || end - settings.startFrame < std::max(shortestRange, 0.5 * range)) {
     return false;
   }
   settings.endFrame = end;
   settings.lingerFrames = 0.0;
-  settings.releaseFrames = calmRelease;
+  settings.releaseFrames = back;
   return true;
 }
 
@@ -465,8 +477,8 @@ void keepBeside(AutoPlan& plan, double most, const Leads& leads, const Follows& 
   }
 }
 
-// In a walk or a run the steps are the action, and arms swing along; in flight what the body does, and wings
-// carry it.
+// In a walk or a run the steps are the action, and arms swing along; where wings beat, it is what the body
+// does, and they carry it.
 void keepBesideAction(const ClipGround& ground, const std::vector<rig::Moment>& moments, AutoPlan& plan) {
   constexpr double armsBesideSteps = 2.0;
   const auto limbOf = [&](const PlannedTrail& planned) -> const rig::Limb& {

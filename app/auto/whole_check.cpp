@@ -52,7 +52,7 @@ public:
     }
     std::vector<Fault> faults;
     for (const auto& [trail, kind] : faults_) {
-      faults.push_back({trail, kind, depths_[plan_.trails[trail].trail.limb]});
+      faults.push_back({trail, kind, depths_[trail]});
     }
     return faults;
   }
@@ -120,7 +120,14 @@ private:
     return found;
   }
 
-  void deepen(const rig::Limb& limb, double depth) { depths_[limb.id] = std::max(depths_[limb.id], depth); }
+  // Trails of the limb that act at the frame.
+  void deepen(double frame, const rig::Limb& limb, double depth) {
+    for (const std::size_t place : actingAt(frame)) {
+      if (plan_.trails[place].trail.limb == limb.id) {
+        depths_[place] = std::max(depths_[place], depth);
+      }
+    }
+  }
 
   // Of several trails it is the weakest without which nothing is wrong; all of them where none does it alone.
   template <typename IsWrong>
@@ -154,7 +161,7 @@ private:
     for (std::size_t i = 0; i < ground_.limbs.size(); ++i) {
       if (const std::optional<FaultKind> problem = problemOf(frame, i, now)) {
         if (problem == FaultKind::floor) {
-          deepen(ground_.limbs[i], ground_.lowest - lowestOf({now[i]}));
+          deepen(frame, ground_.limbs[i], ground_.lowest - lowestOf({now[i]}));
         }
         blame({frame}, ground_.limbs[i], *problem, [&](const Attempt& attempt) {
           const FrameState other = shown(attempt, frame / ground_.framesPerSecond);
@@ -187,7 +194,7 @@ private:
       }
     }
     if (nearest != nullptr) {
-      deepen(*nearest, ground_.leastHeightAt(frame) - vertex->y);
+      deepen(frame, *nearest, ground_.leastHeightAt(frame) - vertex->y);
       blame({frame}, *nearest, FaultKind::floor, [&](const Attempt& attempt) {
         return isBelowFloor(
             frame, lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
@@ -272,10 +279,12 @@ private:
     const int id = ground_.document.nextTrailId + static_cast<int>(place);
     const auto solved = std::ranges::find_if(
         whole_.motion.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
-    const std::vector<rig::SphereOffset>& spheres = plan_.trails[place].trail.settings.spheres;
+    const PlannedTrail& planned = plan_.trails[place];
+    const std::vector<rig::SphereOffset>& spheres = planned.trail.settings.spheres;
     return solved == whole_.motion.trails.end() ? Vec3(0.0)
-           : spheres.empty()                    ? solved->tip.tip - solved->tip.originalTip
-                                                : spheres.back().offset;
+           : planned.trail.settings.scale == 1.0 && !spheres.empty()
+               ? spheres.back().offset
+               : solved->tip.tip - solved->tip.originalTip;
   }
 
   void lookAtChains() {
@@ -321,7 +330,7 @@ private:
   std::map<std::size_t, Attempt> without_;
   std::set<std::tuple<std::string, FaultKind, std::vector<std::size_t>>> judged_;
   std::map<std::size_t, FaultKind> faults_;
-  std::map<std::string, double> depths_; // of limbs below the floor
+  std::map<std::size_t, double> depths_; // of trails whose limb is below the floor
 };
 
 } // namespace

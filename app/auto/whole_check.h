@@ -23,7 +23,7 @@ enum class FaultKind {
 struct Fault {
   std::size_t trail = 0; ///< Place in AutoPlan::trails.
   FaultKind kind = FaultKind::lengths;
-  double depth = 0.0; ///< World units that its limb is below the floor, where it is most.
+  double depth = 0.0; ///< World units that its limb is below the floor while it acts, at most.
 };
 
 /// Looks at every frame on which a trail acts: limbs through the floor where the source has them above it,

@@ -102,11 +102,13 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
   return worst;
 }
 
-std::optional<LimbPop> worstTurn(const rig::Limb& limb, const Jolts& source, const Jolts& moved) {
+std::optional<LimbPop> worstTurn(const rig::Limb& limb, const Jolts& source, const Jolts& moved,
+                                 double framesPerSecond) {
   constexpr double ofSource = 2.0;
-  constexpr double more = 45.0; // degrees: less looks like haste
+  constexpr double more = 45.0;      // degrees: less looks like haste
+  constexpr double usualRate = 24.0; // of a slower clip each frame holds more
   std::optional<LimbPop> worst;
-  double most = more;
+  double most = more * std::max(1.0, usualRate / framesPerSecond);
   for (std::size_t k = 0; k < moved.turns().size(); ++k) {
     const double turned = moved.turns()[k];
     const double before = source.turnAround(k);
@@ -140,7 +142,7 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
   std::vector<LimbPop> pops;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i]);
-    if (pop = pop ? pop : worstTurn(limbs[i], source[i], moved[i]); pop) {
+    if (pop = pop ? pop : worstTurn(limbs[i], source[i], moved[i], clip.framesPerSecond); pop) {
       pop->frame += static_cast<double>(first);
       pops.push_back(*pop);
     }
@@ -152,8 +154,8 @@ std::string popWarning(const LimbPop& pop) {
   std::string limb = pop.limb;
   std::ranges::replace(limb, '-', ' ');
   if (pop.turnDegrees > 0.0) {
-    return fmt::format("the {} turns over at frame {:g}, by {:.0f} degrees where the clip has {:.0f}: it is "
-                       "folded until its end passes its base; let it fold less far",
+    return fmt::format("the {} flips at frame {:g}: it turns by {:.0f} degrees within a frame, {:.0f} in the "
+                       "clip; one that is folded until its end passes its base does so: let it fold less far",
                        limb, pop.frame, pop.turnDegrees, pop.sourceDegrees);
   }
   return fmt::format("the {} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as "

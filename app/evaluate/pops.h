@@ -10,14 +10,14 @@
 namespace stretch::app {
 
 /// An elbow or a knee that pops: a limb that straightens moves its middle joint as the root of what is left
-/// to straighten, far quicker than its ends (docs/controllers.md, Arms and legs). Or a limb that turns over,
-/// as one does that is folded up until its end passes its base.
+/// to straighten, far quicker than its ends (docs/controllers.md, Arms and legs). Or a limb that flips, as
+/// one does that is folded up until its end passes its base.
 struct LimbPop {
   std::string limb;
   double frame = 0.0; ///< Whole frame at which it is worst.
   double times = 0.0; ///< Second difference of the joint over frames, in those of the limb's base and end
-                      ///< around it; 0 for a limb that turns over.
-  double turnDegrees = 0.0;   ///< Angle by which a bone turns within a frame, where the limb turns over.
+                      ///< around it; 0 for a limb that flips.
+  double turnDegrees = 0.0;   ///< Angle by which a bone turns within a frame, where the limb flips.
   double sourceDegrees = 0.0; ///< Likewise in the source, around that frame.
 };
 
@@ -29,9 +29,10 @@ struct FrameSpan {
   friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
 };
 
-/// The worst pop of each limb with an elbow or a knee that is above 4 times, else where it turns over by 45
-/// degrees more than twice as far as in the source, where offsets and holds make it: the source's own jolts
-/// are not counted, nor what is too small to see. `motion`: of the clip.
+/// The worst pop of each limb with an elbow or a knee that is above 4 times, else where it flips by 45
+/// degrees within a frame more than twice what the source turns (more in a clip of few frames per second),
+/// where offsets and holds make it: the source's own jolts are not counted, nor what is too small to see.
+/// `motion`: of the clip.
 [[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion,
                                             const FrameSpan& frames = {});
 

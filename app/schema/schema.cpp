@@ -147,7 +147,8 @@ Status checkValue(const SettingFacts& setting, const Json& value) {
   if (isValid(setting, value)) {
     return Success{};
   }
-  const std::string given = value.is_number() ? fmt::format("{:g}", value.get<double>()) : value.dump();
+  const std::string given = value.is_number() ? fmt::format("{:g}", value.get<double>())
+                                              : value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return Error{given + " is not possible", setting.name, "give " + takenValues(setting)};
 }
 

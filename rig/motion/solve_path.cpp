@@ -146,8 +146,10 @@ TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb,
   double hipsWay = 0.0;
   double endWay = 0.0;
   std::optional<LimbSample> first;
-  const double last = std::min(rangeFrames.y, rangeFrames.x + longestFrames);
-  for (double frame = rangeFrames.x; frame <= last; frame += 1.0) {
+  const double clipStart = clip.startSeconds * clip.framesPerSecond;
+  const double start = std::clamp(rangeFrames.x, clipStart, endInFrames(clip)); // outside nothing moves
+  const double last = std::min({rangeFrames.y, start + longestFrames, endInFrames(clip)});
+  for (double frame = start; frame <= last; frame += 1.0) {
     sampler.sample(frame / clip.framesPerSecond, sampled);
     const LimbSample here = limbSample(limb, TrailSpace::root, hips, sampled);
     first = first ? first : here;

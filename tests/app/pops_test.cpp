@@ -122,7 +122,7 @@ TEST_CASE("A session tells the pops around the playhead, and during a drag those
   CHECK(session.pops().size() == 2);
 }
 
-TEST_CASE("A leg that is folded until its foot passes its hip turns over, and is told of with its frame") {
+TEST_CASE("A leg that is folded until its foot passes its hip flips, and is told of with its frame") {
   const auto turnedBy = [](double share) {
     const Document posed =
         posedBy({{"hips",
@@ -141,7 +141,7 @@ TEST_CASE("A leg that is folded until its foot passes its hip turns over, and is
     CHECK(pop.turnDegrees > 150.0);
     CHECK(pop.sourceDegrees == Approx(0.0).margin(0.1));
   }
-  CHECK(popWarning(over[1]).starts_with("the right leg turns over at frame 11, by 174 degrees where the clip "
-                                        "has 0: "));
+  CHECK(popWarning(over[1]).starts_with("the right leg flips at frame 11: it turns by 174 degrees within a "
+                                        "frame, 0 in the clip; "));
   CHECK(turnedBy(0.8).empty()); // folded more, and not past its hip
 }

@@ -65,6 +65,8 @@ public:
 
   [[nodiscard]] const std::optional<JsonFailure>& failure() const { return failure_; }
   [[nodiscard]] const std::optional<std::string>& repeated() const { return repeated_; }
+  /// Whether a string of the text itself begins as a mark does, which took what belongs to another one.
+  [[nodiscard]] bool hasMoreMarks() const { return hasMore_; }
 
   // NOLINTBEGIN(readability-identifier-naming): the library's names of its events
   bool null() { return add(nullptr); }
@@ -107,9 +109,10 @@ private:
 
   // The string itself where a mark stands for it.
   std::string& whole(std::string& text) {
-    if (!taken_.empty() && text.starts_with(mark)) {
-      text = std::string(taken_.front());
-      taken_ = taken_.subspan(1);
+    if (text.starts_with(mark)) {
+      hasMore_ = hasMore_ || taken_.empty();
+      text = taken_.empty() ? text : std::string(taken_.front());
+      taken_ = taken_.empty() ? taken_ : taken_.subspan(1);
     }
     return text;
   }
@@ -158,6 +161,7 @@ private:
   std::vector<OpenValue> open_;             ///< From the root inwards.
   Json* named_ = nullptr;
   std::optional<JsonFailure> failure_;
+  bool hasMore_ = false;
   std::optional<std::string> repeated_;
 };
 
@@ -177,7 +181,7 @@ std::optional<JsonFailure> buildJson(std::string_view text, Json& tree) {
   if (text.find(mark) == std::string_view::npos) {
     const std::string rest = withoutData(text, taken);
     Builder builder(tree, taken);
-    if (!taken.empty() && Json::sax_parse(rest, &builder)) {
+    if (!taken.empty() && Json::sax_parse(rest, &builder) && !builder.hasMoreMarks()) {
       return std::nullopt;
     }
   }

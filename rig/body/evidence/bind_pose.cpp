@@ -184,8 +184,8 @@ NodeIndex anchorOf(const Placer& placer, const Binds& binds) {
 }
 
 // How much longer bones are at rest than where a placement puts the binds: the median over all bones.
-// Exporters write inverse binds in other units than the scene's.
-double unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) {
+// Exporters write inverse binds in other units than the scene's. Nothing where no bone can be measured.
+std::optional<double> unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) {
   std::vector<NodeIndex> nearest(binds.size()); // bound node at or above each
   std::vector<Mat4> rests(binds.size(), Mat4(1.0));
   std::vector<double> ratios;
@@ -204,7 +204,7 @@ double unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) 
       ratios.push_back(atRest / bound);
     }
   }
-  return medianOf(std::move(ratios), 1.0);
+  return ratios.empty() ? std::nullopt : std::optional(medianOf(std::move(ratios), 1.0));
 }
 
 // Bones that a pose stretches are within a factor of two.
@@ -214,7 +214,7 @@ bool areOfScene(double units) {
 
 // The placement scaled about a point, where it is in other units than the scene.
 Mat4 inUnitsOfScene(const Placer& placer, const Binds& binds, const Mat4& placement, const Vec3& about) {
-  const double units = unitsOf(placer, binds, placement);
+  const double units = unitsOf(placer, binds, placement).value_or(1.0);
   if (areOfScene(units)) {
     return placement;
   }
@@ -231,13 +231,13 @@ Mat4 placementBy(const Placer& placer, const Binds& binds, NodeIndex anchor) {
 void dropIdentityInOtherUnits(const Placer& placer, Binds& binds) {
   const NodeIndex top = anchorOf(placer, binds);
   if (!top.exists() || placer.bound[at(top)] || !isNearIdentity(*binds[at(top)], reachOf(binds)) ||
-      areOfScene(unitsOf(placer, binds, placementBy(placer, binds, top)))) {
+      areOfScene(unitsOf(placer, binds, placementBy(placer, binds, top)).value_or(1.0))) {
     return;
   }
   Binds others = binds;
   others[at(top)].reset();
   const NodeIndex next = anchorOf(placer, others);
-  if (next.exists() && areOfScene(unitsOf(placer, others, placementBy(placer, others, next)))) {
+  if (next.exists() && areOfScene(unitsOf(placer, others, placementBy(placer, others, next)).value_or(0.0))) {
     binds = std::move(others);
   }
 }

@@ -299,8 +299,11 @@ TEST_CASE("A foot is on the ground where it is the lowest of the body, and that 
   ground.soles["left-leg"][3] = ground.lowestVertices[3] = 0.0;
   CHECK(isOnGround(ground, leg, {3.0, 9.0}));
   CHECK_FALSE(isOnGround(ground, *findLimb(document, "left-arm"), {0.0, 0.0}));
+  ground.soles["left-leg"][0] = height; // in a loop it goes on at the start
+  ground.wraps = true;
+  CHECK_FALSE(isOnGround(ground, leg, {3.0, 3.0 + ground.lastFrame}));
   ground.lowestVertices.clear();
-  CHECK_FALSE(isOnGround(ground, leg, {0.0, 0.0}));
+  CHECK_FALSE(isOnGround(ground, leg, {3.0, 3.0}));
 }
 
 TEST_CASE(

@@ -140,6 +140,28 @@ TEST_CASE("How far below the floor a limb is, is told of the frame where it is m
   CHECK(floor->depth == Approx(ground.groundHeight() - lowestIn(alone)).margin(1e-4));
 }
 
+TEST_CASE("A foot's lift is no exaggeration: both sides are as long though one of them is lifted") {
+  const Document document = walker(0.0);
+  AutoPlan plan;
+  plan.leftOut.resize(2);
+  for (const char* const leg : {"right-leg", "left-leg"}) {
+    PlannedTrail planned;
+    planned.moment = plan.trails.size();
+    planned.trail = withNewTrail(document, {leg, 0.0, 7.0, 1.3}).trails.front();
+    planned.trail.settings.axes = {true, false, true};
+    plan.trails.push_back(planned);
+  }
+  pullAlong(plan.trails.front(), {0.0, 0.02, 0.0});
+  settle(clipGround(document, 0), bothSteps(), in("Opera"), plan);
+  REQUIRE(plan.trails.size() == 2);
+  const rig::TrailSettings& lifted = plan.trails.front().trail.settings;
+  CHECK(lifted.scale == Approx(plan.trails.back().trail.settings.scale));
+  // The lift goes along with a range that has changed.
+  REQUIRE(lifted.spheres.size() == 5);
+  CHECK(lifted.spheres.back().frame == lifted.endFrame);
+  CHECK(lifted.spheres.back().offset.y == Approx(0.02));
+}
+
 TEST_CASE("Arms that swing along with steps gain twice as much as these at most, a strike all of its own") {
   AutoSettings settings = in("Opera");
   settings.style.leg = {1.0, 1.1, 5.0};
@@ -217,7 +239,7 @@ TEST_CASE("A step that is put down within a sixth of a second gets less, by the 
   CHECK(gainBefore(9.0, rig::MomentKind::stroke) == Approx(all)); // a reach for the ground
 }
 
-TEST_CASE("A step that turns back sharply at the seam of a loop is over before it, and is as long") {
+TEST_CASE("A step that turns back sharply at the seam of a loop is over before it") {
   const Document start = stepper();
   Track thigh = turnsOf(start, "left-leg");
   Track knee = thigh;
@@ -233,7 +255,7 @@ TEST_CASE("A step that turns back sharply at the seam of a loop is over before i
   const rig::TrailSettings& settings = made.document.trails.front().settings;
   CHECK(settings.scale == Approx(1.4));
   CHECK(settings.endFrame == 20.0);
-  CHECK(*settings.releaseFrames == 3.0);
+  CHECK(*settings.releaseFrames == 3.0); // a tenth of a second
   CHECK(settings.lingerFrames == 0.0);
   // One that would hardly have started by then gets less.
   const AutoClip late = exaggerateClip(before, 0, {roundOf("left-leg", 18, 24)}, in("Opera"));
@@ -244,26 +266,27 @@ TEST_CASE("A step that turns back sharply at the seam of a loop is over before i
 }
 
 TEST_CASE("A clip in which limbs go round is a loop, though one of four is not back in its place") {
-  const auto tipWith = [](int limbsOff, rig::MomentKind kind) {
+  const auto tipWith = [](int limbsOff, rig::MomentKind kind, double off = 0.3) {
     const Document document = twoLeggedStepper();
     std::vector<Track> tracks{turnsOf(document, "left-arm")};
     for (int frame = 0; frame <= 24; ++frame) {
       const double angle = 0.4 * std::cos(2.0 * pi * frame / 24.0);
       addKey(tracks.back(), frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
     }
-    const std::vector<const char*> off{"right-arm", "spine"};
+    const std::vector<const char*> limbs{"right-arm", "spine"};
     for (int i = 0; i < limbsOff; ++i) {
-      tracks.push_back(turnsOf(document, off[static_cast<std::size_t>(i)]));
+      tracks.push_back(turnsOf(document, limbs[static_cast<std::size_t>(i)]));
       addKey(tracks.back(), 0.0, glm::angleAxis(0.0, Vec3(0.0, 0.0, 1.0)));
-      addKey(tracks.back(), 24.0, glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0)));
+      addKey(tracks.back(), 24.0, glm::angleAxis(off, Vec3(0.0, 0.0, 1.0)));
     }
     const AutoClip made = exaggerateClip(withTracks(document, tracks), 0,
                                          {{"left-arm", kind, 12.0, 24.0, 24.0, 20.0}}, in("Opera"));
     REQUIRE(made.document.trails.size() == 1);
     return made.document.trails.front().settings.endFrame;
   };
-  CHECK(tipWith(0, rig::MomentKind::stroke) >= 23.0); // it is one
-  CHECK(tipWith(1, rig::MomentKind::cycle) >= 23.0);  // of five limbs
+  CHECK(tipWith(0, rig::MomentKind::stroke) >= 23.0);     // it is one
+  CHECK(tipWith(1, rig::MomentKind::cycle) >= 23.0);      // of five limbs
+  CHECK(tipWith(1, rig::MomentKind::cycle, 1.0) == 20.0); // far off, as an arm that is raised
   CHECK(tipWith(2, rig::MomentKind::cycle) == 20.0);
   CHECK(tipWith(1, rig::MomentKind::stroke) == 20.0);
 }

@@ -405,6 +405,17 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
   checkThatEveryReasonIsTold(lines);
 }
 
+TEST_CASE("An option's text that is no UTF-8 is refused in one line as any other") {
+  const test::TemporaryFolder folder;
+  const test::VerbAnswer answer =
+      test::runVerb({"exaggerate", dummy, "-o", (folder / "out.glb").string(), "--key-frames", "whole\xB9"});
+  CHECK(answer.exitCode == 2);
+  CHECK_THAT(answer.told, Catch::Contains("--key-frames: ") && Catch::Contains(" is not possible"));
+  CHECK(folder.fileCount() == 0);
+  const std::string odd = (folder / "n\xB9.glb").string();
+  CHECK(test::runVerb({"info", odd, "--json"}).exitCode == 1);
+}
+
 TEST_CASE("check answers 1 for a file that cannot be opened, with or without a report as JSON, else 0") {
   const test::TemporaryFolder folder;
   const std::string whole = *readText(dummy);

@@ -133,6 +133,13 @@ TEST_CASE("an identity above all joints that puts them in other units and axes s
   CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[2]), Vec3(0, 2, 0)) < 1e-12);
 }
 
+TEST_CASE("an identity above joints that hang on it alone says where they stand, in whatever units") {
+  Scene scene = bentChain({});
+  scene.skins[0].joints.resize(2); // The root, and one in centimetres.
+  scene.skins[0].inverseBind = {Mat4(1.0), glm::translate(Mat4(1.0), Vec3(0, -100, 0))};
+  CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[1]), Vec3(0, 1, 0)) < 1e-9);
+}
+
 TEST_CASE("a bind matrix that says nothing is seen through however many nodes that no skin binds") {
   Scene scene = bentChain({});
   constexpr int between = 200'000;

@@ -243,4 +243,7 @@ TEST_CASE("a new trail starts at the hips where the body travels, else in the wo
   });
   CHECK(space() == TrailSpace::root);
   CHECK(startingSpace(moving.scene, moving.clip, arm, NodeIndex::none, Vec2(0, 12)) == TrailSpace::world);
+  // Outside the clip nothing moves, however far a range goes.
+  CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(-1e30, 1e30)) == space());
+  CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(1e29, 1e30)) == TrailSpace::world);
 }
