@@ -23,9 +23,8 @@ bool isBeat(const rig::Limb& limb, const rig::Moment& moment) {
 
 bool isAct(const rig::Limb& limb, const rig::Moment& moment) {
   constexpr double least = 0.4; // of what is full for its kind: less is a nod
-  return moment.kind == rig::MomentKind::stroke && limb.kind != rig::LimbKind::wing &&
-         limb.kind != rig::LimbKind::tail && limb.kind != rig::LimbKind::feeler &&
-         moment.strength >= least * fullStrengthOf(limb);
+  return moment.kind == rig::MomentKind::stroke && limb.kind != rig::LimbKind::wing && !isChain(limb) &&
+         moment.strength >= least * fullStrength;
 }
 
 rig::TrailSettings withShare(rig::TrailSettings wanted, double share) {

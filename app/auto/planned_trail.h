@@ -60,7 +60,8 @@ void settle(const ClipGround& ground, const std::vector<rig::Moment>& moments, c
 /// Whether a wing does it over and over, which carries the body.
 [[nodiscard]] bool isBeat(const rig::Limb& limb, const rig::Moment& moment);
 
-/// Whether a flying body does something by it: a clear stroke of what is no wing and does not only follow.
+/// Whether a flying body does something by it: a clear stroke of what is neither a wing nor a chain. Wings
+/// hang on a spine: stretched, it would tear them off.
 [[nodiscard]] bool isAct(const rig::Limb& limb, const rig::Moment& moment);
 
 /// Frames over which a trail does anything, its way back included as far as it is known.

@@ -281,13 +281,16 @@ bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
   return !(settings == before);
 }
 
-// Takes the trail back before the seam; false where its limb would hardly have started by then.
-bool endBeforeSeam(const ClipGround& ground, rig::TrailSettings& settings) {
+// Takes the trail back before the seam; false where its limb would hardly have started by then, or a step
+// would be over so much earlier than that of the other side that it limps.
+bool endBeforeSeam(const ClipGround& ground, const rig::Limb& limb, rig::TrailSettings& settings) {
   constexpr double seconds = 0.1; // hardly seen as a jump, and leaves most of a stride
   const double back = std::max(calmRelease, std::round(seconds * ground.framesPerSecond));
   const double end = ground.lastFrame - 1.0 - back;
   const double range = settings.endFrame - settings.startFrame;
-  if (settings.endFrame <= end || end - settings.startFrame < std::max(shortestRange, 0.5 * range)) {
+  const double most = isLeg(limb) ? ground.framesPerSecond / 12.0 : range;
+  if (settings.endFrame <= end || settings.endFrame - end > most ||
+      end - settings.startFrame < std::max(shortestRange, 0.5 * range)) {
     return false;
   }
   settings.endFrame = end;
@@ -353,7 +356,8 @@ void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
     settings.bend = rig::Bend::keep; // a limb that is nearly straight makes much of a small step at the seam
     return;
   }
-  if (fault.kind == FaultKind::seam && endBeforeSeam(ground, settings)) {
+  if (fault.kind == FaultKind::seam &&
+      endBeforeSeam(ground, *findLimb(ground.document, planned.trail.limb), settings)) {
     return;
   }
   settings = withShare(settings, step);

@@ -97,7 +97,7 @@ Status checkOutput(const OutputFile& output, const std::vector<std::string>& inp
 }
 
 void JsonOutput::print(const gltf::Json& report) const {
-  std::cout << report.dump(oneLine ? -1 : 1, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::cout << report.dump(oneLine ? -1 : 1, ' ', false, gltf::Json::error_handler_t::replace) << '\n';
 }
 
 void addJson(CommandLine& line, JsonOutput& json) {

@@ -181,17 +181,18 @@ TEST_CASE("What a flying body does counts beside that, and not beside the beats 
   const auto right = std::ranges::find(document.body.limbs, std::string("right-arm"), &rig::Limb::id);
   right->kind = rig::LimbKind::wing;
   const ClipGround ground = plannedGround(document);
-  const auto spineBeside = [&](rig::MomentKind kind, double strength) {
-    rig::Moment beat = stroke("right-arm", 0, 10, 5.0);
+  const auto actBeside = [&](rig::MomentKind kind, double strength, const char* limb = "left-arm") {
+    rig::Moment beat = stroke("right-arm", 60, 70, 15.0);
     beat.kind = kind;
-    return shareOf(planFor(ground, {beat, stroke("spine", 20, 30, strength)}), 1);
+    return shareOf(planFor(ground, {beat, stroke(limb, 0, 10, strength)}), 1);
   };
-  CHECK(spineBeside(rig::MomentKind::cycle, 1.0) == Approx(1.0));
-  CHECK(spineBeside(rig::MomentKind::cycle, 0.8) == Approx(0.8));
-  CHECK(spineBeside(rig::MomentKind::cycle, 0.78) == Approx(0.39 * 0.78 / 3.0)); // only a nod
-  CHECK(spineBeside(rig::MomentKind::stroke, 1.0) == Approx(0.5 * 1.0 / 3.0));
+  CHECK(actBeside(rig::MomentKind::cycle, 3.0) == Approx(1.0));
+  CHECK(actBeside(rig::MomentKind::cycle, 2.5) == Approx(2.5 / 3.0));
+  CHECK(actBeside(rig::MomentKind::cycle, 2.3) == Approx(2.3 / 6.0 * 2.3 / 9.0)); // only a nod
+  CHECK(actBeside(rig::MomentKind::stroke, 3.0) == Approx(0.5 * 3.0 / 9.0));
+  CHECK(actBeside(rig::MomentKind::cycle, 3.0, "spine") == Approx(3.0 / 9.0)); // wings hang on it
   right->kind = rig::LimbKind::arm;
-  CHECK(spineBeside(rig::MomentKind::cycle, 1.0) == Approx(0.5 * 1.0 / 3.0));
+  CHECK(actBeside(rig::MomentKind::cycle, 3.0) == Approx(0.5 * 3.0 / 9.0));
   // Nor are weaker acts weak beside the beats, but beside the strongest act.
   right->kind = rig::LimbKind::wing;
   rig::Moment beat = stroke("right-arm", 0, 10, 20.0);
