@@ -33,8 +33,10 @@ constexpr double longestLimb = 1.0;   // of a body that is no biped: legs and ta
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
-constexpr double swungAlong = 0.5;  // of the exaggeration: a tail beside a stronger limb only follows it
-constexpr double sharedWay = 0.5;   // of the next range: until then it has hardly begun
+constexpr double besideBeats = 1.0 / 3.0; // of the exaggeration: stretched, a trunk tears at its wings
+constexpr double leastStep = 0.25;        // of the strongest leg's: a leg that does less hardly goes along
+constexpr double swungAlong = 1.0 / 3.0; // of the exaggeration: a tail beside a stronger limb only follows it
+constexpr double sharedWay = 0.5;        // of the next range: until then it has hardly begun
 constexpr double carriedBack = 0.5; // of what a scale adds: where the limb itself goes so far, it is no jump
 constexpr double fullOvershoot = 1.0 / 3.0; // seconds of a way back: in less it would be a jerk the other way
 
@@ -81,21 +83,39 @@ public:
 private:
   void countIn(const rig::Moment& moment) {
     const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
-    if (moment.strength > strongest_) {
-      strongest_ = moment.strength;
-      isLedByChain_ = limb != nullptr && isChain(*limb);
-    }
+    fastest_ = std::max(fastest_, moment.strength);
+    strongest_ = std::max(strongest_, weightOf(moment));
     if (limb != nullptr && isAct(*limb, moment)) {
-      strongestAct_ = std::max(strongestAct_, moment.strength);
+      strongestAct_ = std::max(strongestAct_, weightOf(moment));
     }
-    isLedByBeats_ = limb != nullptr && moment.strength == strongest_ ? isBeat(*limb, moment) : isLedByBeats_;
+    isLedByBeats_ = limb != nullptr && weightOf(moment) == strongest_ ? isBeat(*limb, moment) : isLedByBeats_;
+  }
+
+  // Strength, in which what is full is the same for each kind of limb. Legs that step in turn do one thing:
+  // the strongest step of each counts as that of all.
+  [[nodiscard]] double weightOf(const rig::Moment& moment) const {
+    const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
+    if (limb == nullptr || moment.kind != rig::MomentKind::cycle || !isLeg(*limb)) {
+      return moment.strength * fullStrength / (limb == nullptr ? fullStrength : fullStrengthOf(*limb));
+    }
+    double gait = moment.strength;
+    bool isStep = true;
+    for (const rig::Moment& other : moments_) {
+      const rig::Limb* const leg =
+          other.kind == moment.kind ? findLimb(ground_.document, other.limb) : nullptr;
+      if (leg != nullptr && isLeg(*leg)) {
+        gait = std::max(gait, other.strength);
+        isStep = isStep && (other.limb != moment.limb || other.strength <= moment.strength);
+      }
+    }
+    return isStep && moment.strength >= leastStep * gait ? gait : moment.strength;
   }
 
   // The clip's strongest, beside which a moment counts. What a body does while its wings beat counts beside
   // that, and not beside the beats.
   [[nodiscard]] double strongestBeside(const rig::Moment& moment) const {
     const bool isInFlight = isLedByBeats_ && strongestAct_ > 0.0 && moment.kind == rig::MomentKind::stroke;
-    return isInFlight ? std::max(strongestAct_, moment.strength) : strongest_;
+    return isInFlight ? std::max(strongestAct_, weightOf(moment)) : strongest_;
   }
 
   // Both sides choose the same of what has no room beside each other.
@@ -129,7 +149,7 @@ private:
     if (const auto refused = refused_.find(place); refused != refused_.end()) {
       return refused->second;
     }
-    if (strongest_ < idleStrength) {
+    if (fastest_ < idleStrength) {
       return "it is too weak to be an action";
     }
     if (isWeak(moment)) {
@@ -159,7 +179,7 @@ private:
   }
 
   [[nodiscard]] bool isWeak(const rig::Moment& moment) const {
-    return moment.strength < weakShare * strongestBeside(moment);
+    return weightOf(moment) < weakShare * strongestBeside(moment);
   }
 
   [[nodiscard]] bool hasOwnTrail(const rig::Moment& moment) const {
@@ -252,21 +272,24 @@ private:
   // where that is calm, as in a slow walk; less beside the clip's strongest, and beside a stronger limb at
   // the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double most = fullStrengthOf(*findLimb(ground_.document, moment.limb));
     const double beside = strongestBeside(moment);
-    const double full = std::clamp(beside, calmClip * most, most);
-    const double strongest = beside * (isLedByChain_ ? most / fullChain : 1.0);
-    const double own = std::clamp(moment.strength / full, leastShare, 1.0) *
-                       std::min(1.0, moment.strength / (nearStrongest * strongest));
+    const double full = std::clamp(beside, calmClip * fullStrength, fullStrength);
+    const double own = std::clamp(weightOf(moment) / full, leastShare, 1.0) *
+                       std::min(1.0, weightOf(moment) / (nearStrongest * beside));
     const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
-    return own * (isBesideStronger(moment) ? swung * settings_.style.spread.limbs : 1.0);
+    const double torn =
+        isLedByBeats_ && rig::isTrunk(*findLimb(ground_.document, moment.limb)) ? besideBeats : 1.0;
+    return own * torn * (isBesideStronger(moment) ? swung * settings_.style.spread.limbs : 1.0);
   }
 
+  // What swings along counts by how fast it is alone: light as it is, it would take the eye.
   [[nodiscard]] bool isBesideStronger(const rig::Moment& moment) const {
     return moment.kind == rig::MomentKind::stroke &&
            std::ranges::any_of(moments_, [&](const rig::Moment& other) {
-             return other.kind == rig::MomentKind::stroke && other.limb != moment.limb &&
-                    overlap(moment, other) && moment.strength < asStrong * other.strength;
+             const bool isStronger = isFollower(moment.limb) ? moment.strength < asStrong * other.strength
+                                                             : weightOf(moment) < asStrong * weightOf(other);
+             return other.kind == rig::MomentKind::stroke && other.limb != moment.limb && isStronger &&
+                    overlap(moment, other) && other.limb != rig::wholeBody;
            });
   }
 
@@ -463,15 +486,17 @@ private:
       const bool settles = isChain(*findLimb(ground_.document, planned.trail.limb));
       const double out = settles && !planned.follows ? settings.endFrame - settings.startFrame : 0.0;
       const double room = roomAfter(planned.trail, sharedWay);
-      const double release = std::clamp(room, 0.0, std::max({wanted, seenFrames(), carried, out}));
-      if (const double share = release / seenFrames();
+      const rig::Moment& moment = moments_[planned.moment];
+      const bool leads = moment.kind == rig::MomentKind::stroke &&
+                         weightOf(moment) >= nearStrongest * strongestBeside(moment) && !planned.follows;
+      const bool goesRound = moment.kind == rig::MomentKind::cycle;
+      const double still = goesRound ? stillFor(ground_, planned.trail, room) : 0.0;
+      const double release = std::clamp(room - still, 0.0, std::max({wanted, seenFrames(), carried, out}));
+      if (const double share = (still + release) / seenFrames();
           share < 1.0 && isStep(planned) && standsAfter(planned.trail, room)) {
         settings = withShare(settings, share * share); // else the foot snaps back to where it is put down
       }
-      const rig::Moment& moment = moments_[planned.moment];
-      const bool leads = moment.kind == rig::MomentKind::stroke &&
-                         moment.strength >= nearStrongest * strongestBeside(moment) && !planned.follows;
-      settings.lingerFrames = leads ? heldFor(ground_, planned.trail, room - release) : 0.0;
+      settings.lingerFrames = leads ? heldFor(ground_, planned.trail, room - release) : still;
       settings.releaseFrames = settings.lingerFrames + release;
       const double time = std::min(1.0, release / ground_.framesPerSecond / fullOvershoot);
       settings.overshoot *= isStep(planned) || isFollower(planned.trail.limb) ? 0.0 : time * time;
@@ -547,10 +572,10 @@ private:
   const std::vector<rig::Moment>& moments_;
   const AutoSettings& settings_;
   const std::map<std::size_t, std::string>& refused_;
+  double fastest_ = 0.0; // strength of the strongest
   double strongest_ = 0.0;
   double strongestAct_ = 0.0;
   bool isLedByBeats_ = false; // the strongest is a beat of a wing
-  bool isLedByChain_ = false; // the strongest is of a tail, a neck or a spine
   AutoPlan plan_;
 };
 

@@ -55,6 +55,24 @@ double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFra
   return held < most ? std::clamp(std::floor(mostFrames), 0.0, held) : 0.0;
 }
 
+double stillFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames) {
+  constexpr double still = 0.001;   // of the stroke's way
+  constexpr double atOnce = 0.5;    // of it: what the limb itself does is no jump
+  constexpr double usualBack = 2.0; // frames
+  const double tip = trail.settings.endFrame;
+  const Vec3 end = reachAt(ground, trail.limb, tip);
+  const double way = glm::distance(end, reachAt(ground, trail.limb, trail.settings.startFrame));
+  const auto moved = [&](double frames) {
+    return glm::distance(reachAt(ground, trail.limb, tip + frames), end);
+  };
+  double frames = 0.0;
+  while (frames + 2.0 <= mostFrames && moved(frames + 1.0) <= still * way) {
+    frames += 1.0;
+  }
+  const double back = moved(frames + 1.0) >= atOnce * way ? 1.0 : usualBack;
+  return std::clamp(std::floor(mostFrames - back), 0.0, frames);
+}
+
 bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range, double scale) {
   int bent = 0;
   int straight = 0;

@@ -16,6 +16,11 @@ namespace stretch::app {
 /// second or more: it settles in it.
 [[nodiscard]] double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames);
 
+/// Whole frames for which a limb that goes round stays where it is after its tip, as in a clip on held poses,
+/// and after which there is time for its way back within `mostFrames`: one frame where the limb itself is far
+/// off by then, as a clip that is drawn on threes has it, else two.
+[[nodiscard]] double stillFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames);
+
 /// Whether a limb is bent on purpose on most frames of the last two fifths of a range, and not so far that
 /// its elbow would be thrown out where all of it gets so many times as long.
 [[nodiscard]] bool isPosedBent(const ClipGround& ground, const rig::Limb& limb, const Vec2& range,

@@ -111,7 +111,7 @@ TEST_CASE(
     return shareOf(planFor(ground, {stroke("left-arm", 20, 30, 2.0), stroke("spine", 0, 10, strength)}), 1);
   };
   CHECK(beside(2.0) == Approx(1.0));
-  CHECK(beside(1.5) == Approx(0.75));
+  CHECK(beside(0.9) == Approx(2.7 / 3.0));
   // So is what there is beside it in a calm clip.
   const auto second = [&](double strongest) {
     return shareOf(planFor(ground, {stroke("left-arm", 0, 10, strongest), stroke("left-arm", 40, 50, 3.0)}),
@@ -161,7 +161,7 @@ TEST_CASE("What is weaker than three fifths of the strongest gets less, than 0.1
   CHECK(second(5.9, settings).leftOut[1].empty());
 }
 
-TEST_CASE("Beside a spine that leads a limb is as weak as beside three times that, and beside a limb not",
+TEST_CASE("A trunk that goes along with a strike counts by what is full for it, which is a third of a limb's",
           "[plan]") {
   const Document document = striking();
   const ClipGround ground = plannedGround(document);
@@ -169,11 +169,44 @@ TEST_CASE("Beside a spine that leads a limb is as weak as beside three times tha
     return shareOf(planFor(ground, {stroke(leader, 40, 50, strength), stroke("left-arm", 0, 10, 4.0)}), 1);
   };
   CHECK(armBeside("right-arm", 5.0) == Approx(0.8));
-  CHECK(armBeside("spine", 5.0) == Approx(0.8 * 4.0 / (0.6 * 15.0)));
-  CHECK(armBeside("spine", 3.0) == Approx(1.0)); // it does not lead
+  CHECK(armBeside("right-arm", 15.0) == Approx(4.0 / 6.0 * 4.0 / (0.6 * 15.0)));
+  CHECK(armBeside("spine", 5.0) == Approx(armBeside("right-arm", 15.0)));
+  CHECK(armBeside("spine", 1.0) == Approx(1.0)); // it does not lead
+  // Beside an arm's strike it is no weaker, and is left out below 0.15 of that.
+  const auto spineBeside = [&](double strength) {
+    return planFor(ground, {stroke("left-arm", 40, 50, 30.0), stroke("spine", 0, 10, strength)});
+  };
+  CHECK(shareOf(spineBeside(2.0), 1) == Approx(6.0 / 18.0));
+  CHECK(spineBeside(1.6).leftOut[1].empty());
+  CHECK(spineBeside(1.4).leftOut[1] == isWeak);
   // Of spines one that leads is as any other.
   CHECK(shareOf(planFor(ground, {stroke("spine", 40, 50, 5.0), stroke("spine", 0, 10, 1.5)}), 1) ==
         Approx(0.75 * 1.5 / 3.0));
+  // However long it is, a breath is no action.
+  CHECK(whyNot(ground, stroke("spine", 0, 10, 0.9)) == "it is too weak to be an action");
+}
+
+TEST_CASE("Each leg's strongest step counts as that of the leg that steps fastest", "[plan]") {
+  Document document = striking();
+  for (const char* const arm : {"left-arm", "right-arm"}) {
+    std::ranges::find(document.body.limbs, std::string(arm), &rig::Limb::id)->kind = rig::LimbKind::leg;
+  }
+  const ClipGround ground = plannedGround(document);
+  const auto step = [](const char* leg, double start, double tip, double strength) {
+    rig::Moment moment = stroke(leg, start, tip, strength);
+    moment.kind = rig::MomentKind::cycle;
+    return moment;
+  };
+  const auto second = [&](const rig::Moment& other) {
+    return shareOf(planFor(ground, {step("right-arm", 0, 10, 10.0), other}), 1);
+  };
+  CHECK(second(step("left-arm", 40, 50, 2.6)) == Approx(1.0));
+  CHECK(second(step("left-arm", 40, 50, 2.4)) == Approx(0.4 * 0.4));   // it hardly goes along
+  CHECK(second(step("right-arm", 40, 50, 4.8)) == Approx(0.8 * 0.8));  // the way back of the leg that leads
+  CHECK(second(stroke("left-arm", 40, 50, 3.0)) == Approx(0.5 * 0.5)); // no step
+  // What arms do in turn is each its own.
+  document.body.limbs[0].kind = rig::LimbKind::arm;
+  CHECK(second(step(document.body.limbs[0].id.c_str(), 40, 50, 3.0)) == Approx(0.5 * 0.5));
 }
 
 TEST_CASE("What a flying body does counts beside that, and not beside the beats of its wings", "[plan]") {
@@ -197,7 +230,7 @@ TEST_CASE("What a flying body does counts beside that, and not beside the beats 
   right->kind = rig::LimbKind::wing;
   rig::Moment beat = stroke("right-arm", 0, 10, 20.0);
   beat.kind = rig::MomentKind::cycle;
-  const AutoPlan plan = planFor(ground, {beat, stroke("left-arm", 0, 10, 2.5), stroke("spine", 20, 30, 0.3)});
+  const AutoPlan plan = planFor(ground, {beat, stroke("left-arm", 0, 10, 2.5), stroke("spine", 20, 30, 0.1)});
   CHECK(plan.leftOut[1].empty());
   CHECK(plan.leftOut[2] == isWeak);
 }
@@ -323,7 +356,7 @@ TEST_CASE("A tail or a feeler settles for as long as it went out, where there is
     CHECK((plannedSettings(planFor(ground, {stroke("left-arm", 0, 20, 9.0)}, settings)).overshoot == 0.0) ==
           follows);
     const std::vector<rig::Moment> beside{stroke("right-arm", 0, 10, 20.0), stroke("left-arm", 0, 10, 15.0)};
-    CHECK(shareOf(planFor(ground, beside), 1) == Approx(follows ? 0.5 : 1.0));
+    CHECK(shareOf(planFor(ground, beside), 1) == Approx(follows ? 1.0 / 3.0 : 1.0));
   }
 }
 

@@ -102,6 +102,39 @@ TEST_CASE("A limb keeps its exaggeration while it holds its pose, and settles in
   }
 }
 
+TEST_CASE("A clip on held poses holds what goes round for as long, and comes back as suddenly as itself") {
+  const auto planned = [](double heldUntil, double backAt, rig::MomentKind kind = rig::MomentKind::cycle) {
+    const Document document = turnedArms({{0, 0.0},
+                                          {4, 0.0},
+                                          {10, 1.4},
+                                          {heldUntil, 1.4},
+                                          {backAt, 0.0},
+                                          {20, 0.0},
+                                          {22, 0.8},
+                                          {40, 0.0},
+                                          {60, 0.0}},
+                                         {{0, 0.0}, {60, 0.0}});
+    const ClipGround ground = clipGround(document, 0);
+    // The next one leaves eight frames for the way back.
+    const AutoPlan plan = planTrails(ground,
+                                     {momentOf("left-arm", kind, 4, 10, 20.0),
+                                      momentOf("left-arm", rig::MomentKind::cycle, 16, 20, 19.0),
+                                      momentOf("right-arm", rig::MomentKind::stroke, 30, 40, 60.0)},
+                                     in("Average"), {});
+    return settingsOf(plan, "left-arm");
+  };
+  CHECK(planned(13, 14).lingerFrames == 3.0);
+  CHECK(*planned(13, 14).releaseFrames == 8.0);
+  CHECK(planned(13, 19).lingerFrames == 3.0);
+  // With one frame left where the limb is off by then, else with two.
+  CHECK(planned(17, 18).lingerFrames == 7.0);
+  CHECK(*planned(17, 18).releaseFrames == 8.0);
+  CHECK(planned(17, 25).lingerFrames == 6.0);
+  CHECK(planned(10, 14).lingerFrames == 0.0);
+  // What is struck once beside something stronger is not held.
+  CHECK(planned(13, 14, rig::MomentKind::stroke).lingerFrames == 0.0);
+}
+
 TEST_CASE("Both sides that strike at once are let go at once, and are back at once") {
   const Document document = turnedArms({{0, 0.0}, {4, 0.0}, {10, 1.4}, {20, 0.0}, {60, 0.0}},
                                        {{0, 0.0}, {4, 0.0}, {12, 1.4}, {20, 0.0}, {60, 0.0}});
