@@ -75,6 +75,13 @@ const app::AutoMoment* outcomeOf(const ClipStyleState& state, const rig::Moment&
   return found == state.made.end() ? nullptr : &*found;
 }
 
+/// Whether all that is exaggerated goes along the ground, so that it is said once and not in each row.
+bool allAreLevel(const ClipStyleState& state) {
+  const auto isDone = [](const app::AutoMoment& made) { return made.trailId > 0; };
+  return std::ranges::count_if(state.made, isDone) > 1 &&
+         std::ranges::all_of(state.made, [&](const auto& made) { return !isDone(made) || made.isLevel; });
+}
+
 std::string outcomeText(const ClipStyleState& state, std::size_t place) {
   const app::AutoMoment* const made = outcomeOf(state, state.moments[place]);
   return !state.on[place] || made == nullptr ? std::string()
@@ -111,7 +118,9 @@ void momentRow(PanelContext& context, ClipStyleState& state, std::size_t place) 
            context.theme.colours.quietText, outcome);
   ImGui::NewLine();
   const std::string remark =
-      made == nullptr || !state.on[place] ? "" : app::remarkOn(made->trailId > 0, made->isLevel, made->why);
+      made == nullptr || !state.on[place]
+          ? ""
+          : app::remarkOn(made->trailId > 0, made->isLevel && !allAreLevel(state), made->why);
   if (!remark.empty()) {
     ImGui::Indent(remarkIndent * context.theme.unit());
     note(widgets, capitalised(remark));
@@ -149,7 +158,8 @@ std::string progressText(const ClipStyleState& state) {
                                   ? ""
                                   : fmt::format(", in place of {} earlier trail{}", state.replaced.size(),
                                                 state.replaced.size() == 1 ? "" : "s");
-  return fmt::format("{} of {} moments are exaggerated{}{}.", done, state.moments.size(), instead,
+  return fmt::format("{} of {} moments are exaggerated{}{}{}.", done, state.moments.size(),
+                     allAreLevel(state) ? ", all along the ground" : "", instead,
                      nothing.empty() ? ". Space plays the clip" : ": " + nothing);
 }
 
@@ -188,7 +198,7 @@ void drawClipStyleDialog(PanelContext& context) {
                    {.id = "clip-style",
                     .icon = icon::magic,
                     .title = "Exaggerate the clip",
-                    .width = 360.0F,
+                    .width = 304.0F, // of the pane on the right: the picture stays in sight
                     .across = 1.0F,
                     .darkens = false},
                    shown)) {
