@@ -24,6 +24,8 @@ struct ClipGround {
   int clip = 0;
   double framesPerSecond = 30.0;
   double lastFrame = 0.0;   ///< Whole.
+  double turnFrames = 0.0;  ///< From its first key to its last one, whole: so much later a loop is where it
+                            ///< was.
   bool endsMeet = false;    ///< Its last pose is its first again, or goes on to it.
   bool nearlyMeets = false; ///< Three of four limbs do so, and none is far off.
   bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first

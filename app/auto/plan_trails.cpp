@@ -232,7 +232,7 @@ private:
     const bool isStroke = moment.kind == rig::MomentKind::stroke;
     std::vector<Vec2> stands = isLeg(limb) ? ground_.standsOf(limb.id, isStroke) : std::vector<Vec2>{};
     if (ground_.wraps && !stands.empty()) {
-      stands.push_back(stands.front() + ground_.lastFrame);
+      stands.push_back(stands.front() + ground_.turnFrames);
     }
     for (const Vec2& stand : stands) {
       if (stand.x <= range.x) {
@@ -250,7 +250,7 @@ private:
     const double back = tip + seenFrames();
     return isOnGround(ground_, limb, {tip, back}) &&
            std::ranges::none_of(ground_.standsOf(limb.id), [&](const Vec2& stand) {
-             const double again = ground_.wraps ? stand.x + ground_.lastFrame : stand.x;
+             const double again = ground_.wraps ? stand.x + ground_.turnFrames : stand.x;
              return (tip < stand.x && stand.x <= back) || (tip < again && again <= back);
            });
   }
@@ -315,7 +315,7 @@ private:
     const rig::Trail& trail = planned.trail;
     const rig::TrailSettings& settings = trail.settings;
     double room = next.startFrame + sharedWay * (next.endFrame - next.startFrame) - settings.endFrame;
-    room += room < 0.0 && ground_.wraps ? ground_.lastFrame : 0.0;
+    room += room < 0.0 && ground_.wraps ? ground_.turnFrames : 0.0;
     if (room < 0.0 || room >= seenFrames()) {
       return true;
     }
@@ -543,15 +543,15 @@ private:
   [[nodiscard]] bool standsAfter(const rig::Trail& trail, double frames) const {
     const double frame = trail.settings.endFrame + frames;
     return std::ranges::any_of(ground_.standsOf(trail.limb), [&](const Vec2& stand) {
-      return stand.x == frame || (ground_.wraps && stand.x == frame - ground_.lastFrame);
+      return stand.x == frame || (ground_.wraps && stand.x == frame - ground_.turnFrames);
     });
   }
 
   // Frames after the tip, up to this share of the next range of the limb.
   [[nodiscard]] double roomAfter(const rig::Trail& trail, double share) const {
     const double tip = trail.settings.endFrame;
-    const double turn = ground_.wraps ? ground_.lastFrame : 0.0;
-    double room = turn > 0.0 ? 2.0 * ground_.lastFrame : ground_.lastFrame - tip;
+    const double turn = ground_.wraps ? ground_.turnFrames : 0.0;
+    double room = turn > 0.0 ? 2.0 * turn : ground_.lastFrame - tip;
     const auto endBefore = [&](double frame) {
       const double after = frame >= tip ? frame - tip : frame + turn - tip;
       room = after >= 0.0 ? std::min(room, after) : room;

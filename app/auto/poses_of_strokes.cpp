@@ -31,8 +31,9 @@ double distanceFrom(const std::vector<Vec3>& trunk, const Vec3& point) {
 } // namespace
 
 Vec3 reachAt(const ClipGround& ground, const std::string& limb, double frame) {
-  const double past = frame - ground.lastFrame;
-  return ground.reachOf(limb, past <= 0.0 ? frame : ground.wraps ? past : ground.lastFrame);
+  return ground.reachOf(limb, frame <= ground.lastFrame ? frame
+                              : ground.wraps            ? frame - ground.turnFrames
+                                                        : ground.lastFrame);
 }
 
 double heldFor(const ClipGround& ground, const rig::Trail& trail, double mostFrames) {
@@ -130,7 +131,7 @@ bool isOnGround(const ClipGround& ground, const rig::Limb& leg, const Vec2& rang
   const double height = ground.document.body.height;
   bool isOn = soles != ground.soles.end() && !ground.lowestVertices.empty();
   for (double frame = range.x; isOn && frame <= range.y; frame += 1.0) {
-    const double here = ground.wraps && frame > ground.lastFrame ? frame - ground.lastFrame : frame;
+    const double here = ground.wraps && frame > ground.lastFrame ? frame - ground.turnFrames : frame;
     const auto at = static_cast<std::size_t>(std::clamp(std::round(here), 0.0, ground.lastFrame));
     const double lowest = ground.lowestVertices[at];
     isOn = soles->second[at] < lowest + lifted * height && lowest < ground.groundHeight() + near * height;

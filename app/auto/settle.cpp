@@ -10,6 +10,7 @@
 
 #include "app/auto/held_things.h"
 #include "app/auto/planned_trail.h"
+#include "app/auto/remedies.h"
 #include "app/auto/whole_check.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/evaluate.h"
@@ -24,12 +25,7 @@ namespace stretch::app {
 namespace {
 
 constexpr std::array<double, 5> shares{1.0, 0.75, 0.5, 0.35, 0.2}; // of the exaggeration that is wanted
-constexpr double leastExcess = 0.05;                               // of a scale: less is not seen
-constexpr std::array<bool, 3> allAxes{true, true, true};
-constexpr std::array<bool, 3> levelAxes{true, false, true};
-constexpr double calmRelease = 3.0; // frames, at least
-constexpr double bothLead = 0.8;    // of the stronger one: both sides do the same
-constexpr double step = 0.7;        // of the exaggeration, where there has to be less of it
+constexpr double bothLead = 0.8; // of the stronger one: both sides do the same
 
 // Degrees: the limb gets longer, and still goes where it went. Along the ground it gets longer by its turn
 // alone. What a neck or a spine carries reaches far beyond it, and would be swung.
@@ -37,17 +33,6 @@ double turnLimitFor(const rig::TrailSettings& settings, bool isTrunk) {
   constexpr double most = 8.0;
   constexpr double mostLevel = 25.0;
   return !settings.axes[1] ? mostLevel : isTrunk ? 0.0 : most;
-}
-
-// Lets the limb come back at once, where it was to hold its pose first; false where it was not, or holds it
-// over a loop's seam.
-bool letGo(const ClipGround& ground, rig::TrailSettings& settings) {
-  if (settings.lingerFrames <= 0.0 || settings.endFrame + settings.lingerFrames > ground.lastFrame) {
-    return false;
-  }
-  *settings.releaseFrames -= settings.lingerFrames;
-  settings.lingerFrames = 0.0;
-  return true;
 }
 
 // What an animator would stumble over, in a few words; empty where there is nothing.
@@ -248,125 +233,6 @@ private:
   std::string limb_; // that it looks at
 };
 
-// How much longer or shorter the limb is to become, in lengths of itself.
-double excessOf(const ClipGround& ground, const PlannedTrail& planned) {
-  const rig::TrailSettings& settings = planned.trail.settings;
-  const bool isPulled = planned.follows && !settings.spheres.empty(); // else a foot is lifted
-  const double pulled = isPulled ? glm::length(settings.spheres.back().offset) : 0.0;
-  return std::abs(settings.scale - 1.0) + pulled / findLimb(ground.document, planned.trail.limb)->restLength;
-}
-
-// Keeps still what the trail adds from a frame before the seam to a frame after it, where it can: a loop then
-// closes as it did. False where nothing is left to do.
-bool calmAtSeam(const ClipGround& ground, rig::TrailSettings& settings) {
-  const Clip& clip = clipOf(ground.document, ground.clip);
-  const double end = endInFrames(clip);
-  const rig::TrailSettings before = settings;
-  const double range = settings.endFrame - settings.startFrame;
-  const double first = std::ceil(std::max(0.0, clip.startSeconds * clip.framesPerSecond)) + 1.0;
-  if (settings.startFrame < first && settings.endFrame - first >= shortestRange) {
-    settings.startFrame = first;
-  }
-  const double release = settings.releaseFrames.value_or(0.5 * range);
-  const double wayEnd = settings.endFrame + release;
-  const double room = ground.lastFrame - 1.0 - settings.endFrame;
-  if (room >= calmRelease && wayEnd > ground.lastFrame - 1.0) {
-    settings.releaseFrames = room;
-    settings.lingerFrames = std::clamp(settings.lingerFrames, 0.0, room - calmRelease);
-  } else if (wayEnd > ground.lastFrame - 1.0 && ground.wraps) {
-    settings.endFrame = std::min(settings.endFrame, ground.lastFrame - 1.0);
-    settings.lingerFrames = end + 1.0 - settings.endFrame;
-    settings.releaseFrames = std::max(wayEnd - settings.endFrame, settings.lingerFrames + calmRelease);
-  }
-  return !(settings == before);
-}
-
-// Takes the trail back before the seam; false where its limb would hardly have started by then, or a step
-// would be over so much earlier than that of the other side that it limps.
-bool endBeforeSeam(const ClipGround& ground, const rig::Limb& limb, rig::TrailSettings& settings) {
-  constexpr double seconds = 0.1; // hardly seen as a jump, and leaves most of a stride
-  const double back = std::max(calmRelease, std::round(seconds * ground.framesPerSecond));
-  const double end = ground.lastFrame - 1.0 - back;
-  const double range = settings.endFrame - settings.startFrame;
-  const double most = isLeg(limb) ? ground.framesPerSecond / 12.0 : range;
-  if (settings.endFrame <= end || settings.endFrame - end > most ||
-      end - settings.startFrame < std::max(shortestRange, 0.5 * range)) {
-    return false;
-  }
-  settings.endFrame = end;
-  settings.lingerFrames = 0.0;
-  settings.releaseFrames = back;
-  return true;
-}
-
-// The world's axis that lies along the line between the bases of a limb and of that on the other side; none
-// for what follows or has no other side.
-std::optional<std::size_t> axisAcross(const ClipGround& ground, const PlannedTrail& planned) {
-  const rig::Limb& limb = *findLimb(ground.document, planned.trail.limb);
-  const rig::Limb* const other = rig::limbAt(ground.limbs, rig::mirrored(limb));
-  if (planned.follows || limb.side == rig::LimbSide::middle || other == nullptr) {
-    return std::nullopt;
-  }
-  const double tip = planned.trail.settings.endFrame;
-  const Vec3 across =
-      glm::abs(ground.pointsOf(limb.id, tip).front() - ground.pointsOf(other->id, tip).front());
-  return across.x >= std::max(across.y, across.z) ? 0 : across.y >= across.z ? 1 : 2;
-}
-
-// A foot along the ground that goes a little below it, as its toes do on the way, is lifted by as much; false
-// where it would hang in the air.
-bool liftFoot(const ClipGround& ground, PlannedTrail& planned, double depth) {
-  constexpr double most = 0.03; // of the height
-  constexpr double spare = 1.1;
-  const std::vector<rig::SphereOffset>& spheres = planned.trail.settings.spheres;
-  const double lift = spare * depth + (spheres.empty() ? 0.0 : spheres.back().offset.y);
-  if (planned.follows || planned.trail.settings.axes[1] || depth <= 0.0 ||
-      lift > most * ground.document.body.height || !isLeg(*findLimb(ground.document, planned.trail.limb))) {
-    return false;
-  }
-  pullAlong(planned, {0.0, lift, 0.0});
-  return true;
-}
-
-// Less of the trail; left out where nothing is to be seen of it any more.
-void lower(const ClipGround& ground, AutoPlan& plan, const Fault& fault) {
-  const std::string why = textOf(fault.kind);
-  PlannedTrail& planned = plan.trails[fault.trail];
-  rig::TrailSettings& settings = planned.trail.settings;
-  if (letGo(ground, settings)) {
-    return;
-  }
-  if ((fault.kind == FaultKind::floor || fault.kind == FaultKind::lifted) && settings.axes == allAxes) {
-    settings.axes = levelAxes;
-    return;
-  }
-  if (fault.kind == FaultKind::floor && liftFoot(ground, planned, fault.depth)) {
-    return;
-  }
-  const std::optional<std::size_t> across =
-      fault.kind == FaultKind::sides ? axisAcross(ground, planned) : std::nullopt;
-  if (across && settings.axes == allAxes) {
-    settings.axes.at(*across) = false;
-    return;
-  }
-  if (fault.kind == FaultKind::seam && calmAtSeam(ground, settings)) {
-    return;
-  }
-  if (fault.kind == FaultKind::seam && settings.bend != rig::Bend::keep) {
-    settings.bend = rig::Bend::keep; // a limb that is nearly straight makes much of a small step at the seam
-    return;
-  }
-  if (fault.kind == FaultKind::seam &&
-      endBeforeSeam(ground, *findLimb(ground.document, planned.trail.limb), settings)) {
-    return;
-  }
-  settings = withShare(settings, step);
-  planned.why = planned.why.empty() ? why : planned.why;
-  if (excessOf(ground, planned) < leastExcess) {
-    leaveOut(plan, fault.trail, why);
-  }
-}
-
 // Way that the limb's end goes in a moment, seen from its base.
 Vec3 wayOf(const ClipGround& ground, const rig::Moment& moment) {
   return ground.reachOf(moment.limb, moment.tipFrame) - ground.reachOf(moment.limb, moment.startFrame);
@@ -515,7 +381,7 @@ bool calmEach(const ClipGround& ground, Trial& trial, AutoPlan& plan) {
     const std::optional<rig::TrailSettings> looked = plan.trails[i].looked;
     std::string problem = calmed(ground, trial, plan.trails[i]);
     PlannedTrail less = plan.trails[i];
-    less.trail.settings = withShare(looked.value_or(before), step);
+    less.trail.settings = withShare(looked.value_or(before), lowered);
     if (looked && looked->axes == allAxes && before.axes != allAxes &&
         (!problem.empty() || (before.axes[1] && excessOf(ground, plan.trails[i]) < excessOf(ground, less)))) {
       less.why = less.why.empty() && before.axes[1] ? textOf(FaultKind::sides) : less.why;

@@ -43,6 +43,7 @@ ClipGround joinedGround(const Document& document, double lastFrame = 20.0) {
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
   ground.lastFrame = lastFrame;
+  ground.turnFrames = lastFrame;
   return ground;
 }
 

@@ -41,6 +41,7 @@ ClipGround plannedGround(const Document& document) {
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
   ground.lastFrame = planEnd;
+  ground.turnFrames = planEnd;
   ground.limbs = allLimbs(document);
   for (double frame = 0.0; frame <= planEnd; frame += 1.0) {
     ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));
@@ -358,6 +359,23 @@ TEST_CASE("A tail or a feeler settles for as long as it went out, where there is
     const std::vector<rig::Moment> beside{stroke("right-arm", 0, 10, 20.0), stroke("left-arm", 0, 10, 15.0)};
     CHECK(shareOf(planFor(ground, beside), 1) == Approx(follows ? 1.0 / 3.0 : 1.0));
   }
+}
+
+TEST_CASE("In a loop from frame 1 on a way back ends when the foot is put down past the seam", "[plan]") {
+  Document document = striking();
+  document.body.limbs[0].kind = rig::LimbKind::leg;
+  ClipGround ground = plannedGround(document);
+  ground.wraps = true;
+  AutoSettings settings = twiceAsLong();
+  settings.style.release = 9.0;
+  const auto releaseFor = [&](double turn, const Vec2& stand) {
+    ground.turnFrames = turn;
+    ground.stands["left-arm"] = {stand};
+    return *plannedSettings(planFor(ground, {stroke("left-arm", 70, 84, 9.0)}, settings)).releaseFrames;
+  };
+  CHECK(releaseFor(90.0, {3.0, 30.0}) == Approx(9.0));
+  CHECK(releaseFor(89.0, {3.0, 30.0}) == Approx(8.0));
+  CHECK(releaseFor(89.0, {4.0, 30.0}) == Approx(9.0));
 }
 
 TEST_CASE("A way back ends before the next stroke of its limb has gone half of its way", "[plan]") {

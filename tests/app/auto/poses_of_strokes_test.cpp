@@ -74,6 +74,7 @@ struct PosedLimb {
     limb.id = "limb";
     ground.limbs = {limb, *findLimb(document, "spine")};
     ground.lastFrame = static_cast<double>(poses.size()) - 1.0;
+    ground.turnFrames = ground.lastFrame;
     ground.lowestVertices.assign(poses.size(), 0.3);
     for (const std::vector<Vec3>& pose : poses) {
       ground.places.push_back({pose, {Vec3(0.0, 1.0, 0.0), Vec3(0.0, 1.5, 0.0)}});
@@ -321,6 +322,7 @@ TEST_CASE("A foot is on the ground where it is the lowest of the body, and that 
   const rig::Limb& leg = *findLimb(document, "left-leg");
   ClipGround ground{document, 0};
   ground.lastFrame = 3.0;
+  ground.turnFrames = 3.0;
   ground.lowestVertices = {0.0, 0.0, 0.09 * height, 0.11 * height};
   ground.soles["left-leg"] = {0.04 * height, 0.06 * height, 0.13 * height, 0.15 * height};
   CHECK(isOnGround(ground, leg, {0.0, 0.0}));

@@ -218,6 +218,7 @@ TEST_CASE("A step that is put down within a sixth of a second gets less, by the 
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
   ground.lastFrame = 24.0;
+  ground.turnFrames = 24.0;
   ground.limbs = allLimbs(document);
   for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
     ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));

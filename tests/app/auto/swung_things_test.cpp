@@ -50,6 +50,7 @@ ClipGround swingGround(const Document& document) {
   ClipGround ground{document, 0};
   ground.framesPerSecond = 30.0;
   ground.lastFrame = swingEnd;
+  ground.turnFrames = swingEnd;
   ground.limbs = allLimbs(document);
   for (double frame = 0.0; frame <= swingEnd; frame += 1.0) {
     ground.places.push_back(placesOf(ground.limbs, evaluateOriginal(document, 0, frame / 30.0)));

@@ -1,0 +1,166 @@
+// What is tried against a fault that trails of a clip show together: the least that is left to try, one thing
+// at a time.
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "app/auto/remedies.h"
+#include "app/evaluate/evaluate.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+/// A trail of the stepper's leg or an arm in a loop from frame 1 on. Frames below 0 count from its end.
+struct Tried {
+  Document document = twoLeggedStepper();
+  ClipGround ground = clipGround(document, 0);
+  AutoPlan plan;
+
+  explicit Tried(const char* limb, double startFrame, double endFrame) {
+    ground.turnFrames = ground.lastFrame - 1.0;
+    ground.wraps = true;
+    ground.endsMeet = true;
+    ground.stands.clear();
+    PlannedTrail planned;
+    planned.trail.limb = limb;
+    rig::TrailSettings& settings = planned.trail.settings;
+    settings.startFrame = startFrame < 0.0 ? ground.lastFrame + startFrame : startFrame;
+    settings.endFrame = endFrame < 0.0 ? ground.lastFrame + endFrame : endFrame;
+    settings.releaseFrames = 6.0;
+    settings.scale = 1.5;
+    settings.bend = rig::Bend::keep;
+    plan.trails.push_back(planned);
+    plan.leftOut.resize(1);
+  }
+  const rig::TrailSettings& lowered(FaultKind kind, double depth = 0.0) {
+    lower(ground, plan, {0, kind, depth});
+    REQUIRE(plan.trails.size() == 1);
+    return plan.trails.front().trail.settings;
+  }
+  rig::TrailSettings& settings() { return plan.trails.front().trail.settings; }
+};
+
+} // namespace
+
+TEST_CASE("A foot that is moved while it still stands starts when that is over, and only then gets less") {
+  Tried step("left-leg", 10, 24);
+  step.ground.stands["left-leg"] = {{2.0, 12.0}};
+  CHECK(step.lowered(FaultKind::stand).startFrame == 12.0);
+  CHECK(step.settings().scale == 1.5);
+  CHECK(step.lowered(FaultKind::stand).startFrame == 12.0);
+  CHECK(step.settings().scale == Approx(1.0 + 0.7 * 0.5));
+  CHECK(step.plan.trails.front().why == "the foot carries the body there");
+  // Not one of which hardly anything would be left, nor for a stand that is over or comes later, nor for
+  // another fault.
+  for (const auto& [stand, startFrame] : {std::pair(Vec2(2.0, 23.0), 10.0),
+                                          {Vec2(2.0, 22.0), 22.0},
+                                          {Vec2(2.0, 10.0), 10.0},
+                                          {Vec2(11.0, 13.0), 10.0},
+                                          {Vec2(10.0, 13.0), 13.0}}) {
+    Tried other("left-leg", 10, 24);
+    other.ground.stands["left-leg"] = {stand};
+    CHECK(other.lowered(FaultKind::stand).startFrame == startFrame);
+  }
+  Tried longer("left-leg", 10, 24);
+  longer.ground.stands["left-leg"] = {{2.0, 12.0}};
+  CHECK(longer.lowered(FaultKind::lengths).startFrame == 10.0);
+  Tried arm("left-arm", 10, 24);
+  arm.ground.stands["left-leg"] = {{2.0, 12.0}};
+  CHECK(arm.lowered(FaultKind::stand).startFrame == 10.0);
+}
+
+TEST_CASE("A foot along the ground is lifted by what is missing, three hundredths of the height in all") {
+  Tried step("left-leg", 10, 24);
+  const double height = step.document.body.height;
+  step.settings().axes = levelAxes;
+  const auto lift = [&] {
+    return step.settings().spheres.empty() ? 0.0 : step.settings().spheres.back().offset.y / height;
+  };
+  step.lowered(FaultKind::floor, 0.02 * height);
+  CHECK(lift() == Approx(0.022));
+  step.lowered(FaultKind::floor, 0.007 * height);
+  CHECK(lift() == Approx(0.0297));
+  CHECK(step.settings().scale == 1.5);
+  step.lowered(FaultKind::floor, 0.001 * height); // it would hang in the air
+  CHECK(step.settings().scale == Approx(1.35));
+  CHECK(lift() == Approx(0.7 * 0.0297));
+  // A foot that may go up and down goes along the ground first; an arm is not lifted, nor is a foot against
+  // another fault or by nothing.
+  Tried free("left-leg", 10, 24);
+  free.settings().axes = allAxes;
+  CHECK(free.lowered(FaultKind::floor, 0.01 * height).axes == levelAxes);
+  CHECK(free.settings().spheres.empty());
+  CHECK(free.settings().scale == 1.5);
+  for (const auto& [limb, kind, depth] : {std::tuple("left-arm", FaultKind::floor, 0.01),
+                                          {"left-leg", FaultKind::stand, 0.01},
+                                          {"left-leg", FaultKind::floor, 0.0}}) {
+    Tried other(limb, 10, 24);
+    other.settings().axes = levelAxes;
+    CHECK(other.lowered(kind, depth * height).spheres.empty());
+    CHECK(other.settings().scale == Approx(1.35));
+  }
+}
+
+TEST_CASE("What would open the seam of a loop keeps still over it, unless its foot stands by then") {
+  Tried held("left-leg", -20, -2);
+  CHECK(held.lowered(FaultKind::seam).endFrame == held.ground.lastFrame - 2.0);
+  const double still = held.settings().lingerFrames;
+  CHECK(still > 2.0);
+  CHECK(*held.settings().releaseFrames >= still + 3.0);
+  CHECK(held.settings().scale == 1.5);
+  for (const auto& [stand, keepsStill] : {std::pair(3.0, false), {12.0, true}}) {
+    CAPTURE(stand);
+    Tried step("left-leg", -20, -2);
+    step.ground.stands["left-leg"] = {{stand, 16.0}};
+    CHECK((step.lowered(FaultKind::seam).lingerFrames > 0.0) == keepsStill);
+    Tried arm("left-arm", -20, -2);
+    arm.ground.stands["left-leg"] = {{stand, 16.0}};
+    CHECK(arm.lowered(FaultKind::seam).lingerFrames > 0.0);
+  }
+  // Then its bend is kept as it is.
+  Tried bent("left-leg", -20, -2);
+  bent.ground.stands["left-leg"] = {{3.0, 16.0}};
+  bent.settings().bend = rig::Bend::straighten;
+  CHECK(bent.lowered(FaultKind::seam).bend == rig::Bend::keep);
+  CHECK(bent.settings().scale == 1.5);
+}
+
+TEST_CASE("What holds its pose lets go before anything else, and what is too little is left out") {
+  Tried held("left-arm", 10, 20);
+  held.settings().lingerFrames = 2.0;
+  CHECK(held.lowered(FaultKind::lengths).lingerFrames == 0.0);
+  CHECK(*held.settings().releaseFrames == 4.0);
+  CHECK(held.settings().scale == 1.5);
+  held.settings().scale = 1.08;
+  CHECK(held.lowered(FaultKind::lengths).scale == Approx(1.056));
+  lower(held.ground, held.plan, {0, FaultKind::lengths});
+  CHECK(held.plan.trails.empty());
+  CHECK(held.plan.leftOut == std::vector<std::string>{"it would leave the style's lengths"});
+}
+
+TEST_CASE("A loop whose first key stands on frame 1 is where it was a frame sooner than it is long") {
+  const Document start = stepper();
+  Track leg = turnsOf(start, "left-leg");
+  for (const auto& [frame, angle] : {std::pair(1, 0.0), {10, 0.8}, {25, 0.0}}) {
+    addKey(leg, frame, glm::angleAxis(angle, Vec3(-1.0, 0.0, 0.0)));
+  }
+  Document document = withTracks(start, {leg});
+  Clip clip = document.clips->front();
+  clip.startSeconds = 1.0 / 30.0;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  const ClipGround ground = clipGround(document, 0);
+  CHECK(ground.lastFrame == 25.0);
+  CHECK(ground.turnFrames == 24.0);
+  CHECK(ground.wraps);
+  const ClipGround whole = clipGround(swinger(), 0);
+  CHECK(whole.turnFrames == whole.lastFrame);
+}
