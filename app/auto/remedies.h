@@ -7,8 +7,9 @@
 
 namespace stretch::app {
 
-inline constexpr double leastExcess = 0.05; ///< Of a scale: less is not seen.
-inline constexpr double lowered = 0.7;      ///< Of an exaggeration, where there has to be less of it.
+inline constexpr double leastExcess = 0.05; ///< Change of a scale: less is not seen.
+inline constexpr double lowered = 0.7; ///< Share that is left of an exaggeration of which there has to be
+                                       ///< less.
 inline constexpr std::array<bool, 3> allAxes{true, true, true};
 inline constexpr std::array<bool, 3> levelAxes{true, false, true};
 
