@@ -125,6 +125,34 @@ TEST_CASE("A foot that would have to hang in the air to be above the ground step
   CHECK(lowestIn(made.document) > lowestIn(before) - 0.0015 * height);
 }
 
+TEST_CASE("A foot that is lifted already is lifted no higher than three hundredths of the height, and steps "
+          "less far") {
+  const Document document = walker(0.2);
+  const double most = 0.03 * document.body.height;
+  // Lifted so far that by itself it looks right: what is missing would take more than is left.
+  for (const double before : {0.02, 0.028}) {
+    AutoPlan plan;
+    plan.leftOut.resize(2);
+    for (const char* const leg : {"right-leg", "left-leg"}) {
+      PlannedTrail planned;
+      planned.moment = plan.trails.size();
+      planned.trail = withNewTrail(document, {leg, 0.0, 7.0, 1.4}).trails.front();
+      planned.trail.settings.axes = {true, false, true};
+      pullAlong(planned, {0.0, before * document.body.height, 0.0});
+      plan.trails.push_back(planned);
+    }
+    settle(clipGround(document, 0), bothSteps(), in("Opera"), plan);
+    REQUIRE(plan.trails.size() == 2);
+    for (const PlannedTrail& step : plan.trails) {
+      CHECK(step.trail.settings.spheres.back().offset.y <= most);
+      CHECK(step.trail.settings.spheres.back().offset.y > 0.8 * most);
+      CHECK(step.trail.settings.scale < 1.3);
+      CHECK(step.trail.settings.scale > 1.1);
+    }
+    CHECK(plan.trails.front().why == "it would go through the floor");
+  }
+}
+
 TEST_CASE("How far below the floor a limb is, is told of the frame where it is most") {
   const Document document = walker(0.1);
   AutoPlan plan;
