@@ -10,6 +10,7 @@
 #include "core/math/rotation.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/standing_leg.h"
 #include "tests/support/nodes.h"
 
 using namespace stretch;
@@ -97,22 +98,6 @@ void addSleeve(Document& document) {
 void addHead(Document& document) {
   Scene scene = *document.scene;
   document.body.head = test::addNode(scene, "Head", findLimb(document, "spine")->endNode, {0.0, 0.3, 0.0});
-  document.scene = std::make_shared<const Scene>(std::move(scene));
-}
-
-// Straight down to the floor, where they stand all the time.
-void addLegs(Document& document) {
-  Scene scene = *document.scene;
-  const NodeIndex hip = test::addNode(scene, "LeftUpLeg", document.body.hips, {0.1, 0.0, 0.0});
-  const NodeIndex knee = test::addNode(scene, "LeftLeg", hip, {0.0, -0.5, 0.0});
-  const NodeIndex foot = test::addNode(scene, "LeftFoot", knee, {0.0, -0.5, 0.0});
-  rig::Limb leg;
-  leg.kind = rig::LimbKind::leg;
-  leg.id = "left-leg";
-  leg.joints = {hip, knee};
-  leg.endNode = foot;
-  leg.restLength = 1.0;
-  document.body.limbs.push_back(leg);
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
@@ -273,7 +258,7 @@ TEST_CASE("an elbow above the head that the source has not is told, with what he
 
 TEST_CASE("a hand below the floor is told, and stopping there helps") {
   Document document = punching(10.0, 2.0);
-  addLegs(document);
+  test::addStandingLeg(document);
   CHECK(warningsOf(document).empty());
   document.trails.front().settings.scale = 3.0;
   document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -1.6, 0.0)}};

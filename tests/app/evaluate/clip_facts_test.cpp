@@ -16,6 +16,7 @@
 #include "app/evaluate/quality.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/standing_leg.h"
 #include "tests/support/nodes.h"
 
 using namespace stretch;
@@ -46,22 +47,6 @@ void addTriangle(Document& document, NodeIndex parent, double above, const std::
   scene.meshes.push_back({name, {primitive}, {}});
   const NodeIndex node = test::addNode(scene, name, parent, {0.0, above, 0.0});
   scene.nodes[at(node)].mesh = static_cast<int>(scene.meshes.size()) - 1;
-  document.scene = std::make_shared<const Scene>(std::move(scene));
-}
-
-/// A leg that stands on a foot 1 below the hips, at height 0.
-void addLeg(Document& document) {
-  Scene scene = *document.scene;
-  const NodeIndex hip = test::addNode(scene, "LeftUpLeg", document.body.hips, {0.1, 0.0, 0.0});
-  const NodeIndex knee = test::addNode(scene, "LeftLeg", hip, {0.0, -0.5, 0.0});
-  const NodeIndex foot = test::addNode(scene, "LeftFoot", knee, {0.0, -0.5, 0.0});
-  rig::Limb leg;
-  leg.kind = rig::LimbKind::leg;
-  leg.id = "left-leg";
-  leg.joints = {hip, knee};
-  leg.endNode = foot;
-  leg.restLength = 1.0;
-  document.body.limbs.push_back(leg);
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
@@ -184,7 +169,7 @@ TEST_CASE("Without a floor what hangs lowest in the bind pose alone is the groun
   };
   REQUIRE(highest() > 1.0);
   CHECK(ClipFacts(document, 0).ground() == Approx(0.3));
-  addLeg(document);
+  test::addStandingLeg(document);
   ClipFacts standing(document, 0);
   REQUIRE(standing.standing().floor);
   CHECK(*standing.standing().floor == Approx(0.0).margin(1e-9));
