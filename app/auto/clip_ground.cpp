@@ -162,6 +162,27 @@ std::map<std::string, std::vector<Vec2>> withSlides(const ClipGround& ground) {
   return down;
 }
 
+// A floor along which feet slide that never stand still: on most frames the lowest vertex is all but as high.
+// It is as low as that ever is, but for what swings far below, as a sword.
+std::optional<double> floorOfSlides(const ClipGround& ground) {
+  constexpr double same = 0.01; // of the height
+  constexpr double near = 0.03; // of the height: a heel or toes that dip
+  std::vector<double> lowest = ground.lowestVertices;
+  std::ranges::sort(lowest);
+  const double usual = lowest[lowest.size() / 2];
+  if (ground.soles.empty() || !std::isfinite(usual)) {
+    return std::nullopt; // no legs, or no mesh
+  }
+  const auto isWithin = [&](double share) {
+    return [=, reach = share * ground.document.body.height](double height) {
+      return std::abs(height - usual) < reach;
+    };
+  };
+  return 2 * std::ranges::count_if(lowest, isWithin(same)) > std::ssize(lowest)
+             ? std::optional(*std::ranges::find_if(lowest, isWithin(near)))
+             : std::nullopt;
+}
+
 } // namespace
 
 std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const FrameState& frame) {
@@ -278,7 +299,7 @@ ClipGround clipGround(const Document& document, int clip) {
     stands = joined(std::move(stands));
   }
   ground.slides = withSlides(ground);
-  ground.floor = standing.floor;
+  ground.floor = standing.floor ? standing.floor : floorOfSlides(ground);
   return ground;
 }
 

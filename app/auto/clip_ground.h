@@ -43,7 +43,7 @@ struct ClipGround {
   std::map<std::string, std::vector<double>> soles = {}; ///< By leg: how high its foot is at each whole
                                                          ///< frame.
   double lowest = 0.0;              ///< Height that no point of a limb goes below in the clip.
-  std::optional<double> floor = {}; ///< Floor on which feet stand.
+  std::optional<double> floor = {}; ///< Floor on which feet stand or slide.
 
   [[nodiscard]] const LimbPlaces& placesAt(double frame) const;
   /// Points of the limb of this id, which is there.

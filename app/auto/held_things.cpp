@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/evaluate.h"
@@ -89,6 +90,40 @@ rig::PropHand handOf(const std::string& arm, const std::vector<Vec2>& holds, dou
   return hand;
 }
 
+// Whether a node keeps its place on its parent, however that turns.
+bool keepsPlace(const std::vector<FrameState>& frames, NodeIndex node, NodeIndex parent, double height) {
+  constexpr double still = 1e-3; // of the height
+  const auto placeIn = [&](const FrameState& frame) {
+    return Vec3(glm::inverse(frame.worlds[at(parent)]) * Vec4(positionOf(frame.worlds[at(node)]), 1.0));
+  };
+  const double unit = glm::length(Vec3(frames.front().worlds[at(parent)][0]));
+  return std::ranges::all_of(frames, [&](const FrameState& frame) {
+    return glm::distance(placeIn(frame), placeIn(frames.front())) * unit < still * height;
+  });
+}
+
+// Whether the body wears the thing, as a helmet or a cape: it hangs firmly on a joint that no arm carries. A
+// hand that stays as far from it for a while does not hold it.
+bool isWorn(const ClipGround& ground, const std::vector<FrameState>& frames, NodeIndex thing) {
+  const Scene& scene = *ground.document.scene;
+  const auto isOfBody = [&](NodeIndex node) {
+    return node == ground.document.body.hips || std::ranges::any_of(ground.limbs, [&](const auto& limb) {
+             return node == limb.endNode || std::ranges::find(limb.joints, node) != limb.joints.end();
+           });
+  };
+  NodeIndex node = thing;
+  while (!isOfBody(node)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    if (!parent.exists() || !keepsPlace(frames, node, parent, ground.document.body.height)) {
+      return false;
+    }
+    node = parent;
+  }
+  return std::ranges::none_of(ground.limbs, [&](const rig::Limb& limb) {
+    return isArm(limb) && isAncestorOrSelf(scene, limb.joints.front(), node);
+  });
+}
+
 bool isHeldIn(const std::vector<Vec2>& holds, const rig::TrailSettings& settings) {
   return std::ranges::any_of(holds, [&](const Vec2& hold) {
     return hold.x <= settings.startFrame + 1.0 && hold.y >= settings.endFrame - 1.0;
@@ -131,6 +166,9 @@ std::vector<rig::Prop> propsFor(const ClipGround& ground, const AutoPlan& plan) 
     }
     for (auto frame = static_cast<double>(frames.size()); frame <= ground.lastFrame; frame += 1.0) {
       frames.push_back(evaluateOriginal(ground.document, ground.clip, frame / ground.framesPerSecond));
+    }
+    if (isWorn(ground, frames, NodeIndex(i))) {
+      continue;
     }
     if (std::optional<rig::Prop> prop = propOf(ground, plan, frames, NodeIndex(i))) {
       props.push_back(std::move(*prop));

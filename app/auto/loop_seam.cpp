@@ -41,7 +41,7 @@ LoopSeam seamOfSource(const ClipGround& ground) {
 
 bool closesWorse(const ClipGround& ground, const LoopSeam& now, const LoopSeam& source, std::size_t limb) {
   constexpr double seamMetres = 0.008; // of a person
-  constexpr double seamSpeed = 0.06;   // of a person, m/s; keys add as much again
+  constexpr double seamSpeed = 0.04;   // of a person, m/s; keys add as much again, and more
   const double metre = ground.document.body.size / characterSizeMetres;
   for (std::size_t k = 0; k < now.first[limb].size(); ++k) {
     const auto gap = [&](const LoopSeam& seam) {

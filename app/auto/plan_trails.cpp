@@ -551,7 +551,8 @@ private:
   [[nodiscard]] double roomAfter(const rig::Trail& trail, double share) const {
     const double tip = trail.settings.endFrame;
     const double turn = ground_.wraps ? ground_.turnFrames : 0.0;
-    double room = turn > 0.0 ? 2.0 * turn : ground_.lastFrame - tip;
+    const double end = ground_.lastFrame - tip; // less a frame: keys go straight from each frame to the next
+    double room = turn > 0.0 ? 2.0 * turn : std::max(end - 1.0, std::min(end, shortestRelease));
     const auto endBefore = [&](double frame) {
       const double after = frame >= tip ? frame - tip : frame + turn - tip;
       room = after >= 0.0 ? std::min(room, after) : room;

@@ -80,7 +80,7 @@ TEST_CASE("A seam closes worse where a limb is more than 8 mm farther from its f
   CHECK_FALSE(worse(0.0, 1));       // Nor is closing better worse.
 }
 
-TEST_CASE("A seam closes worse where a limb turns more sharply by more than 0.06 m/s") {
+TEST_CASE("A seam closes worse where a limb turns more sharply by more than 0.04 m/s") {
   const auto [rate, seconds] = GENERATE(table<double, double>(
       {{10.0, 1.0 / 40.0}, {24.0, 1.0 / 96.0}, {30.0, 1.0 / 120.0}, {60.0, 1.0 / 120.0}}));
   const double own = GENERATE(0.0, 3.0);
@@ -94,8 +94,8 @@ TEST_CASE("A seam closes worse where a limb turns more sharply by more than 0.06
     return closesWorse(ground, withTurn(standingSeam(), speed, length, point), source, limb);
   };
   CHECK_FALSE(worse(own, 1));
-  CHECK_FALSE(worse(own + 0.059 * metre, 1));
-  CHECK(worse(own + 0.061 * metre, 1));
+  CHECK_FALSE(worse(own + 0.039 * metre, 1));
+  CHECK(worse(own + 0.041 * metre, 1));
   CHECK_FALSE(worse(own + 9.0, 0));
 }
 

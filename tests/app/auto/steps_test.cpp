@@ -145,7 +145,7 @@ TEST_CASE("A foot that is lifted already is lifted no higher than three hundredt
     REQUIRE(plan.trails.size() == 2);
     for (const PlannedTrail& step : plan.trails) {
       CHECK(step.trail.settings.spheres.back().offset.y <= most);
-      CHECK(step.trail.settings.spheres.back().offset.y > 0.8 * most);
+      CHECK(step.trail.settings.spheres.back().offset.y > 0.75 * most);
       CHECK(step.trail.settings.scale < 1.3);
       CHECK(step.trail.settings.scale > 1.1);
     }

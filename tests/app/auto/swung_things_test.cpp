@@ -21,13 +21,17 @@ namespace {
 
 constexpr double swingEnd = 60.0;
 
+/// What the stick hangs on, and whether it moves on that.
+enum class Stick { shaken, onChest, onTurningHead, onMovingHead };
+
 /// Both hands hold a stick before the chest, which swings round from frame 2 to 12, stays there until 16 and
 /// is back at 20. `besideLeft`: the stick is so far from the middle, towards the left hand.
-Document withStick(double besideLeft = 0.0) {
+Document withStick(double besideLeft = 0.0, Stick kind = Stick::shaken) {
   Document document = test::boxer();
   Scene scene = *document.scene;
   const NodeIndex chest = findLimb(document, "spine")->endNode;
-  const NodeIndex stick = test::addNode(scene, "Stick", chest, {besideLeft, 0.1, 0.55});
+  const NodeIndex head = test::addNode(scene, "Head", chest, {0.0, 0.0, 0.0});
+  const NodeIndex stick = test::addNode(scene, "Stick", head, {besideLeft, 0.1, 0.55});
   scene.nodes[at(stick)].mesh = 0;
   document.scene = std::make_shared<const Scene>(std::move(scene));
   Track spine = test::turnsOf(document, "spine");
@@ -35,13 +39,31 @@ Document withStick(double besideLeft = 0.0) {
        {std::pair(0, 0.0), {2, 0.0}, {12, 1.2}, {16, 1.2}, {20, 0.0}, {60, 0.0}}) {
     test::addKey(spine, frame, glm::angleAxis(angle, Vec3(0.0, 1.0, 0.0)));
   }
+  Track shaken; // a little
+  shaken.node = kind == Stick::shaken ? stick : head;
+  shaken.channel = Channel::translation;
+  shaken.width = 3;
+  const Vec3 place = kind == Stick::shaken ? Vec3(besideLeft, 0.1, 0.55) : Vec3(0.0);
+  const double shake = kind == Stick::shaken || kind == Stick::onMovingHead ? 0.01 : 0.0;
+  for (const auto& [frame, more] : {std::pair(0.0, 0.0), {30.0, shake}, {swingEnd, 0.0}}) {
+    shaken.times.push_back(static_cast<float>(frame / 30.0));
+    for (const double value : {place.x, place.y, place.z + more}) {
+      shaken.values.push_back(static_cast<float>(value));
+    }
+  }
+  Track nod = test::turnsOf(document, "spine");
+  nod.node = head;
+  for (const auto& [frame, angle] :
+       {std::pair(0, 0.0), {14, kind == Stick::onTurningHead ? 0.05 : 0.0}, {60, 0.0}}) {
+    test::addKey(nod, frame, glm::angleAxis(angle, Vec3(0.0, 1.0, 0.0)));
+  }
   Track left = test::turnsOf(document, "left-arm");
   Track right = test::turnsOf(document, "right-arm");
   for (const double frame : {0.0, swingEnd}) {
     test::addKey(left, frame, glm::angleAxis(0.5 * pi, Vec3(0.0, -1.0, 0.0)));
     test::addKey(right, frame, glm::angleAxis(0.5 * pi, Vec3(0.0, 1.0, 0.0)));
   }
-  document = test::withTracks(std::move(document), {left, right, spine});
+  document = test::withTracks(std::move(document), {left, right, spine, shaken, nod});
   document.body.size = 1.8;
   return document;
 }
@@ -86,6 +108,15 @@ TEST_CASE("The weaker of two hands on one thing goes where the stronger one does
   CHECK(settingsAt(plan, 0).lingerFrames == 4.0); // A weak swingOf by itself is not held.
   CHECK(settingsAt(plan, 1) == settingsAt(plan, 0));
   CHECK(plan.trails[1].trail.limb == weak);
+}
+
+TEST_CASE("What hangs firmly on a body is worn, and what hangs on an arm or goes its own way is held") {
+  const std::vector<rig::Moment> moments{swingOf("left-arm", 2, 12, 8.0)};
+  CHECK(planned(withStick(), moments).holds.props.size() == 1);
+  // On a head that turns it is worn as well; where the head goes its own way, it is held.
+  CHECK(planned(withStick(0.0, Stick::onChest), moments).holds.props.empty());
+  CHECK(planned(withStick(0.0, Stick::onTurningHead), moments).holds.props.empty());
+  CHECK(planned(withStick(0.0, Stick::onMovingHead), moments).holds.props.size() == 1);
 }
 
 TEST_CASE("Arms are as they are by themselves where only one of them is on the thing") {

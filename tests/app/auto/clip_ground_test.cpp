@@ -1,0 +1,68 @@
+// Ground of a clip that is to be exaggerated: the floor under feet that stand, slide or fly.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/auto/clip_ground.h"
+#include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+/// Two straight legs of length 1 below hips that sway from side to side within 24 frames, so fast that no
+/// foot ever stands, at a height that the frame tells.
+template <typename Height>
+Document swaying(const Height& heightAt) {
+  Document document = twoLeggedStepper();
+  Scene scene = *document.scene;
+  Primitive sole;
+  sole.positions = {{-0.05F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.1F}};
+  sole.indices = {0, 1, 2};
+  for (const char* const leg : {"left-leg", "right-leg"}) {
+    scene.nodes[at(findLimb(document, leg)->endNode)].mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back({"sole", {sole}, {}});
+  }
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  Track hips;
+  hips.node = document.body.hips;
+  hips.channel = Channel::translation;
+  hips.width = 3;
+  for (int frame = 0; frame <= 24; ++frame) {
+    hips.times.push_back(static_cast<float>(frame / 30.0));
+    for (const double value : {std::sin(2.0 * pi * frame / 12.0), heightAt(frame), 0.0}) {
+      hips.values.push_back(static_cast<float>(value));
+    }
+  }
+  return withTracks(document, {hips});
+}
+
+} // namespace
+
+TEST_CASE(
+    "Feet that never stand still slide along a floor where the lowest vertex is as high on most frames") {
+  const auto floorOf = [](const auto& heightAt) { return clipGround(swaying(heightAt), 0).floor; };
+  const double height = swaying([](int) { return 1.0; }).body.height;
+  const auto dips = [&](double share) {
+    return [=](int frame) { return frame > 14 ? 1.4 : frame == 3 ? 1.0 - share * height : 1.0; };
+  };
+  REQUIRE(clipGround(swaying(dips(0.0)), 0).stands.empty());
+  // As low as a heel dips, but not as low as what swings far below. Hops on less than half of the frames are
+  // no floor.
+  for (const auto& [share, floor] : {std::pair(0.0, 0.0), {0.028, -0.028}, {0.032, 0.0}}) {
+    CAPTURE(share);
+    REQUIRE(floorOf(dips(share)));
+    CHECK(*floorOf(dips(share)) == Approx(floor * height).margin(1e-6));
+  }
+  CHECK_FALSE(floorOf([](int frame) { return frame > 11 ? 1.0 + 0.1 * frame : 1.0; }));
+  // Without legs nothing slides.
+  Document legless = swaying(dips(0.0));
+  std::erase_if(legless.body.limbs, [](const rig::Limb& limb) { return isLeg(limb); });
+  CHECK_FALSE(clipGround(legless, 0).floor);
+}
