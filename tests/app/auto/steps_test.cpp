@@ -322,3 +322,68 @@ TEST_CASE("A clip in which limbs go round is a loop, though one of four is not b
   CHECK(tipWith(2, rig::MomentKind::cycle) == 20.0);
   CHECK(tipWith(1, rig::MomentKind::stroke) == 20.0);
 }
+
+TEST_CASE("Steps that are too little to be seen hold back no arms beside them") {
+  AutoSettings settings = in("Opera");
+  settings.style.leg = {1.0, 1.03, 5.0};
+  std::vector<rig::Moment> moments = bothSteps();
+  moments.push_back(roundOf("left-arm", 0, 7));
+  const AutoClip made = exaggerateClip(walker(0.0), 0, moments, settings);
+  CHECK(made.moments[0].trailId == 0);
+  CHECK(made.moments[1].trailId == 0);
+  CHECK(made.moments[2].scale == Approx(1.4));
+}
+
+TEST_CASE("What comes again too weakly to be seen makes no other one as weak") {
+  const Document start = test::boxer();
+  Track arm = turnsOf(start, "left-arm");
+  for (const auto& [frame, angle] :
+       {std::pair(0, 0.0), {10, 1.2}, {25, 0.0}, {40, 0.0}, {50, 1.2}, {70, 0.0}}) {
+    addKey(arm, frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+  }
+  AutoSettings settings = in("Opera");
+  settings.style.arm = {1.0, 1.2, 5.0};
+  const auto scalesWith = [&](double strength) {
+    const AutoClip made =
+        exaggerateClip(withTracks(start, {arm}), 0,
+                       {roundOf("left-arm", 0, 10), roundOf("left-arm", 40, 50, strength)}, settings);
+    return std::pair(made.moments[0].scale, made.moments[1].trailId > 0 ? made.moments[1].scale : 0.0);
+  };
+  CHECK(scalesWith(3.2).first == Approx(1.2));
+  CHECK(scalesWith(3.2).second == 0.0);
+  const auto [first, second] = scalesWith(11.0);
+  CHECK(first == Approx(1.0 + 0.2 * 11.0 / 12.0));
+  CHECK(second == Approx(first));
+}
+
+TEST_CASE(
+    "Where one side goes along the ground, or keeps its bend, the other one that does the same does too") {
+  const Document document = withTracks(
+      test::boxer(), {turnsOfPunch(test::boxer(), "left-arm"), turnsOfPunch(test::boxer(), "right-arm")});
+  const std::vector<rig::Moment> moments{{"left-arm", rig::MomentKind::stroke, 0.0, 10.0, 10.0, 20.0},
+                                         {"right-arm", rig::MomentKind::stroke, 0.0, 10.0, 10.0, 20.0}};
+  const auto settled = [&](bool oneIsLevel, bool oneKeeps, std::size_t which) {
+    AutoPlan plan;
+    plan.leftOut.resize(2);
+    for (const rig::Moment& moment : moments) {
+      PlannedTrail planned;
+      planned.moment = plan.trails.size();
+      planned.trail = withNewTrail(document, {moment.limb, 0.0, 10.0, 1.2}).trails.front();
+      rig::TrailSettings& settings = planned.trail.settings;
+      settings.axes[1] = !(oneIsLevel && planned.moment == which);
+      settings.bend = oneKeeps && planned.moment == which ? rig::Bend::keep : rig::Bend::straighten;
+      plan.trails.push_back(planned);
+    }
+    settle(clipGround(document, 0), moments, in("Opera"), plan);
+    REQUIRE(plan.trails.size() == 2);
+    CHECK(plan.trails[0].trail.settings.axes == plan.trails[1].trail.settings.axes);
+    CHECK(plan.trails[0].trail.settings.bend == plan.trails[1].trail.settings.bend);
+    return plan.trails[0].trail.settings;
+  };
+  for (const std::size_t which : {0U, 1U}) {
+    CHECK_FALSE(settled(true, false, which).axes[1]);
+    CHECK(settled(false, true, which).bend == rig::Bend::keep);
+  }
+  CHECK(settled(false, false, 0).axes[1]);
+  CHECK(settled(false, false, 0).bend == rig::Bend::straighten);
+}
