@@ -170,8 +170,8 @@ TEST_CASE("A mesh that a clip moves by its node is told of, and one whose joints
   Clip clip = test::boxer().clips->front();
   const auto told = [&](const std::vector<Clip>& clips) {
     std::vector<std::string> lines = boundAt(opened(scene, clips)).report.warnings;
-    std::erase_if(lines,
-                  [](const std::string& line) { return line.find("is moved by a clip") == line.npos; });
+    std::erase_if(
+        lines, [](const std::string& line) { return line.find("is moved by a clip") == std::string::npos; });
     return lines;
   };
   clip.tracks.emplace_back(movesOf(nodeNamed(scene, "Trunk")));
