@@ -138,3 +138,25 @@ TEST_CASE("Of a clip that gets another time the other clips keep theirs, in ever
   same(made->holds.props, start.holds.props);
   same(made->weights, start.weights);
 }
+
+TEST_CASE("Where what comes after stays, keys that a slower range reaches give way to it, and others stay") {
+  const Document start = allKeyed();
+  const KeyRow row = keyedRows(start, 0).front();
+  const std::vector<RowKey> before = readRow(start, 0, row).keys;
+  for (const auto& [newFrames, reaches] : {std::pair(6.0, true), {4.5, false}}) {
+    CAPTURE(newFrames);
+    const Result<Document> made = retimed(start, 0, {2.0, 5.0, newFrames * (reaches ? 1.5 : 1.0), false});
+    REQUIRE(made);
+    const std::vector<RowKey> after = readRow(*made, 0, row).keys;
+    const double end = 2.0 + newFrames * (reaches ? 1.5 : 1.0);
+    std::vector<double> wanted{0.0, 2.0, end};
+    wanted.insert(wanted.end(),
+                  reaches ? std::initializer_list<double>{20.0} : std::initializer_list<double>{10.0, 20.0});
+    REQUIRE(after.size() == wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      CHECK(after[i].frame == Approx(wanted[i]).margin(1e-4));
+    }
+    CHECK(after[2].values == before[1].values); // as it was at the end of the range
+    CHECK(after.back().values == before.back().values);
+  }
+}

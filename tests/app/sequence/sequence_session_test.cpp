@@ -322,6 +322,7 @@ TEST_CASE("the bones of a file take the place of own ones and leave again, anoth
   const auto changed = app::withSkeleton(session.document(), folder / "tube.glb");
   REQUIRE(changed);
   CHECK(changed->settings.skeleton.size() == 8);
+  CHECK(changed->skeletonFile == folder / "tube.glb");
   CHECK_FALSE(changed->settings.tolerancePercent);
   session.edit(*changed, "Take the bones");
   CHECK(app::isOutdated(session.document()));
@@ -330,6 +331,7 @@ TEST_CASE("the bones of a file take the place of own ones and leave again, anoth
   const auto& bones = session.document().result->compressed.skinned.bones;
   CHECK(bones.front().name == changed->settings.skeleton.front().name);
   CHECK(app::withoutSkeleton(*changed).settings.skeleton.empty());
+  CHECK(app::withoutSkeleton(*changed).skeletonFile.empty());
   const auto refused =
       app::withSkeleton(session.document(), std::filesystem::path(STRETCH_SOURCE_DIR "/assets/dummy.glb"));
   REQUIRE_FALSE(refused);

@@ -58,8 +58,8 @@ SolvedTrail solvedTrail(const StraightWay& way) {
   return solved;
 }
 
-ReleaseLength lengthOf(const SolvedTrail& solved, double clipFrames = 100.0, bool loops = false,
-                       double firstFrame = 0.0) {
+ReleaseLength releaseOf(const SolvedTrail& solved, double clipFrames = 100.0, bool loops = false,
+                        double firstFrame = 0.0) {
   Clip clip;
   clip.framesPerSecond = releaseRate;
   clip.startSeconds = firstFrame / releaseRate;
@@ -84,11 +84,11 @@ TEST_CASE("a calm way back takes one and a half times the tip's way at the speed
   SolvedTrail solved = solvedTrail(way);
   const double stroke = 12.0 / releaseRate;
   const double fastest = way.speed + (way.pivot == Pivot::start ? 1.0 : -1.0) * 0.5 / stroke;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest))));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest))));
   solved.settings.overshoot = 0.4;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4)));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4)));
   solved.settings.lingerFrames = 3.0;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4) + 3.0 / releaseRate));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.5, std::abs(fastest), 0.4) + 3.0 / releaseRate));
 }
 
 TEST_CASE("the speed of a stroke is that of its exaggerated path, seen from the limb's base") {
@@ -99,13 +99,13 @@ TEST_CASE("the speed of a stroke is that of its exaggerated path, seen from the 
   const double seconds = 12.0 / releaseRate;
   const Vec3 offset = way.shift + way.pull;
   const Vec3 velocity = Vec3(way.speed, 0.0, 0.0) + offset / seconds;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(glm::length(offset), glm::length(velocity))));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(glm::length(offset), glm::length(velocity))));
 
   // Along a space that is turned by a quarter about z its x is the world's y.
   solved.path.axes = Mat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
   const Vec3 turned(-offset.y, offset.x, 0.0);
   const Vec3 turnedVelocity = Vec3(way.speed, 0.0, 0.0) + turned / seconds;
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(glm::length(turned), glm::length(turnedVelocity))));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(glm::length(turned), glm::length(turnedVelocity))));
 }
 
 TEST_CASE("the fastest part of a stroke tells its speed, wherever it is") {
@@ -117,7 +117,7 @@ TEST_CASE("the fastest part of a stroke tells its speed, wherever it is") {
     solved.path.samples[i].end.y += 1.0;
   }
   const double fastest = glm::length(Vec3(3.0, 1.0 * releaseRate, 0.4 * releaseRate / 12.0));
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
 }
 
 TEST_CASE("a leap within less than half a frame is counted over the whole of it") {
@@ -130,7 +130,7 @@ TEST_CASE("a leap within less than half a frame is counted over the whole of it"
     solved.path.samples[i].end.y += 1.0; // Between frame 14 and the key beside it.
   }
   const double fastest = glm::length(Vec3(3.0, 1.0 / counted * releaseRate, 0.4 * releaseRate / 12.0));
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.4, fastest)));
 }
 
 TEST_CASE("control spheres count in the tip's way back and in the speed of the stroke") {
@@ -139,17 +139,17 @@ TEST_CASE("control spheres count in the tip's way back and in the speed of the s
   solved.offsets =
       SphereOffsets({10.0, 22.0}, {{10.0, Vec3(0.0), perFrame}, {22.0, 12.0 * perFrame, perFrame}});
   const double fastest = std::hypot(3.0, perFrame.y * releaseRate);
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.7, fastest)));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.7, fastest)));
   solved.tip.outcome = TipOutcome::nothingToScale; // Spheres alone move it.
   solved.tip.shift = Vec3(9.0);
-  CHECK(lengthOf(solved).calmSeconds == Approx(calmOf(0.7, fastest)));
+  CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(0.7, fastest)));
 }
 
 TEST_CASE("a limb that stands still has no speed that a way back could be measured by") {
   SolvedTrail solved = solvedTrail({.speed = 0.0, .shift = Vec3(0.0)});
-  CHECK(lengthOf(solved).calmSeconds == 0.0);
+  CHECK(releaseOf(solved).calmSeconds == 0.0);
   solved.settings.lingerFrames = 5.0;
-  CHECK(lengthOf(solved).calmSeconds == Approx(5.0 / releaseRate));
+  CHECK(releaseOf(solved).calmSeconds == Approx(5.0 / releaseRate));
 }
 
 TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm and where keys lie") {
@@ -157,7 +157,7 @@ TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm 
   SolvedTrail solved = solvedTrail({});
   solved.nextKeySeconds = 0.3;
   solved.settings.releaseFrames = frames;
-  const ReleaseLength length = lengthOf(solved);
+  const ReleaseLength length = releaseOf(solved);
   CHECK(length.wantedSeconds == Approx(frames / releaseRate));
   CHECK(length.seconds == Approx(frames / releaseRate));
 }
@@ -165,17 +165,17 @@ TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm 
 TEST_CASE("a way back goes to the next key where that is three quarters of what is calm away, or more") {
   const Pivot pivot = GENERATE(Pivot::start, Pivot::end);
   SolvedTrail solved = solvedTrail({.pivot = pivot});
-  const double calm = lengthOf(solved).calmSeconds;
+  const double calm = releaseOf(solved).calmSeconds;
   REQUIRE(calm > 2.0 / releaseRate);
   for (const double share : {0.751, 1.0, 1.9}) {
     CAPTURE(share);
     solved.nextKeySeconds = share * calm;
-    CHECK(lengthOf(solved).wantedSeconds == Approx(share * calm)); // Between frames as the key is.
+    CHECK(releaseOf(solved).wantedSeconds == Approx(share * calm)); // Between frames as the key is.
   }
   for (const double share : {0.1, 0.749}) {
     CAPTURE(share);
     solved.nextKeySeconds = share * calm;
-    CHECK(lengthOf(solved).wantedSeconds * releaseRate == Approx(std::ceil(calm * releaseRate)));
+    CHECK(releaseOf(solved).wantedSeconds * releaseRate == Approx(std::ceil(calm * releaseRate)));
   }
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("without a next key a way back takes a third of the range, or what is 
                                             .endFrame = 22.0 + beside,
                                             .pivot = pivot,
                                             .shift = Vec3(0.0, 0.0, shift)});
-    return lengthOf(solved).wantedSeconds * releaseRate;
+    return releaseOf(solved).wantedSeconds * releaseRate;
   };
   // From 22.25 a way back forwards ends on a whole frame after 0.75, one backwards from 10.25 after 0.25.
   const double rest = beside == 0.0 ? 0.0 : pivot == Pivot::start ? 1.0 - beside : beside;
@@ -201,26 +201,26 @@ TEST_CASE("without a next key a way back takes a third of the range, or what is 
 TEST_CASE("a way back ends with the clip, where it goes, and on a loop where the range begins again") {
   SolvedTrail solved = solvedTrail({});
   solved.settings.releaseFrames = 500.0;
-  CHECK(lengthOf(solved, 30.0).seconds * releaseRate == Approx(8.0)); // from frame 22 to 30
-  CHECK(lengthOf(solved, 30.0).wantedSeconds * releaseRate == Approx(500.0));
-  CHECK(lengthOf(solved, 30.0, true).seconds * releaseRate == Approx(18.0)); // 30 frames, 12 in the range
-  CHECK(lengthOf(solved, 30.0, true, 5.0).seconds * releaseRate == Approx(13.0));
-  CHECK(lengthOf(solved, 22.0).seconds == 0.0);
-  CHECK(lengthOf(solved, 20.0).seconds == 0.0); // A range past the end of a clip leaves nothing.
+  CHECK(releaseOf(solved, 30.0).seconds * releaseRate == Approx(8.0)); // from frame 22 to 30
+  CHECK(releaseOf(solved, 30.0).wantedSeconds * releaseRate == Approx(500.0));
+  CHECK(releaseOf(solved, 30.0, true).seconds * releaseRate == Approx(18.0)); // 30 frames, 12 in the range
+  CHECK(releaseOf(solved, 30.0, true, 5.0).seconds * releaseRate == Approx(13.0));
+  CHECK(releaseOf(solved, 22.0).seconds == 0.0);
+  CHECK(releaseOf(solved, 20.0).seconds == 0.0); // A range past the end of a clip leaves nothing.
 
   SolvedTrail backwards = solvedTrail({.pivot = Pivot::end});
   backwards.settings.releaseFrames = 500.0;
-  CHECK(lengthOf(backwards, 30.0).seconds * releaseRate == Approx(10.0));             // from frame 10 to 0
-  CHECK(lengthOf(backwards, 30.0, false, 5.0).seconds * releaseRate == Approx(10.0)); // A clip plays from 0.
-  CHECK(lengthOf(backwards, 30.0, false, -5.0).seconds * releaseRate == Approx(15.0));
-  CHECK(lengthOf(backwards, 30.0, true).seconds * releaseRate == Approx(18.0));
+  CHECK(releaseOf(backwards, 30.0).seconds * releaseRate == Approx(10.0));             // from frame 10 to 0
+  CHECK(releaseOf(backwards, 30.0, false, 5.0).seconds * releaseRate == Approx(10.0)); // A clip plays from 0.
+  CHECK(releaseOf(backwards, 30.0, false, -5.0).seconds * releaseRate == Approx(15.0));
+  CHECK(releaseOf(backwards, 30.0, true).seconds * releaseRate == Approx(18.0));
 }
 
 TEST_CASE("no way back of a clip that claims to last for years goes on for years") {
   SolvedTrail solved = solvedTrail({});
   solved.settings.releaseFrames = 1e9;
-  CHECK(lengthOf(solved, 1e8).seconds * releaseRate == Approx(100000.0));
-  CHECK(lengthOf(solved, 1e8, true).seconds * releaseRate == Approx(100000.0));
+  CHECK(releaseOf(solved, 1e8).seconds * releaseRate == Approx(100000.0));
+  CHECK(releaseOf(solved, 1e8, true).seconds * releaseRate == Approx(100000.0));
 }
 
 TEST_CASE("a sphere pulls the pivot where its frame is the one that stays, and not at the tip") {
