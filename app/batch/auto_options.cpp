@@ -9,6 +9,7 @@
 #include "app/batch/trail_report.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/clip_moments.h"
+#include "app/evaluate/frame_count.h"
 #include "app/files/user_styles.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"

@@ -11,6 +11,7 @@
 #include "app/document.h"
 #include "app/edits/trail/starting_settings.h"
 #include "app/evaluate/cache.h"
+#include "app/evaluate/frame_count.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/weight_schema.h"

@@ -128,17 +128,6 @@ Result<Document> openDocument(const FileArguments& arguments) {
   return document ? std::move(document) : inFile(arguments.file, document.error());
 }
 
-Status checkFrameCount(const Clip& clip) {
-  constexpr double mostFrames = 100000.0;
-  const double frames = endInFrames(clip);
-  return frames <= mostFrames
-             ? Status(Success{})
-             : Error{fmt::format("lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time",
-                                 frames, mostFrames),
-                     fmt::format("clip '{}'", clip.name),
-                     "cut the clip, or count in fewer frames with --fps"};
-}
-
 Result<int> clipOfArguments(const FileArguments& arguments, const Document& document) {
   return findClip(document, arguments.clip, "--clip");
 }

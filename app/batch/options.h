@@ -85,10 +85,6 @@ inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BAS
 
 [[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 
-/// Nothing to complain of, or that the clip has more frames than can be worked on one by one: a key at an
-/// absurd time makes a clip of years.
-[[nodiscard]] Status checkFrameCount(const Clip& clip);
-
 /// Index of the clip that --clip names.
 [[nodiscard]] Result<int> clipOfArguments(const FileArguments& arguments, const Document& document);
 

@@ -14,6 +14,7 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/frame_count.h"
 #include "app/evaluate/hand_place.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"

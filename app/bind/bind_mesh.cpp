@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "app/bind/body_to_bind.h"
+#include "app/bind/held_pieces.h"
 #include "app/edits/body/limb_edits.h"
 #include "app/locators/build_rig.h"
 #include "core/gltf/patch/edits.h"
@@ -175,42 +176,21 @@ std::vector<std::string> lostMotion(const Document& document, const BodyToBind& 
   return warnings;
 }
 
-// Joints that a skin's vertices follow, as the file has it.
-std::set<NodeIndex> followedBefore(const Scene& scene, const BodyToBind& body) {
-  std::set<NodeIndex> followed;
-  for (const MeshToBind& mesh : body.meshes) {
-    if (mesh.skin < 0) {
-      continue;
-    }
-    const Skin& skin = scene.skins[at(mesh.skin)];
-    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(mesh.node)].mesh)].primitives) {
-      for (const VertexInfluences& vertex : primitive.influences) {
-        for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-          if (vertex.weights[i] > 0.0F && vertex.joints[i] < skin.joints.size()) {
-            followed.insert(skin.joints[vertex.joints[i]]);
-          }
-        }
-      }
-    }
-  }
-  return followed;
-}
-
 // Joints of limbs that no vertex follows; where the file has weights, those that vertices followed before.
 std::vector<std::string> idleJoints(const Document& document, const SkeletonToBind& skeleton,
-                                    const BodyToBind& body, const std::vector<skinning::Influences>& rows) {
+                                    const std::vector<skinning::Influences>& rows) {
   std::set<NodeIndex> followed;
   for (const skinning::Influences& row : rows) {
     for (std::size_t i = 0; i < skinning::Influences::capacity && row.weights[i] > 0.0F; ++i) {
       followed.insert(skeleton.nodes[row.bones[i]]);
     }
   }
-  const std::set<NodeIndex> before = followedBefore(*document.scene, body);
+  const std::set<NodeIndex> before = followedJoints(*document.scene);
   std::vector<std::string> warnings;
   for (const rig::Limb& limb : document.body.limbs) {
     for (const NodeIndex node : rig::jointsAndEnd(limb)) {
       const bool isNeeded = before.contains(node) || (before.empty() && node != limb.endNode);
-      if (isNeeded && !followed.contains(node)) {
+      if (isNeeded && followed.insert(node).second) { // a joint of two limbs is told once
         warnings.push_back(
             fmt::format("no vertex follows \"{}\" of the {}: no part of the mesh is nearest to its bone",
                         nameOf(*document.scene, node), limb.id));
@@ -293,13 +273,16 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   if (skeleton.nodes.empty()) {
     return Error{"the file has no skeleton to bind to", "", "give locators"};
   }
-  const Result<skinning::BoundBody> bound =
+  Result<skinning::BoundBody> bound =
       request.way == BindWay::surface
           ? skinning::bindWeightsOnSurface(body.positions, body.triangles, skeleton.joints)
           : skinning::bindWeights(body.positions, body.triangles, skeleton.joints, {}, proceed);
   if (!bound) {
     return bound.error();
   }
+  const std::vector<std::string> held = skeleton.added.empty()
+                                            ? holdPieces(document, skeleton, body, bound->influences)
+                                            : std::vector<std::string>();
   gltf::Edits moving;
   addMoves(document, found->moves, moving);
   Result<gltf::Source> source = gltf::patched(
@@ -309,8 +292,9 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   }
   std::vector<std::string> warnings = lostMotion(document, body, skeleton.added);
   if (skeleton.added.empty()) {
-    const std::vector<std::string> idle = idleJoints(document, skeleton, body, bound->influences);
+    const std::vector<std::string> idle = idleJoints(document, skeleton, bound->influences);
     warnings.insert(warnings.end(), idle.begin(), idle.end());
+    warnings.insert(warnings.end(), held.begin(), held.end());
   }
   return BoundMeshes{std::make_shared<const gltf::Source>(std::move(source).value()),
                      std::move(found->moves),

@@ -1,7 +1,9 @@
 #include "app/bind/body_to_bind.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "app/locators/build_rig.h"
@@ -74,6 +76,7 @@ bool isHandle(const Document& document, NodeIndex joint) {
 
 std::set<NodeIndex> jointsToBind(const Document& document) {
   const Scene& scene = *document.scene;
+  const std::set<NodeIndex> followed = followedJoints(scene);
   const NodeIndex hips = document.body.hips;
   std::set<NodeIndex> joints = jointsOfSkins(scene);
   if (joints.empty() && hips.exists()) {
@@ -85,7 +88,8 @@ std::set<NodeIndex> jointsToBind(const Document& document) {
   }
   std::erase_if(joints, [&](NodeIndex joint) {
     return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) || isHandle(document, joint) ||
-           (hips.exists() && !isOfBody(scene, document.body, joint));
+           (hips.exists() && !isOfBody(scene, document.body, joint) &&
+            (!followed.contains(joint) || isAncestorOrSelf(scene, joint, hips)));
   });
   return joints;
 }
@@ -148,7 +152,99 @@ void joinLimbs(const std::vector<rig::Limb>& limbs, const std::map<NodeIndex, in
   }
 }
 
+// A joint whose joints above are all controls hangs on the joint that stands where the lowest of them stands:
+// rigs keep a copy of the skeleton to deform by. Of several there, on one that others hang on.
+void hangOnCopies(const Scene& scene, const std::vector<Mat4>& worlds, double height,
+                  SkeletonToBind& skeleton) {
+  const double same = 1e-3 * height;
+  std::vector<bool> carries(skeleton.joints.size(), false);
+  for (const skinning::BindJoint& joint : skeleton.joints) {
+    if (joint.parent >= 0) {
+      carries[at(joint.parent)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
+    skinning::BindJoint& joint = skeleton.joints[i];
+    for (NodeIndex above = scene.nodes[at(skeleton.nodes[i])].parent; joint.parent < 0 && above.exists();
+         above = scene.nodes[at(above)].parent) {
+      for (std::size_t other = 0; other < skeleton.joints.size(); ++other) {
+        const bool stands = glm::distance(skeleton.joints[other].place, positionOf(worlds[at(above)])) < same;
+        if (stands && !hangsOn(skeleton.joints, static_cast<int>(other), static_cast<int>(i)) &&
+            (joint.parent < 0 || (carries[other] && !carries[at(joint.parent)]))) {
+          joint.parent = static_cast<int>(other);
+        }
+      }
+    }
+  }
+}
+
+// The local axis that most bones run along to the only joint that hangs on them; none where they do not
+// agree.
+std::optional<Vec3> axisOfBones(const SkeletonToBind& skeleton) {
+  std::vector<int> children(skeleton.joints.size(), 0);
+  for (const skinning::BindJoint& joint : skeleton.joints) {
+    if (joint.parent >= 0) {
+      ++children[at(joint.parent)];
+    }
+  }
+  std::array<int, 6> votes{}; // by axis, forwards and backwards
+  int voters = 0;
+  for (const skinning::BindJoint& joint : skeleton.joints) {
+    if (joint.parent < 0 || children[at(joint.parent)] != 1) {
+      continue;
+    }
+    constexpr double leastCosine = 0.95;
+    const Vec3 way = joint.place - skeleton.joints[at(joint.parent)].place;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+      const double along = glm::dot(way, Vec3(skeleton.worlds[at(joint.parent)][axis]));
+      const double whole = glm::length(way) * glm::length(Vec3(skeleton.worlds[at(joint.parent)][axis]));
+      votes[2 * axis] += along > leastCosine * whole ? 1 : 0;
+      votes[2 * axis + 1] += along < -leastCosine * whole ? 1 : 0;
+    }
+    ++voters;
+  }
+  constexpr int fewest = 4;
+  constexpr double most = 0.7; // of those that have a say
+  const auto best = std::ranges::max_element(votes) - votes.begin();
+  if (voters < fewest || votes[static_cast<std::size_t>(best)] < most * voters) {
+    return {};
+  }
+  Vec3 axis(0.0);
+  axis[static_cast<glm::length_t>(best / 2)] = best % 2 == 0 ? 1.0 : -1.0;
+  return axis;
+}
+
+// Exporters whose bones run along an axis of their own say so where the next joint does not.
+void addDirections(SkeletonToBind& skeleton) {
+  const std::optional<Vec3> axis = axisOfBones(skeleton);
+  for (std::size_t i = 0; axis && i < skeleton.joints.size(); ++i) {
+    const Vec3 along = Mat3(skeleton.worlds[i]) * *axis;
+    const double length = glm::length(along);
+    skeleton.joints[i].forward = length > 0.0 ? along / length : Vec3(0.0);
+  }
+}
+
 } // namespace
+
+std::set<NodeIndex> followedJoints(const Scene& scene) {
+  std::set<NodeIndex> followed;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    if (scene.nodes[at(node)].skin < 0) {
+      continue;
+    }
+    const Skin& skin = scene.skins[at(scene.nodes[at(node)].skin)];
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+      for (const VertexInfluences& vertex : primitive.influences) {
+        for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+          if (vertex.weights[i] > 0.0F && vertex.joints[i] < skin.joints.size()) {
+            followed.insert(skin.joints[vertex.joints[i]]);
+          }
+        }
+      }
+    }
+  }
+  return followed;
+}
 
 SkeletonToBind ownSkeleton(const Document& document) {
   const Scene& scene = *document.scene;
@@ -177,6 +273,8 @@ SkeletonToBind ownSkeleton(const Document& document) {
     skeleton.joints.push_back({positionOf(world), parent.exists() ? places[parent] : -1});
   }
   joinLimbs(document.body.limbs, places, skeleton.joints);
+  hangOnCopies(scene, worlds, document.body.height, skeleton);
+  addDirections(skeleton);
   return skeleton;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "app/document.h"
@@ -28,12 +29,16 @@ struct BodyToBind {
 struct SkeletonToBind {
   std::vector<NodeIndex> nodes; ///< Nodes of the document's scene, or behind its nodes those of `added`.
   std::vector<Mat4> worlds;     ///< In the pose that meshes are bound in.
-  std::vector<skinning::BindJoint> joints; ///< Their places and parents.
+  std::vector<skinning::BindJoint> joints; ///< Their places, parents and directions.
   std::vector<gltf::AddedNode> added;      ///< Joints that the file does not have yet.
 };
 
-/// The joints that the file has: those of its skins that the hips or a limb carry, without handles that no
-/// limb hangs on, or where it has no skin all that hangs on the hips. Empty where no joint is found.
+/// Joints of skins that vertices follow, in the file as it is.
+[[nodiscard]] std::set<NodeIndex> followedJoints(const Scene& scene);
+
+/// The joints that the file has: those of its skins that the hips or a limb carry, or that vertices follow
+/// and that do not carry the hips, without handles that no limb hangs on, or where it has no skin all that
+/// hangs on the hips. Empty where no joint is found.
 [[nodiscard]] SkeletonToBind ownSkeleton(const Document& document);
 
 /// Joints made at the locators, carried as `meshes` are.

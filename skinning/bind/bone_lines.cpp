@@ -49,6 +49,49 @@ std::optional<Vec3> siblingAhead(const std::vector<BindJoint>& joints, const std
   return {};
 }
 
+// Whether a child stands where the bone of its parent leads.
+bool isAhead(const BindJoint& parent, const Vec3& child) {
+  constexpr double leastCosine = 0.9;
+  const Vec3 way = child - parent.place;
+  return glm::dot(way, parent.forward) > leastCosine * glm::length(way);
+}
+
+// Joints whose bones lead to a child: their other children stand beside the bone.
+std::vector<bool> leadingToChildren(const std::vector<BindJoint>& joints) {
+  std::vector<bool> isLeading(joints.size(), false);
+  for (const BindJoint& joint : joints) {
+    if (joint.parent >= 0) {
+      const auto parent = static_cast<std::size_t>(joint.parent);
+      isLeading[parent] = isLeading[parent] || isAhead(joints[parent], joint.place);
+    }
+  }
+  return isLeading;
+}
+
+bool isBeside(const std::vector<BindJoint>& joints, const std::vector<bool>& isLeading, std::size_t child) {
+  const int parent = joints[child].parent;
+  return parent >= 0 && isLeading[static_cast<std::size_t>(parent)] &&
+         !isAhead(joints[static_cast<std::size_t>(parent)], joints[child].place);
+}
+
+BoneLine lineTo(const std::vector<BindJoint>& joints, std::size_t child) {
+  const auto parent = static_cast<std::size_t>(joints[child].parent);
+  return {static_cast<std::uint16_t>(parent), joints[parent].place, joints[child].place,
+          static_cast<int>(child)};
+}
+
+// A short thick bone that begins deep in the body, deeper than it is thick: what lies about its joint is its
+// parent's.
+bool isSunkStub(const VoxelBody& body, const Vec3& place, double radius, double length) {
+  constexpr double deeper = 1.1;
+  constexpr double shortOfRadius = 2.5;
+  constexpr int cubesAround = 3;
+  const std::int32_t cell = body.cellNear(place, cubesAround);
+  return cell != VoxelBody::outside &&
+         length<shortOfRadius * radius&& static_cast<double>(body.depths[static_cast<std::size_t>(cell)])>
+                 deeper * radius;
+}
+
 struct Shares {
   double from = 0.0;
   double to = 1.0;
@@ -75,19 +118,33 @@ Shares withinBox(const VoxelGrid& grid, const BoneLine& line) {
 } // namespace
 
 std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints) {
-  return boneLines(joints, [&](const Vec3& place, const Vec3& along) { return endOf(body, place, along); });
+  std::vector<BoneLine> lines =
+      boneLines(joints, [&](const Vec3& place, const Vec3& along) { return endOf(body, place, along); });
+  const std::vector<double> radii = boneRadii(body, lines, boneCells(body, lines), joints.size());
+  std::vector<double> lengths(joints.size(), 0.0);
+  for (const BoneLine& line : lines) {
+    lengths[line.joint] = std::max(lengths[line.joint], glm::distance(line.start, line.end));
+  }
+  const std::vector<bool> isLeading = leadingToChildren(joints);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (isBeside(joints, isLeading, i) && isSunkStub(body, joints[i].place, radii[i], lengths[i])) {
+      lines.push_back(lineTo(joints, i));
+    }
+  }
+  return lines;
 }
 
 std::vector<BoneLine> boneLines(const std::vector<BindJoint>& joints,
                                 const std::function<Vec3(const Vec3& place, const Vec3& along)>& endOfLast) {
   std::vector<BoneLine> lines;
   std::vector<bool> isLast(joints.size(), true);
-  for (const BindJoint& joint : joints) {
-    if (joint.parent >= 0) {
-      const auto parent = static_cast<std::size_t>(joint.parent);
-      isLast[parent] = false;
-      lines.push_back({static_cast<std::uint16_t>(parent), joints[parent].place, joint.place,
-                       static_cast<int>(&joint - joints.data())});
+  const std::vector<bool> isLeading = leadingToChildren(joints);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].parent >= 0) {
+      isLast[static_cast<std::size_t>(joints[i].parent)] = false;
+      if (!isBeside(joints, isLeading, i)) {
+        lines.push_back(lineTo(joints, i));
+      }
     }
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -95,7 +152,7 @@ std::vector<BoneLine> boneLines(const std::vector<BindJoint>& joints,
       const BindJoint& joint = joints[i];
       const Vec3 before =
           joint.parent < 0 ? joint.place : joints[static_cast<std::size_t>(joint.parent)].place;
-      const Vec3 along = joint.place - before;
+      const Vec3 along = joint.forward != Vec3(0.0) ? joint.forward : joint.place - before;
       const std::optional<Vec3> ahead = siblingAhead(joints, isLast, i, along);
       lines.push_back(
           {static_cast<std::uint16_t>(i), joint.place, ahead ? *ahead : endOfLast(joint.place, along)});

@@ -12,7 +12,8 @@ namespace stretch::skinning {
 /// A joint that a mesh is to follow, in the space of the mesh.
 struct BindJoint {
   Vec3 place{0.0};
-  int parent = -1; ///< Index into the joints; -1: none.
+  int parent = -1;   ///< Index into the joints; -1: none.
+  Vec3 forward{0.0}; ///< Unit direction that its bone runs in; zero: not known.
 };
 
 /// A straight piece of the bone of a joint.
@@ -23,8 +24,10 @@ struct BoneLine {
   int endJoint = -1; ///< The joint that stands at its end; -1: none, the bone is a last one.
 };
 
-/// From each joint to each of its children; that of a last joint goes on as the bone before it came, most of
-/// the way to the end of the body: through the head, the hand, the toes.
+/// From each joint to each of its children; that of a last joint goes on in its own direction, or as the bone
+/// before it came, most of the way to the end of the body: through the head, the hand, the toes. A joint
+/// whose direction leads to a child has no line to the children that stand beside it, short thick ones that
+/// begin deep in the body apart.
 [[nodiscard]] std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints);
 
 /// Returns the same lines; `endOfLast` answers where the bone of a last joint ends, from its place and the

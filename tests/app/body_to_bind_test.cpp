@@ -1,12 +1,18 @@
 #include "app/bind/body_to_bind.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
+#include "core/anim/sampling.h"
 #include "rig/body/reading/detection.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/naming_schemes.h"
 
 using namespace stretch;
@@ -51,4 +57,70 @@ TEST_CASE("Joints to bind are all that limbs need, wherever they hang, and no ha
   }
   CHECK_FALSE(isBound("handle.l"));
   CHECK_FALSE(isBound("handle.r"));
+}
+
+TEST_CASE(
+    "A joint beside the hips that vertices follow is bound, below the joint that its control stands on") {
+  test::SyntheticBiped body = test::makeNamedBody("Mixamo");
+  const Vec3 hips = test::jointOf(body, "hips").position;
+  for (const auto& [key, parent, place, movesMesh] :
+       {std::tuple<std::string, std::string, Vec3, bool>{"copy", "root", hips, false},
+        {"pad", "copy", hips + Vec3(0.1, 0.0, 0.0), true},
+        {"idle", "copy", hips - Vec3(0.1, 0.0, 0.0), false}}) {
+    test::SyntheticJoint joint;
+    joint.key = key;
+    joint.parent = parent;
+    joint.position = place;
+    joint.movesMesh = movesMesh;
+    body.joints.push_back(joint);
+    body.names[key] = key;
+  }
+  const test::BuiltBiped built = test::build(body);
+  app::Document document;
+  document.scene = std::make_shared<const Scene>(built.scene);
+  document.body = rig::detectBody(built.scene);
+  REQUIRE(document.body.hips == built.node.at("hips"));
+  const app::SkeletonToBind skeleton = app::ownSkeleton(document);
+  const auto slot = [&](const std::string& key) {
+    return static_cast<std::size_t>(std::ranges::find(skeleton.nodes, built.node.at(key)) -
+                                    skeleton.nodes.begin());
+  };
+  REQUIRE(slot("pad") < skeleton.nodes.size());
+  CHECK(skeleton.joints[slot("pad")].parent == static_cast<int>(slot("hips")));
+  CHECK(slot("copy") == skeleton.nodes.size());
+  CHECK(slot("idle") == skeleton.nodes.size());
+}
+
+TEST_CASE("Bones that run along one axis of theirs say where the last of them leads") {
+  Scene scene;
+  const Quat bent = glm::angleAxis(0.3, Vec3(0.0, 0.0, 1.0));
+  NodeIndex last = test::addNode(scene, "bone0", NodeIndex::none, Vec3(0.0));
+  for (int i = 1; i <= 5; ++i) {
+    last = test::addNode(scene, "bone" + std::to_string(i), last, Vec3(0.0, 2.0, 0.0));
+    scene.nodes[at(last)].rest.rotation = bent;
+  }
+  Skin skin;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    skin.joints.emplace_back(node);
+  }
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  for (const Mat4& world : rest) {
+    skin.inverseBind.push_back(glm::inverse(world));
+  }
+  scene.skins.push_back(skin);
+  app::Document document;
+  document.scene = std::make_shared<const Scene>(scene);
+  const std::vector<skinning::BindJoint> joints = app::ownSkeleton(document).joints;
+  REQUIRE(joints.size() == 6);
+  CHECK(glm::length(joints[5].forward - Vec3(-std::sin(1.5), std::cos(1.5), 0.0)) < 1e-6);
+  // Bones that run every way say nothing.
+  for (int i = 1; i <= 5; i += 2) {
+    scene.nodes[at(i)].rest.translation = Vec3(0.0, 0.0, 2.0);
+  }
+  scene.skins.front().inverseBind.clear();
+  for (const Mat4& world : worldMatrices(scene, restPose(scene))) {
+    scene.skins.front().inverseBind.push_back(glm::inverse(world));
+  }
+  document.scene = std::make_shared<const Scene>(scene);
+  CHECK(app::ownSkeleton(document).joints[5].forward == Vec3(0.0));
 }

@@ -10,6 +10,7 @@
 #include "app/edits/trail/style_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/clip_moments.h"
+#include "app/evaluate/frame_count.h"
 #include "app/files/user_files.h"
 #include "app/files/user_styles.h"
 #include "ui/panels/context/panel_support.h"
@@ -95,6 +96,9 @@ app::Document without(app::Document document, const std::vector<int>& trailIds) 
 
 Status beginClip(Shell& shell) {
   app::Session& session = *shell.open.character();
+  if (Status bounded = app::checkFrameCount(clipOf(session.document(), session.view().clip)); !bounded) {
+    return bounded;
+  }
   ClipStyleState& state = shell.ui.trails.clipStyle;
   const std::vector<rig::Moment> moments = app::momentsOf(session.document(), session.view().clip);
   if (moments.empty()) {

@@ -1,5 +1,6 @@
 // Grids of cubes, what lines through them vote, and lines of bones in them: each against what is counted by
 // hand.
+#include <algorithm>
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -176,6 +177,41 @@ TEST_CASE("Bones run from joint to joint, and the last ones go on as the one bef
   });
   REQUIRE(alone.size() == 1);
   CHECK(alone[0].end == Vec3(7.0));
+}
+
+TEST_CASE("A bone whose direction is known leads there alone, and to no child that stands beside it") {
+  const Vec3 up(0.0, 1.0, 0.0);
+  const std::vector<BindJoint> joints{{Vec3(0.0), -1, up},
+                                      {Vec3(0.1, 1.0, 0.0), 0, up},
+                                      {Vec3(1.0, 0.0, 0.0), 0, Vec3(0.0, 0.0, 1.0)},
+                                      {Vec3(2.0, 0.0, 1.0), 2}};
+  const std::vector<BoneLine> lines =
+      boneLines(joints, [](const Vec3& place, const Vec3& along) { return place + 2.0 * along; });
+  REQUIRE(lines.size() == 4);
+  // The first leads to the second, about, and not to the third.
+  CHECK(lines[0].joint == 0);
+  CHECK(lines[0].endJoint == 1);
+  // One that leads to none of its children runs to all of them.
+  CHECK(lines[1].joint == 2);
+  CHECK(lines[1].endJoint == 3);
+  CHECK(isPlace(lines[2].end, Vec3(0.1, 3.0, 0.0)));
+  CHECK(isPlace(lines[3].end, Vec3(4.0, 0.0, 3.0)));
+}
+
+TEST_CASE("A short thick bone that begins deep in the body takes nothing of what lies about its joint") {
+  // Cubes get deeper along the row: 1, 2 ... 10. A bone from 2 to 4 with a child beside its line.
+  const VoxelBody body = rowOfCubes();
+  const Vec3 side(1.0, 0.0, 0.0);
+  const auto waysTo = [&](double from, double to) {
+    const std::vector<BoneLine> lines = boneLines(body, {{Vec3(2.5, 1.5, 1.5), -1, Vec3(0.0, 1.0, 0.0)},
+                                                         {Vec3(2.5, 2.5, 1.5), 0},
+                                                         {Vec3(from, 1.5, 1.5), 0, side},
+                                                         {Vec3(to, 1.5, 1.5), 2, side}});
+    return std::ranges::count_if(lines, [](const BoneLine& line) { return line.endJoint == 2; });
+  };
+  CHECK(waysTo(9.5, 5.5) == 1); // from the depth 9 to 5: 4 long, 7 thick
+  CHECK(waysTo(5.5, 9.5) == 0); // it begins where the body is thinner
+  CHECK(waysTo(4.5, 4.5) == 0); // as deep as it is thick
 }
 
 TEST_CASE("A last bone goes on for eight tenths of what is left of the body, a quarter of the body at most") {
