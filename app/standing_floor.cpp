@@ -71,6 +71,16 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
                               [&](const CopyOnWrite<Track>& track) { return carriesIt(track->node); });
 }
 
+std::vector<Bounds> blocksIn(const Document& document, int clip, const rig::BindPlaces& places) {
+  std::vector<Bounds> blocks;
+  for (std::size_t i = 0; i < places.meshes.size(); ++i) {
+    if (!places.meshes[i].empty() && isBlock(document, clip, NodeIndex(i))) {
+      blocks.push_back(places.meshes[i]);
+    }
+  }
+  return blocks;
+}
+
 // How far places of a limb stray from where they are at first, world units.
 struct Stray {
   std::vector<Vec3> first = {};
@@ -207,14 +217,7 @@ std::optional<double> floorHeight(const Document& document, int clip) {
 }
 
 std::vector<Bounds> blocksOf(const Document& document, int clip) {
-  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
-  std::vector<Bounds> blocks;
-  for (std::size_t i = 0; i < places.meshes.size(); ++i) {
-    if (!places.meshes[i].empty() && isBlock(document, clip, NodeIndex(i))) {
-      blocks.push_back(places.meshes[i]);
-    }
-  }
-  return blocks;
+  return blocksIn(document, clip, rig::bindPlaces(*document.scene));
 }
 
 std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec3& place) {
@@ -230,7 +233,13 @@ std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec
 std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, const rig::Limb& leg,
                                           double tipFrame) {
   const rig::BindPlaces places = rig::bindPlaces(*document.scene);
-  const std::optional<double> floor = standingFloor(document, clip, places).floor;
+  return floorForLeg(document, clip, leg, tipFrame, places, standingFloor(document, clip, places));
+}
+
+std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, const rig::Limb& leg,
+                                          double tipFrame, const rig::BindPlaces& places,
+                                          const StandingFloor& standing) {
+  const std::optional<double> floor = standing.floor;
   if (!floor) {
     return std::nullopt;
   }
@@ -243,7 +252,7 @@ std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, co
         std::max(depth, footDepth(*document.scene, leg, places, frameAt(tipSeconds + step * stepSeconds)));
   }
   const Vec3 ankle = rig::endPosition(leg, frameAt(tipSeconds));
-  const std::vector<Bounds> blocks = blocksOf(document, clip);
+  const std::vector<Bounds> blocks = blocksIn(document, clip, places);
   const double sole = soleDepth(*document.scene, leg, places);
   const double ground =
       std::max({*floor, blockTopUnder(blocks, ankle).value_or(*floor),

@@ -46,5 +46,10 @@ struct StandingFloor {
 /// foot, which may hang down around there. Nothing where no leg stands in the clip.
 [[nodiscard]] std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip,
                                                         const rig::Limb& leg, double tipFrame);
+/// Returns it where the scene's places and the clip's standing floor are known.
+[[nodiscard]] std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip,
+                                                        const rig::Limb& leg, double tipFrame,
+                                                        const rig::BindPlaces& places,
+                                                        const StandingFloor& standing);
 
 } // namespace stretch::app

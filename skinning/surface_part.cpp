@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -13,11 +15,22 @@
 
 namespace stretch::skinning {
 
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+} // namespace
+
 // Walks through the drawn meshes twice: for what follows the nodes, and for what stands beside it.
 class SurfacePart::Builder {
 public:
   Builder(const Scene& scene, const std::vector<bool>& follows, SurfacePart& part)
-      : scene_(scene), follows_(follows), part_(part) {}
+      : scene_(scene), follows_(follows), part_(part), slotsOfSkins_(scene.skins.size()),
+        slotsOfNodes_(scene.nodes.size(), none) {
+    for (std::size_t skin = 0; skin < scene.skins.size(); ++skin) {
+      slotsOfSkins_[skin].assign(scene.skins[skin].joints.size(), none);
+    }
+  }
 
   void build(SurfaceEdges edges) {
     const std::vector<NodeIndex> holders = drawnMeshNodes(scene_);
@@ -45,10 +58,7 @@ private:
 
   template <typename Look>
   void forEachPrimitive(NodeIndex holder, const Look& look) {
-    const Node& node = scene_.nodes[at(holder)];
-    // The last one is the holder's own.
-    slotOfJoint_.assign(node.skin >= 0 ? scene_.skins[at(node.skin)].joints.size() + 1 : 1, none);
-    for (const Primitive& primitive : scene_.meshes[at(node.mesh)].primitives) {
+    for (const Primitive& primitive : scene_.meshes[at(scene_.nodes[at(holder)].mesh)].primitives) {
       look(primitive);
     }
   }
@@ -73,12 +83,12 @@ private:
     return false;
   }
 
-  std::uint32_t slotOf(std::size_t joint, NodeIndex node, const Mat4& inverseBind) {
-    if (slotOfJoint_[joint] == none) {
-      slotOfJoint_[joint] = static_cast<std::uint32_t>(part_.slots_.size());
+  std::uint32_t slotOf(std::uint32_t& slot, NodeIndex node, const Mat4& inverseBind) {
+    if (slot == none) {
+      slot = static_cast<std::uint32_t>(part_.slots_.size());
       part_.slots_.push_back({node, inverseBind});
     }
-    return slotOfJoint_[joint];
+    return slot;
   }
 
   std::uint32_t addVertex(NodeIndex holder, const Primitive& primitive, std::size_t vertex) {
@@ -91,12 +101,13 @@ private:
       for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
         const std::size_t joint = influences.joints[i];
         if (influences.weights[i] != 0.0F && joint < skin->joints.size()) {
+          std::uint32_t& slot = slotsOfSkins_[at(node.skin)][joint];
           part_.influences_.push_back(
-              {slotOf(joint, skin->joints[joint], skin->inverseBind[joint]), influences.weights[i]});
+              {slotOf(slot, skin->joints[joint], skin->inverseBind[joint]), influences.weights[i]});
         }
       }
     } else {
-      part_.influences_.push_back({slotOf(slotOfJoint_.size() - 1, holder, Mat4(1.0)), 1.0F});
+      part_.influences_.push_back({slotOf(slotsOfNodes_[at(holder)], holder, Mat4(1.0)), 1.0F});
     }
     part_.vertices_.push_back({glm::vec3(morphedPosition(primitive, weights, vertex)), first,
                                static_cast<std::uint32_t>(part_.influences_.size()) - first});
@@ -137,7 +148,8 @@ private:
   const Scene& scene_;
   const std::vector<bool>& follows_;
   SurfacePart& part_;
-  std::vector<std::uint32_t> slotOfJoint_;         // of the mesh that is walked through
+  std::vector<std::vector<std::uint32_t>> slotsOfSkins_; // by skin and joint
+  std::vector<std::uint32_t> slotsOfNodes_;
   std::vector<std::vector<std::uint32_t>> places_; // of the vertices of each primitive
 };
 
@@ -146,83 +158,116 @@ SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows, S
   measureSlots();
 }
 
+SurfacePart SurfacePart::whole(const Scene& scene) {
+  return {scene, std::vector<bool>(scene.nodes.size(), true), SurfaceEdges::none};
+}
+
+bool SurfacePart::isMean(std::size_t vertex) const {
+  constexpr double rounding = 2e-6;
+  double off = -1.0;
+  for (const Influence& one : influencesOf(vertex)) {
+    off += std::abs(static_cast<double>(one.weight));
+  }
+  return std::abs(off) < rounding &&
+         std::ranges::none_of(influencesOf(vertex), [](const Influence& one) { return one.weight < 0.0F; });
+}
+
 void SurfacePart::measureSlots() {
   std::vector<Bounds> boxes(slots_.size());
-  const auto eachInfluence = [&](const auto& look) {
-    for (std::size_t vertex = 0; vertex < movedCount_; ++vertex) {
-      const Vertex& one = vertices_[vertex];
-      for (std::uint32_t i = 0; i < one.influences; ++i) {
-        look(Vec3(one.position), influences_[one.firstInfluence + i].slot);
-      }
+  for (std::uint32_t vertex = 0; vertex < vertices_.size(); ++vertex) {
+    const Vec3 place(vertices_[vertex].position);
+    reach_ = std::max(reach_, glm::length(place));
+    areMeans_ = areMeans_ && isMean(vertex);
+    for (const Influence& one : vertex < movedCount_ ? influencesOf(vertex) : std::span<const Influence>()) {
+      slots_[one.slot].vertices.push_back(vertex);
+      boxes[one.slot].add(place);
     }
-  };
-  eachInfluence([&](const Vec3& place, std::uint32_t slot) { boxes[slot].add(place); });
+  }
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     if (!boxes[slot].empty()) {
       slots_[slot].centre = 0.5 * (boxes[slot].low + boxes[slot].high);
+      slots_[slot].half = 0.5 * (boxes[slot].high - boxes[slot].low);
+    }
+    for (const std::uint32_t vertex : slots_[slot].vertices) {
+      slots_[slot].radius =
+          std::max(slots_[slot].radius, glm::distance(Vec3(vertices_[vertex].position), slots_[slot].centre));
     }
   }
-  eachInfluence([&](const Vec3& place, std::uint32_t slot) {
-    slots_[slot].radius = std::max(slots_[slot].radius, glm::length(place - slots_[slot].centre));
-  });
-  for (std::size_t vertex = 0; vertex < movedCount_; ++vertex) {
+}
+
+double growthOf(const Mat4& matrix) {
+  const Mat3 turn(matrix);
+  double most = 0.0;
+  for (int i = 0; i < 3; ++i) { // circles around the eigenvalues of its square
     double sum = 0.0;
-    for (std::uint32_t i = 0; i < vertices_[vertex].influences; ++i) {
-      sum += static_cast<double>(std::abs(influences_[vertices_[vertex].firstInfluence + i].weight));
+    for (int k = 0; k < 3; ++k) {
+      sum += std::abs(glm::dot(turn[i], turn[k]));
     }
-    largestWeight_ = std::max(largestWeight_, sum);
+    most = std::max(most, sum);
   }
+  return std::sqrt(most);
 }
 
-double SurfacePart::farthestMove(const FrameState& from, const FrameState& to) const {
-  double farthest = 0.0;
+SurfacePart::Posed SurfacePart::posed(const FrameState& frame) const {
+  constexpr double share = 2e-5; // of the size of what is added up
+  Posed posed;
   for (const Slot& slot : slots_) {
-    if (slot.radius < 0.0) {
-      continue;
-    }
-    const Mat4 change = (meshMatrix(to, slot.node) - meshMatrix(from, slot.node)) * slot.inverseBind;
-    const Mat3 turn(change);
-    const double most = std::sqrt(glm::dot(turn[0], turn[0]) + glm::dot(turn[1], turn[1]) +
-                                  glm::dot(turn[2], turn[2])); // no vector grows by more
-    farthest = std::max(farthest, glm::length(transformPoint(change, slot.centre)) + most * slot.radius);
+    const Mat4 matrix = meshMatrix(frame, slot.node) * slot.inverseBind;
+    posed.rounding =
+        std::max(posed.rounding, share * (glm::length(positionOf(matrix)) + growthOf(matrix) * reach_));
+    posed.matrices.push_back(matrix);
   }
-  return largestWeight_ * farthest;
-}
-
-void SurfacePart::positions(const FrameState& frame, std::size_t first, std::size_t last,
-                            std::vector<glm::vec3>& out) const {
-  out.resize(vertices_.size());
-  if (first == last) {
-    return;
-  }
-  std::vector<glm::mat4> matrices;
-  matrices.reserve(slots_.size());
-  for (const Slot& slot : slots_) {
-    matrices.emplace_back(meshMatrix(frame, slot.node) * slot.inverseBind);
-  }
-  for (std::size_t vertex = first; vertex < last; ++vertex) {
-    const Vertex& one = vertices_[vertex];
-    const Influence* const influences = &influences_[one.firstInfluence];
-    glm::vec4 position(0.0F);
-    for (std::uint32_t i = 0; i < one.influences; ++i) {
-      const glm::mat4& matrix = matrices[influences[i].slot];
-      position += influences[i].weight * (matrix[0] * one.position.x + matrix[1] * one.position.y +
-                                          matrix[2] * one.position.z + matrix[3]);
-    }
-    out[vertex] = glm::vec3(position);
-  }
+  posed.rounded.assign(posed.matrices.begin(), posed.matrices.end());
+  return posed;
 }
 
 void SurfacePart::positions(const FrameState& frame, std::vector<glm::vec3>& out) const {
-  positions(frame, 0, vertices_.size(), out);
+  const Posed matrices = posed(frame);
+  out.resize(vertices_.size());
+  for (std::size_t vertex = 0; vertex < vertices_.size(); ++vertex) {
+    out[vertex] = place(vertex, matrices);
+  }
 }
 
-void SurfacePart::movedPositions(const FrameState& frame, std::vector<glm::vec3>& out) const {
-  positions(frame, 0, movedCount_, out);
+// A mean is as low only where one of what it is made of is.
+std::optional<Vec3> SurfacePart::lowest(const Posed& posed, double limit) const {
+  std::vector<std::pair<double, std::size_t>> bottoms;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const Mat4& matrix = posed.matrices[slot];
+    const Vec3 up(std::abs(matrix[0].y), std::abs(matrix[1].y), std::abs(matrix[2].y));
+    const double bottom =
+        transformPoint(matrix, slots_[slot].centre).y - glm::dot(up, slots_[slot].half) - posed.rounding;
+    bottoms.emplace_back(areMeans_ && bottom > -endless ? bottom : -endless, slot);
+  }
+  std::ranges::sort(bottoms);
+  std::optional<std::pair<double, std::uint32_t>> lowest;
+  for (const auto& [bottom, slot] : bottoms) {
+    if (bottom > (lowest ? lowest->first : limit)) {
+      break;
+    }
+    for (const std::uint32_t vertex : slots_[slot].vertices) {
+      const std::pair found(static_cast<double>(place(vertex, posed).y), vertex);
+      if (lowest ? found < *lowest : found.first < limit) {
+        lowest = found;
+      }
+    }
+  }
+  return lowest ? std::optional(Vec3(place(lowest->second, posed))) : std::nullopt;
 }
 
-void SurfacePart::stillPositions(const FrameState& frame, std::vector<glm::vec3>& out) const {
-  positions(frame, movedCount_, vertices_.size(), out);
+std::vector<std::pair<double, std::size_t>> SurfacePart::farthestMoves(const Posed& from,
+                                                                       const Posed& to) const {
+  std::vector<std::pair<double, std::size_t>> moves;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    if (!slots_[slot].vertices.empty()) {
+      const Mat4 change = to.matrices[slot] - from.matrices[slot];
+      const double most = glm::length(transformPoint(change, slots_[slot].centre)) +
+                          growthOf(change) * slots_[slot].radius + from.rounding + to.rounding;
+      moves.emplace_back(areMeans_ && most < endless ? most : endless, slot);
+    }
+  }
+  std::ranges::sort(moves, std::greater());
+  return moves;
 }
 
 } // namespace stretch::skinning

@@ -11,6 +11,7 @@
 #include "app/batch/verb.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/evaluate/clip_facts.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "rig/motion/solve.h"
@@ -120,7 +121,7 @@ Result<gltf::Json> exaggeratedClip(const ExaggerateArguments& arguments,
 
 // The named trails that can be in a clip; why the others cannot is told.
 gltf::Json exaggeratedWherePossible(const std::vector<TrailRequest>& requests, int clip, bool loops,
-                                    Document& document) {
+                                    const std::shared_ptr<CharacterFacts>& character, Document& document) {
   std::vector<int> ids;
   gltf::Json left = gltf::Json::array();
   for (const TrailRequest& request : requests) {
@@ -139,7 +140,7 @@ gltf::Json exaggeratedWherePossible(const std::vector<TrailRequest>& requests, i
       left.push_back(request.limb + ": " + withoutPlace(placed.error()));
     }
   }
-  gltf::Json report = exaggerationJson(document, clip, ids);
+  gltf::Json report = exaggerationJson(document, clip, ids, character);
   report.erase("warnings");
   report["left_out"] = std::move(left);
   return report;
@@ -151,8 +152,9 @@ Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
     return known.error();
   }
   gltf::Json clips = gltf::Json::array();
+  const auto character = std::make_shared<CharacterFacts>(document);
   for (int clip = 0; clip < static_cast<int>(document.clips->size()); ++clip) {
-    clips.push_back(exaggeratedWherePossible(requests, clip, arguments.loops, document));
+    clips.push_back(exaggeratedWherePossible(requests, clip, arguments.loops, character, document));
   }
   if (std::ranges::all_of(clips, [](const gltf::Json& clip) { return clip["trails"].empty(); })) {
     return Error{"none of the limbs can be exaggerated in any clip", "--all-clips",

@@ -106,14 +106,15 @@ Json trailReport(const std::shared_ptr<ClipFacts>& facts, const rig::MotionState
 
 } // namespace
 
-Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids) {
+Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids,
+                      const std::shared_ptr<CharacterFacts>& character) {
   Json report;
   report["clip"] = clipOf(document, clip).name;
   report["trails"] = Json::array();
   EvaluationCache cache;
   rig::MotionState motion = *cache.motion(document, clip);
   motion.weights.clear(); // What the trails do by themselves.
-  const auto facts = std::make_shared<ClipFacts>(document, clip);
+  const auto facts = std::make_shared<ClipFacts>(document, clip, character);
   for (const int id : ids) {
     const auto solved = std::ranges::find_if(
         motion.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });

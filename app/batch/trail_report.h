@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "app/document.h"
@@ -7,10 +8,13 @@
 
 namespace stretch::app {
 
+class CharacterFacts;
 class EvaluationCache;
 
 /// Outcome of these trails of a clip, and the weight of its limbs, as `exaggerate` reports it.
-[[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids);
+/// `character`: of that document, for several clips; null: its own.
+[[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids,
+                                          const std::shared_ptr<CharacterFacts>& character = {});
 
 /// Prints the outcome as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);

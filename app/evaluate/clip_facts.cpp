@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/anim/frames.h"
 #include "rig/body/evidence/bind_pose.h"
@@ -19,17 +18,6 @@ FrameState bindPoseOf(const Scene& scene) {
   FrameState bind;
   bind.worlds = rig::bindPoseWorlds(scene);
   return bind;
-}
-
-BoundSurface boundSurface(const Scene& scene, const std::vector<bool>& follows) {
-  BoundSurface surface{skinning::SurfacePart(scene, follows)};
-  std::vector<glm::vec3> places;
-  surface.part.positions(bindPoseOf(scene), places);
-  for (const skinning::SurfacePart::Edge& edge : surface.part.edges()) {
-    surface.edgeLengths.push_back(std::sqrt(static_cast<double>(
-        glm::dot(places[edge.moved] - places[edge.other], places[edge.moved] - places[edge.other]))));
-  }
-  return surface;
 }
 
 // All of the body's joints at frames of the clip and in the bind pose.
@@ -66,13 +54,35 @@ double lowestPlaceOf(const Document& document, int clip) {
 
 } // namespace
 
-ClipFacts::ClipFacts(const Document& document, int clip)
+BoundSurface::BoundSurface(const Scene& scene, const std::vector<bool>& follows, double height)
+    : part(scene, follows), edges(part, bindPoseOf(scene), visibleLength * height) {}
+
+CharacterFacts::CharacterFacts(const Document& document)
+    : scene_(document.scene), height_(document.body.height),
+      places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*scene_))) {}
+
+const skinning::SurfacePart& CharacterFacts::whole() {
+  if (!whole_) {
+    whole_ = skinning::SurfacePart::whole(*scene_);
+  }
+  return *whole_;
+}
+
+std::shared_ptr<const BoundSurface> CharacterFacts::surfaceOf(const std::vector<bool>& follows) {
+  std::shared_ptr<const BoundSurface>& surface = surfaces_[follows];
+  if (surface == nullptr) {
+    surface = std::make_shared<const BoundSurface>(*scene_, follows, height_);
+  }
+  return surface;
+}
+
+ClipFacts::ClipFacts(const Document& document, int clip, std::shared_ptr<CharacterFacts> character)
     : document_(document), clip_(clip),
-      places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*document.scene))) {}
+      character_(character != nullptr ? std::move(character) : std::make_shared<CharacterFacts>(document)) {}
 
 const StandingFloor& ClipFacts::standing() {
   if (!standing_) {
-    standing_ = standingFloor(document_, clip_, *places_);
+    standing_ = standingFloor(document_, clip_, *places());
   }
   return *standing_;
 }
@@ -95,25 +105,17 @@ double ClipFacts::ground() {
   return groundOver(lowestVertex());
 }
 
-// The lowest vertex of the clip is no higher than that of its first frame.
-bool ClipFacts::isBelowGround(double height, double margin) {
-  return groundOver(lowestVertexAtFirst()) - height > margin && ground() - height > margin;
+double ClipFacts::lowestVertexIn(const FrameState& frame, double before) {
+  const skinning::SurfacePart& whole = character_->whole();
+  const std::optional<Vec3> lowest = whole.lowest(whole.posed(frame), before);
+  return lowest ? lowest->y : before;
 }
 
-double ClipFacts::lowestVertexIn(const FrameState& frame) {
-  if (!whole_) {
-    const Scene& scene = *document_.scene;
-    whole_.emplace(scene, std::vector<bool>(scene.nodes.size(), true), skinning::SurfaceEdges::none);
-  }
-  std::vector<glm::vec3> places;
-  whole_->positions(frame, places);
-  const auto lowest = std::ranges::min_element(places, {}, &glm::vec3::y);
-  return lowest == places.end() ? std::numeric_limits<double>::infinity() : static_cast<double>(lowest->y);
-}
-
+// The lowest vertex of the clip is no higher than that.
 double ClipFacts::lowestVertexAtFirst() {
   if (!lowestAtFirst_) {
-    lowestAtFirst_ = lowestVertexIn(rig::sampledFrame(*document_.scene, clipOf(document_, clip_), 0.0));
+    lowestAtFirst_ = lowestVertexIn(rig::sampledFrame(*document_.scene, clipOf(document_, clip_), 0.0),
+                                    std::numeric_limits<double>::infinity());
   }
   return *lowestAtFirst_;
 }
@@ -126,19 +128,11 @@ double ClipFacts::lowestVertex() {
     double lowest = lowestVertexAtFirst();
     const double step = std::max(1.0, endInFrames(clip) / mostFrames);
     for (double frame = step; frame <= endInFrames(clip); frame += step) {
-      lowest = std::min(lowest, lowestVertexIn(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond)));
+      lowest = lowestVertexIn(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond), lowest);
     }
-    lowestVertex_ = standing().floor ? lowest : std::min(lowest, lowestVertexIn(bindPoseOf(scene)));
+    lowestVertex_ = standing().floor ? lowest : lowestVertexIn(bindPoseOf(scene), lowest);
   }
   return *lowestVertex_;
-}
-
-std::shared_ptr<const BoundSurface> ClipFacts::surfaceOf(const std::vector<bool>& follows) {
-  std::shared_ptr<const BoundSurface>& surface = surfaces_[follows];
-  if (surface == nullptr) {
-    surface = std::make_shared<const BoundSurface>(boundSurface(*document_.scene, follows));
-  }
-  return surface;
 }
 
 } // namespace stretch::app

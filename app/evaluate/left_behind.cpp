@@ -25,8 +25,9 @@ struct Part {
 
 class Search {
 public:
-  Search(const Document& document, const rig::Limb& limb, const std::vector<bool>& moved)
-      : scene_(*document.scene), limb_(limb), moved_(moved), places_(rig::bindPlaces(scene_)),
+  Search(const Document& document, const rig::Limb& limb, const std::vector<bool>& moved,
+         const rig::BindPlaces& places)
+      : scene_(*document.scene), limb_(limb), moved_(moved), places_(places),
         end_(rig::endPosition(limb, places_.worlds)) {
     for (const rig::Limb& other : document.body.limbs) {
       const bool trunk = isTrunk(other);
@@ -115,7 +116,7 @@ private:
   const Scene& scene_;
   const rig::Limb& limb_;
   const std::vector<bool>& moved_;
-  rig::BindPlaces places_;
+  const rig::BindPlaces& places_;
   Vec3 end_;
   std::set<NodeIndex> trunk_;
   std::set<NodeIndex> others_; // joints of arms and legs
@@ -130,12 +131,12 @@ std::string nameOf(const Scene& scene, NodeIndex node) {
 } // namespace
 
 std::vector<std::string> partsLeftBehind(const Document& document, const rig::Limb& limb,
-                                         const std::vector<bool>& moved) {
+                                         const std::vector<bool>& moved, const rig::BindPlaces& places) {
   std::vector<std::string> warnings;
   if (!reachesOut(limb)) {
     return warnings;
   }
-  for (const Part& part : Search(document, limb, moved).all()) {
+  for (const Part& part : Search(document, limb, moved, places).all()) {
     const NodeIndex end = limb.endNode.exists() ? limb.endNode : limb.joints.back();
     warnings.push_back(
         fmt::format("the mesh \"{}\" stands at the limb's end but hangs on \"{}\", so it stays where it is; "

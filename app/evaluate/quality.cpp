@@ -54,8 +54,8 @@ struct Remedy {
 class Remedies {
 public:
   Remedies(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
-           std::optional<double> lowestPlace)
-      : document_(document), motion_(motion), trail_(trail), lowestPlace_(lowestPlace) {}
+           const TrailLook& look)
+      : document_(document), motion_(motion), trail_(trail), look_(look) {}
 
   [[nodiscard]] std::vector<Remedy> against(const Findings& findings) {
     if (trail_.tip.moved) {
@@ -109,17 +109,19 @@ private:
       add([](rig::TrailSettings& s) { s.axes[1] = false; }, "switch the axis Y off");
     }
     if (!isStoppedAtTip(document_, motion_, trail_)) {
-      stopAt(lowestPlace_);
+      stopAt(look_.lowestPlace());
+      ClipFacts& facts = *look_.facts();
       if (const std::optional<rig::StopPlane> floor =
-              floorForLeg(document_, motion_.clip, trail_.limb, tipFrameOf(trail_.settings))) {
+              floorForLeg(document_, motion_.clip, trail_.limb, tipFrameOf(trail_.settings), *facts.places(),
+                          facts.standing())) {
         stopAt(floor->point.y);
       }
     }
   }
 
   void stopAtFloor() {
-    stopAt(isLeg(trail_.limb) ? standingAnkles(document_, motion_.clip)
-                              : floorHeight(document_, motion_.clip));
+    const StandingFloor& standing = look_.facts()->standing();
+    stopAt(isLeg(trail_.limb) ? standing.ankles : standing.floor);
   }
 
   void stopAt(std::optional<double> height) {
@@ -135,7 +137,7 @@ private:
   const Document& document_;
   const rig::MotionState& motion_;
   const rig::SolvedTrail& trail_;
-  std::optional<double> lowestPlace_;
+  const TrailLook& look_;
   std::vector<Remedy> remedies_;
 };
 
@@ -162,8 +164,7 @@ public:
   }
 
   [[nodiscard]] std::string other() {
-    for (const Remedy& remedy :
-         Remedies(document_, motion_, trail_, look_.lowestPlace()).against(findings_)) {
+    for (const Remedy& remedy : Remedies(document_, motion_, trail_, look_).against(findings_)) {
       if (helps(remedy.settings)) {
         return remedy.advice;
       }
@@ -264,7 +265,8 @@ std::vector<std::string> motionWarnings(const std::shared_ptr<ClipFacts>& facts,
     const bool knowsFloor = facts->standing().floor.has_value();
     warnings = lines(trail.limb, findings, knowsFloor, adviceFor(document, motion, trail, look, findings));
   }
-  const std::vector<std::string> parts = partsLeftBehind(document, trail.limb, look.moved());
+  const std::vector<std::string> parts =
+      partsLeftBehind(document, trail.limb, look.moved(), *facts->places());
   warnings.insert(warnings.end(), parts.begin(), parts.end());
   return warnings;
 }

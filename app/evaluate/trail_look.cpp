@@ -23,7 +23,6 @@ constexpr double room = 1.5;
 constexpr double farthestTurn = 120.0 * pi / 180.0; // beyond it an arm or a leg looks torn out and put back
 constexpr double clearBend = 15.0 * pi / 180.0;     // of a joint: less is as good as straight
 constexpr double longestEdge = 4.0;                 // times its length, on a limb that is hardly longer
-constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
 constexpr double placeMargin = 0.02;                // of the height
 constexpr double farthestJump = 0.25;               // of the limb's length, within a frame
 
@@ -38,9 +37,9 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
   return frames;
 }
 
-float squaredDistance(const glm::vec3& a, const glm::vec3& b) {
+double distanceBetween(const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 between = a - b;
-  return glm::dot(between, between);
+  return std::sqrt(static_cast<double>(glm::dot(between, between)));
 }
 
 std::vector<bool> movedBy(const Scene& scene, const rig::SolvedTrail& trail) {
@@ -100,7 +99,7 @@ std::vector<double> Findings::worstFrames() const {
 
 TrailLook::TrailLook(std::shared_ptr<ClipFacts> facts, const rig::SolvedTrail& trail, LookAt what)
     : facts_(std::move(facts)), moved_(movedBy(*facts_->document().scene, trail)),
-      surface_(what == LookAt::limbAndMesh ? facts_->surfaceOf(moved_) : nullptr) {
+      surface_(what == LookAt::limbAndMesh ? facts_->character().surfaceOf(moved_) : nullptr) {
   if (surface_ != nullptr) {
     nodes_ = surface_->part.nodes();
   }
@@ -333,12 +332,9 @@ private:
     if (look_.surface_ == nullptr || surface().movedCount() == 0) {
       return;
     }
-    hasFrom_ = false;
-    surface().movedPositions(after_, to_);
-    surface().stillPositions(before_, to_);
-    if (mayBeFarOff()) {
-      lookAtVertices(frame);
-    }
+    to_ = surface().posed(after_);
+    from_ = surface().posed(before_);
+    lookAtVertices(frame);
     lookAtEdges(frame);
     lookAtGround(frame);
   }
@@ -348,54 +344,49 @@ private:
     if (facts.standing().flies) {
       return;
     }
-    const auto lowestOf = [&](const std::vector<glm::vec3>& places) {
-      const auto end = places.begin() + static_cast<std::ptrdiff_t>(surface().movedCount());
-      return static_cast<double>(
-          std::min_element(places.begin(), end, [](const glm::vec3& a, const glm::vec3& b) {
-            return a.y < b.y;
-          })->y);
-    };
     const double margin = placeMargin * height();
-    const double lowest = lowestOf(to_);
-    if (facts.isBelowGround(lowest, margin) && lowestOf(from()) - lowest > margin) {
-      const double below = facts.ground() - lowest;
+    const std::optional<Vec3> lowest = surface().lowest(to_, facts.groundAtMost() - margin);
+    if (lowest && facts.ground() - lowest->y > margin && surface().lowest(from_)->y - lowest->y > margin) {
+      const double below = facts.ground() - lowest->y;
       findings_.floors.add(frame, below, below);
     }
-  }
-
-  // Places in the source, which most frames need not.
-  [[nodiscard]] const std::vector<glm::vec3>& from() {
-    if (!hasFrom_) {
-      surface().positions(before_, from_);
-      hasFrom_ = true;
-    }
-    return from_;
-  }
-
-  // Whether a vertex may be too far from its place, told by the joints alone; rounding is far below the
-  // slack.
-  [[nodiscard]] bool mayBeFarOff() const {
-    const double slack = 1e-3 * height() + 1e-5 * glm::length(rig::leadingPosition(trail_.limb, after_));
-    return !(surface().farthestMove(before_, after_) + slack <= room * findings_.tipDisplacement);
   }
 
   // A head reaches out beyond the end of its neck, and goes as much farther as it is away from the neck's
   // base: by a stretch, which takes it along, as by a turn. Its lever is that; 1 on other limbs.
   void lookAtVertices(double frame) {
-    const std::vector<glm::vec3>& source = from();
     const Vec3 base = positionOf(before_.worlds[at(trail_.limb.joints.front())]);
     const double length = glm::distance(base, rig::leadingPosition(trail_.limb, before_));
     const bool hasHead = trail_.limb.kind == rig::LimbKind::neck && length > 0.0;
-    double farthest = 0.0; // in lengths of its lever
+    const double most = std::max(room * findings_.tipDisplacement, 1e-4 * height());
+    double farthest = most; // in lengths of its lever
     double carried = 0.0;
-    for (std::size_t i = 0; i < surface().movedCount(); ++i) {
-      const double distance = std::sqrt(static_cast<double>(squaredDistance(to_[i], source[i])));
-      const double lever = hasHead ? std::max(1.0, glm::distance(base, Vec3(source[i])) / length) : 1.0;
-      const double beside = distance / lever;
-      carried = beside > farthest ? distance : carried;
-      farthest = std::max(farthest, beside);
+    const auto moves = surface().farthestMoves(from_, to_);
+    std::vector<double> bounds(surface().slots().size(), 0.0);
+    for (const auto& [bound, slot] : moves) {
+      bounds[slot] = bound;
     }
-    if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
+    for (const auto& [ofSlot, slot] : moves) {
+      if (ofSlot <= farthest) {
+        break; // no lever makes it farther
+      }
+      for (const std::uint32_t vertex : surface().slots()[slot].vertices) {
+        double bound = 0.0;
+        for (const skinning::SurfacePart::Influence& one : surface().influencesOf(vertex)) {
+          bound += std::abs(static_cast<double>(one.weight)) * bounds[one.slot];
+        }
+        if (bound <= farthest) {
+          continue;
+        }
+        const glm::vec3 source = surface().place(vertex, from_);
+        const double distance = distanceBetween(surface().place(vertex, to_), source);
+        const double lever = hasHead ? std::max(1.0, glm::distance(base, Vec3(source)) / length) : 1.0;
+        const double beside = distance / lever;
+        carried = beside > farthest ? distance : carried;
+        farthest = std::max(farthest, beside);
+      }
+    }
+    if (farthest > most) {
       const double end =
           glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
       (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, carried, farthest);
@@ -404,19 +395,18 @@ private:
 
   void lookAtEdges(double frame) {
     const double most = std::max(longestEdge, room * trail_.settings.scale);
-    const auto seenSquared = static_cast<float>(visibleLength * height() * visibleLength * height());
     double worst = 0.0;
-    for (std::size_t i = 0; i < look_.surface_->edgeLengths.size(); ++i) {
-      const skinning::SurfacePart::Edge& edge = surface().edges()[i];
-      const float afterSquared = squaredDistance(to_[edge.moved], to_[edge.other]);
-      const auto farOff = static_cast<float>(most * look_.surface_->edgeLengths[i]);
-      if (afterSquared <= seenSquared || afterSquared <= farOff * farOff) {
+    for (const std::uint32_t i : look_.surface_->edges.among(to_, most)) {
+      const auto lengthIn = [&](const skinning::SurfacePart::Posed& posed) {
+        const auto [moved, other] = surface().edges()[i];
+        return distanceBetween(surface().place(moved, posed), surface().place(other, posed));
+      };
+      const double inBind = look_.surface_->edges.lengths()[i];
+      const double after = lengthIn(to_);
+      if (after <= BoundSurface::visibleLength * height() || after <= most * inBind) {
         continue;
       }
-      const double after = std::sqrt(static_cast<double>(afterSquared));
-      const double before =
-          std::sqrt(static_cast<double>(squaredDistance(from()[edge.moved], from()[edge.other])));
-      const double own = std::max(look_.surface_->edgeLengths[i], before);
+      const double own = std::max(inBind, lengthIn(from_));
       if (after > most * own) {
         worst = std::max(worst, after / std::max(own, 1e-9 * height()));
       }
@@ -436,9 +426,8 @@ private:
   Findings findings_;
   FrameState before_;
   FrameState after_;
-  std::vector<glm::vec3> from_; // of `before_` where it has them; see from()
-  bool hasFrom_ = false;
-  std::vector<glm::vec3> to_;
+  skinning::SurfacePart::Posed from_; // of the surface in `before_`
+  skinning::SurfacePart::Posed to_;   // and in `after_`
 };
 
 Findings TrailLook::findings(const rig::MotionState& alone) const {

@@ -135,14 +135,11 @@ private:
     const double vertices = static_cast<double>(std::max<std::size_t>(1, vertexCount(*watched.scene)));
     const double step = std::max(1.0, std::ceil(lastFrame(source_.clip) * vertices / mostVerticesAtTimes));
     double lowest = *floor_;
-    std::vector<glm::vec3> places;
     for (double frame = 0.0; frame <= lastFrame(source_.clip); frame += step) {
       const FrameState shown = watched.at(frame / rate());
       if (watched.surface != nullptr) {
-        watched.surface->positions(shown, places);
-        for (const glm::vec3& place : places) {
-          lowest = std::min(lowest, static_cast<double>(place.y));
-        }
+        const std::optional<Vec3> lower = watched.surface->lowest(watched.surface->posed(shown), lowest);
+        lowest = lower ? lower->y : lowest;
       } else {
         for (const Vec3& place : skinning::skinnedPositions(*watched.scene, shown)) {
           lowest = std::min(lowest, place.y);
@@ -210,8 +207,7 @@ std::shared_ptr<const skinning::SurfacePart> wholeSurface(const Scene& scene) {
     return std::ranges::any_of(mesh.primitives, [](const Primitive& p) { return !p.morphTargets.empty(); });
   });
   return morphs ? nullptr
-                : std::make_shared<const skinning::SurfacePart>(
-                      scene, std::vector<bool>(scene.nodes.size(), true), skinning::SurfaceEdges::none);
+                : std::make_shared<const skinning::SurfacePart>(skinning::SurfacePart::whole(scene));
 }
 
 std::vector<ClipChange> worseThanSource(const Document& body, int clip, const WatchedClip& source,

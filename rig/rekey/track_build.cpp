@@ -38,6 +38,7 @@ void addOutsideKeys(const ChannelKeys& keys, std::vector<Key>& out) {
   if (source == nullptr) {
     return;
   }
+  out.reserve(out.size() + source->times.size());
   for (std::size_t i = 0; i < source->times.size(); ++i) {
     const auto time = static_cast<double>(source->times[i]);
     if (insideAny(keys.windows, time)) {

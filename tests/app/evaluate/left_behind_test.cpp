@@ -59,7 +59,7 @@ struct Boxed {
     for (const NodeIndex node : movedNodes) {
       moved[at(node)] = true;
     }
-    return partsLeftBehind(document, *findLimb(document, limb), moved);
+    return partsLeftBehind(document, *findLimb(document, limb), moved, rig::bindPlaces(*document.scene));
   }
 };
 
