@@ -256,7 +256,7 @@ ClipGround clipGround(const Document& document, int clip) {
   ground.framesPerSecond = motion.framesPerSecond;
   ground.lastFrame = std::max(0.0, wholeFrameAtMost(endInFrames(motion)));
   ground.turnFrames =
-      ground.lastFrame - std::max(0.0, std::round(motion.startSeconds * motion.framesPerSecond));
+      std::round(endInFrames(motion) - std::max(0.0, motion.startSeconds * motion.framesPerSecond));
   ground.limbs = allLimbs(document);
   ground.lowest = std::numeric_limits<double>::infinity();
   ground.lowestVertex = ground.lowest;

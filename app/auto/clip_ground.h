@@ -57,6 +57,11 @@ struct ClipGround {
   [[nodiscard]] double leastHeightAt(double frame) const;
   /// Height of the floor on which feet stand, or of the lowest vertex where that is higher or there is none.
   [[nodiscard]] double groundHeight() const { return std::max(lowestVertex, floor.value_or(lowestVertex)); }
+  /// The frame of a loop at which it is as at this one, a turn later. The pose before its first key is that
+  /// of its first key.
+  [[nodiscard]] double aTurnLater(double frame) const {
+    return std::max(frame, lastFrame - turnFrames) + turnFrames;
+  }
   /// Takes its last pose to go on to its first.
   void closeLoop();
   [[nodiscard]] const std::vector<Vec2>& standsOf(const std::string& leg, bool orSlides = false) const;

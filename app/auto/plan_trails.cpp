@@ -7,6 +7,7 @@
 
 #include "app/auto/held_things.h"
 #include "app/auto/held_together.h"
+#include "app/auto/moment_weights.h"
 #include "app/auto/planned_trail.h"
 #include "app/auto/poses_of_strokes.h"
 #include "app/auto/whole_check.h"
@@ -33,8 +34,7 @@ constexpr double longestLimb = 1.0;   // of a body that is no biped: legs and ta
 constexpr double shortestRelease = 2.0;
 constexpr double seenRelease = 1.0 / 6.0; // seconds: a way back that is shorter is a jump
 constexpr double asStrong = 0.8;          // of a stronger one: both lead
-constexpr double besideBeats = 1.0 / 3.0; // of the exaggeration: stretched, a trunk tears at its wings
-constexpr double leastStep = 0.25;        // of the strongest leg's: a leg that does less hardly goes along
+constexpr double besideBeats = 1.0 / 3.0; // of the exaggeration: a spine that is stretched tears at the wings
 constexpr double swungAlong = 1.0 / 3.0; // of the exaggeration: a tail beside a stronger limb only follows it
 constexpr double sharedWay = 0.5;        // of the next range: until then it has hardly begun
 constexpr double carriedBack = 0.5; // of what a scale adds: where the limb itself goes so far, it is no jump
@@ -49,15 +49,17 @@ public:
   Planner(const ClipGround& ground, const std::vector<rig::Moment>& moments, const AutoSettings& settings,
           const std::map<std::size_t, std::string>& refused)
       : ground_(ground), moments_(moments), settings_(settings), refused_(refused) {
+    std::vector<const rig::Moment*> counted;
     for (const std::vector<rig::Moment>* const all : {&moments, &settings.beside}) {
       for (std::size_t i = 0; i < all->size(); ++i) {
         const rig::Moment& moment = (*all)[i];
         const bool isRefused = (all == &moments && refused.contains(i)) || !refusalOf(moment).empty();
         if (hasOwnTrail(moment) || !isRefused) {
-          countIn(moment);
+          counted.push_back(&moment);
         }
       }
     }
+    weights_ = MomentWeights(ground.document, counted);
   }
 
   [[nodiscard]] AutoPlan plan() {
@@ -81,43 +83,6 @@ public:
   }
 
 private:
-  void countIn(const rig::Moment& moment) {
-    const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
-    fastest_ = std::max(fastest_, moment.strength);
-    strongest_ = std::max(strongest_, weightOf(moment));
-    if (limb != nullptr && isAct(*limb, moment)) {
-      strongestAct_ = std::max(strongestAct_, weightOf(moment));
-    }
-    isLedByBeats_ = limb != nullptr && weightOf(moment) == strongest_ ? isBeat(*limb, moment) : isLedByBeats_;
-  }
-
-  // Strength, in which what is full is the same for each kind of limb. Legs that step in turn do one thing:
-  // the strongest step of each counts as that of all.
-  [[nodiscard]] double weightOf(const rig::Moment& moment) const {
-    const rig::Limb* const limb = findLimb(ground_.document, moment.limb);
-    if (limb == nullptr || moment.kind != rig::MomentKind::cycle || !isLeg(*limb)) {
-      return moment.strength * fullStrength / (limb == nullptr ? fullStrength : fullStrengthOf(*limb));
-    }
-    double gait = moment.strength;
-    bool isStep = true;
-    for (const rig::Moment& other : moments_) {
-      const rig::Limb* const leg =
-          other.kind == moment.kind ? findLimb(ground_.document, other.limb) : nullptr;
-      if (leg != nullptr && isLeg(*leg)) {
-        gait = std::max(gait, other.strength);
-        isStep = isStep && (other.limb != moment.limb || other.strength <= moment.strength);
-      }
-    }
-    return isStep && moment.strength >= leastStep * gait ? gait : moment.strength;
-  }
-
-  // The clip's strongest, beside which a moment counts. What a body does while its wings beat counts beside
-  // that, and not beside the beats.
-  [[nodiscard]] double strongestBeside(const rig::Moment& moment) const {
-    const bool isInFlight = isLedByBeats_ && strongestAct_ > 0.0 && moment.kind == rig::MomentKind::stroke;
-    return isInFlight ? std::max(strongestAct_, weightOf(moment)) : strongest_;
-  }
-
   // Both sides choose the same of what has no room beside each other.
   [[nodiscard]] bool goTogether(const rig::Moment& one, const rig::Moment& other) const {
     return one.kind == rig::MomentKind::stroke && one.kind == other.kind && arePartners(ground_, one, other);
@@ -149,7 +114,7 @@ private:
     if (const auto refused = refused_.find(place); refused != refused_.end()) {
       return refused->second;
     }
-    if (fastest_ < idleStrength) {
+    if (weights_.fastest() < idleStrength) {
       return "it is too weak to be an action";
     }
     if (isWeak(moment)) {
@@ -179,7 +144,7 @@ private:
   }
 
   [[nodiscard]] bool isWeak(const rig::Moment& moment) const {
-    return weightOf(moment) < weakShare * strongestBeside(moment);
+    return weights_.of(moment) < weakShare * weights_.strongestBeside(moment);
   }
 
   [[nodiscard]] bool hasOwnTrail(const rig::Moment& moment) const {
@@ -232,7 +197,7 @@ private:
     const bool isStroke = moment.kind == rig::MomentKind::stroke;
     std::vector<Vec2> stands = isLeg(limb) ? ground_.standsOf(limb.id, isStroke) : std::vector<Vec2>{};
     if (ground_.wraps && !stands.empty()) {
-      stands.push_back(stands.front() + ground_.turnFrames);
+      stands.emplace_back(ground_.aTurnLater(stands.front().x), stands.front().y + ground_.turnFrames);
     }
     for (const Vec2& stand : stands) {
       if (stand.x <= range.x) {
@@ -250,7 +215,7 @@ private:
     const double back = tip + seenFrames();
     return isOnGround(ground_, limb, {tip, back}) &&
            std::ranges::none_of(ground_.standsOf(limb.id), [&](const Vec2& stand) {
-             const double again = ground_.wraps ? stand.x + ground_.turnFrames : stand.x;
+             const double again = ground_.wraps ? ground_.aTurnLater(stand.x) : stand.x;
              return (tip < stand.x && stand.x <= back) || (tip < again && again <= back);
            });
   }
@@ -272,22 +237,31 @@ private:
   // where that is calm, as in a slow walk; less beside the clip's strongest, and beside a stronger limb at
   // the same time.
   [[nodiscard]] double shareOf(const rig::Moment& moment) const {
-    const double beside = strongestBeside(moment);
+    const double beside = weights_.strongestBeside(moment);
     const double full = std::clamp(beside, calmClip * fullStrength, fullStrength);
-    const double own = std::clamp(weightOf(moment) / full, leastShare, 1.0) *
-                       std::min(1.0, weightOf(moment) / (nearStrongest * beside));
+    const double own = std::clamp(weights_.of(moment) / full, leastShare, 1.0) *
+                       std::min(1.0, weights_.of(moment) / (nearStrongest * beside));
     const double swung = isFollower(moment.limb) ? swungAlong : 1.0;
-    const double torn =
-        isLedByBeats_ && rig::isTrunk(*findLimb(ground_.document, moment.limb)) ? besideBeats : 1.0;
+    const double torn = isBesideBeats(moment) ? besideBeats : 1.0;
     return own * torn * (isBesideStronger(moment) ? swung * settings_.style.spread.limbs : 1.0);
+  }
+
+  // Wings hang on the spine, or beside it in the same mesh.
+  [[nodiscard]] bool isBesideBeats(const rig::Moment& moment) const {
+    return weights_.isLedByBeats() && findLimb(ground_.document, moment.limb)->kind == rig::LimbKind::spine &&
+           std::ranges::any_of(moments_, [&](const rig::Moment& other) {
+             const rig::Limb* const limb = findLimb(ground_.document, other.limb);
+             return limb != nullptr && isBeat(*limb, other) && overlap(moment, other);
+           });
   }
 
   // What swings along counts by how fast it is alone: light as it is, it would take the eye.
   [[nodiscard]] bool isBesideStronger(const rig::Moment& moment) const {
     return moment.kind == rig::MomentKind::stroke &&
            std::ranges::any_of(moments_, [&](const rig::Moment& other) {
-             const bool isStronger = isFollower(moment.limb) ? moment.strength < asStrong * other.strength
-                                                             : weightOf(moment) < asStrong * weightOf(other);
+             const bool isStronger = isFollower(moment.limb)
+                                         ? moment.strength < asStrong * other.strength
+                                         : weights_.of(moment) < asStrong * weights_.of(other);
              return other.kind == rig::MomentKind::stroke && other.limb != moment.limb && isStronger &&
                     overlap(moment, other) && other.limb != rig::wholeBody;
            });
@@ -488,7 +462,8 @@ private:
       const double room = roomAfter(planned.trail, sharedWay);
       const rig::Moment& moment = moments_[planned.moment];
       const bool leads = moment.kind == rig::MomentKind::stroke &&
-                         weightOf(moment) >= nearStrongest * strongestBeside(moment) && !planned.follows;
+                         weights_.of(moment) >= nearStrongest * weights_.strongestBeside(moment) &&
+                         !planned.follows;
       const bool goesRound = moment.kind == rig::MomentKind::cycle;
       const double still = goesRound ? stillFor(ground_, planned.trail, room) : 0.0;
       const double release = std::clamp(room - still, 0.0, std::max({wanted, seenFrames(), carried, out}));
@@ -543,7 +518,7 @@ private:
   [[nodiscard]] bool standsAfter(const rig::Trail& trail, double frames) const {
     const double frame = trail.settings.endFrame + frames;
     return std::ranges::any_of(ground_.standsOf(trail.limb), [&](const Vec2& stand) {
-      return stand.x == frame || (ground_.wraps && stand.x == frame - ground_.turnFrames);
+      return stand.x == frame || (ground_.wraps && ground_.aTurnLater(stand.x) == frame);
     });
   }
 
@@ -554,7 +529,7 @@ private:
     const double end = ground_.lastFrame - tip; // less a frame: keys go straight from each frame to the next
     double room = turn > 0.0 ? 2.0 * turn : std::max(end - 1.0, std::min(end, shortestRelease));
     const auto endBefore = [&](double frame) {
-      const double after = frame >= tip ? frame - tip : frame + turn - tip;
+      const double after = (frame >= tip || turn <= 0.0 ? frame : ground_.aTurnLater(frame)) - tip;
       room = after >= 0.0 ? std::min(room, after) : room;
     };
     for (const PlannedTrail& other : plan_.trails) {
@@ -573,10 +548,7 @@ private:
   const std::vector<rig::Moment>& moments_;
   const AutoSettings& settings_;
   const std::map<std::size_t, std::string>& refused_;
-  double fastest_ = 0.0; // strength of the strongest
-  double strongest_ = 0.0;
-  double strongestAct_ = 0.0;
-  bool isLedByBeats_ = false; // the strongest is a beat of a wing
+  MomentWeights weights_;
   AutoPlan plan_;
 };
 

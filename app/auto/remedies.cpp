@@ -20,7 +20,7 @@ constexpr double calmRelease = 3.0; // frames, at least
 // Whether the foot of a loop is put down again before a frame past its seam.
 bool standsBefore(const ClipGround& ground, const std::string& limb, double frame) {
   return std::ranges::any_of(ground.standsOf(limb),
-                             [&](const Vec2& stand) { return stand.x + ground.turnFrames < frame; });
+                             [&](const Vec2& stand) { return ground.aTurnLater(stand.x) < frame; });
 }
 
 // Keeps still what the trail adds from a frame before the seam to a frame after it, where it can: a loop then

@@ -83,8 +83,7 @@ private:
     std::vector<std::size_t> acting;
     for (std::size_t i = 0; i < plan_.trails.size(); ++i) {
       const Vec2 window = windowOf(plan_.trails[i].trail.settings);
-      const double again = std::max(frame, ground_.lastFrame - ground_.turnFrames) + ground_.turnFrames;
-      const bool wraps = plan_.loops && again <= window.y;
+      const bool wraps = plan_.loops && ground_.aTurnLater(frame) <= window.y;
       if ((window.x <= frame && frame <= window.y) || wraps) {
         acting.push_back(i);
       }

@@ -153,10 +153,11 @@ void joinLimbs(const std::vector<rig::Limb>& limbs, const std::map<NodeIndex, in
 }
 
 // A joint whose joints above are all controls hangs on the joint that stands where the lowest of them stands:
-// rigs keep a copy of the skeleton to deform by. Of several there, on one that others hang on.
-void hangOnCopies(const Scene& scene, const std::vector<Mat4>& worlds, double height,
-                  SkeletonToBind& skeleton) {
-  const double same = 1e-3 * height;
+// rigs keep a copy of the skeleton to deform by. Of several there, on one that others hang on. What carries
+// the hips hangs on nothing.
+void hangOnCopies(const Document& document, const std::vector<Mat4>& worlds, SkeletonToBind& skeleton) {
+  const Scene& scene = *document.scene;
+  const double same = 1e-3 * document.body.height;
   std::vector<bool> carries(skeleton.joints.size(), false);
   for (const skinning::BindJoint& joint : skeleton.joints) {
     if (joint.parent >= 0) {
@@ -165,6 +166,9 @@ void hangOnCopies(const Scene& scene, const std::vector<Mat4>& worlds, double he
   }
   for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
     skinning::BindJoint& joint = skeleton.joints[i];
+    if (document.body.hips.exists() && isAncestorOrSelf(scene, skeleton.nodes[i], document.body.hips)) {
+      continue;
+    }
     for (NodeIndex above = scene.nodes[at(skeleton.nodes[i])].parent; joint.parent < 0 && above.exists();
          above = scene.nodes[at(above)].parent) {
       for (std::size_t other = 0; other < skeleton.joints.size(); ++other) {
@@ -214,13 +218,26 @@ std::optional<Vec3> axisOfBones(const SkeletonToBind& skeleton) {
   return axis;
 }
 
-// Exporters whose bones run along an axis of their own say so where the next joint does not.
+// Exporters whose bones run along an axis of their own say so where the next joint does not. A bone that runs
+// the other way, as those of one side do where the other side is its mirror image, tells nothing of its
+// joint, nor of what hangs on it.
 void addDirections(SkeletonToBind& skeleton) {
   const std::optional<Vec3> axis = axisOfBones(skeleton);
-  for (std::size_t i = 0; axis && i < skeleton.joints.size(); ++i) {
+  std::vector<skinning::BindJoint>& joints = skeleton.joints;
+  for (std::size_t i = 0; axis && i < joints.size(); ++i) {
     const Vec3 along = Mat3(skeleton.worlds[i]) * *axis;
     const double length = glm::length(along);
-    skeleton.joints[i].forward = length > 0.0 ? along / length : Vec3(0.0);
+    joints[i].forward = length > 0.0 ? along / length : Vec3(0.0);
+  }
+  const std::vector<skinning::BindJoint> agreed = joints;
+  for (std::size_t i = 0; axis && i < joints.size(); ++i) {
+    const int parent = agreed[i].parent;
+    constexpr double against = -0.9; // cosine
+    const Vec3 way = parent < 0 ? Vec3(0.0) : agreed[i].place - agreed[at(parent)].place;
+    if (parent >= 0 && glm::dot(way, agreed[at(parent)].forward) < against * glm::length(way)) {
+      joints[i].forward = Vec3(0.0);
+      joints[at(parent)].forward = Vec3(0.0);
+    }
   }
 }
 
@@ -273,7 +290,7 @@ SkeletonToBind ownSkeleton(const Document& document) {
     skeleton.joints.push_back({positionOf(world), parent.exists() ? places[parent] : -1});
   }
   joinLimbs(document.body.limbs, places, skeleton.joints);
-  hangOnCopies(scene, worlds, document.body.height, skeleton);
+  hangOnCopies(document, worlds, skeleton);
   addDirections(skeleton);
   return skeleton;
 }

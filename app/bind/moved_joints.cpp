@@ -125,6 +125,9 @@ std::vector<JointMove> movesTo(const Scene& scene, const rig::Locators& locators
 SkeletonToBind moved(SkeletonToBind skeleton, const std::vector<JointMove>& moves) {
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     if (const JointMove* const move = findMove(moves, skeleton.nodes[i])) {
+      const Vec3 turned = Mat3(move->to) * glm::inverse(Mat3(move->from)) * skeleton.joints[i].forward;
+      const double length = glm::length(turned);
+      skeleton.joints[i].forward = length > 0.0 ? turned / length : Vec3(0.0);
       skeleton.worlds[i] = move->to;
       skeleton.joints[i].place = positionOf(move->to);
     }

@@ -152,7 +152,10 @@ std::vector<BoneLine> boneLines(const std::vector<BindJoint>& joints,
       const BindJoint& joint = joints[i];
       const Vec3 before =
           joint.parent < 0 ? joint.place : joints[static_cast<std::size_t>(joint.parent)].place;
-      const Vec3 along = joint.forward != Vec3(0.0) ? joint.forward : joint.place - before;
+      // As long as the bone before it: ways that know no body go by that.
+      const double length = glm::distance(joint.place, before);
+      const Vec3 along =
+          joint.forward != Vec3(0.0) && length > 0.0 ? length * joint.forward : joint.place - before;
       const std::optional<Vec3> ahead = siblingAhead(joints, isLast, i, along);
       lines.push_back(
           {static_cast<std::uint16_t>(i), joint.place, ahead ? *ahead : endOfLast(joint.place, along)});

@@ -30,8 +30,9 @@ struct BoneLine {
 /// begin deep in the body apart.
 [[nodiscard]] std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints);
 
-/// Returns the same lines; `endOfLast` answers where the bone of a last joint ends, from its place and the
-/// bone before it.
+/// Returns the same lines where no body is known, so that what begins deep in it counts as beside as well;
+/// `endOfLast` answers where the bone of a last joint ends, from its place and a bone as long as the one
+/// before it that goes on in its direction.
 [[nodiscard]] std::vector<BoneLine>
 boneLines(const std::vector<BindJoint>& joints,
           const std::function<Vec3(const Vec3& place, const Vec3& along)>& endOfLast);

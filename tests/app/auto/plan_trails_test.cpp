@@ -205,6 +205,12 @@ TEST_CASE("Each leg's strongest step counts as that of the leg that steps fastes
   CHECK(second(step("left-arm", 40, 50, 2.4)) == Approx(0.4 * 0.4));   // it hardly goes along
   CHECK(second(step("right-arm", 40, 50, 4.8)) == Approx(0.8 * 0.8));  // the way back of the leg that leads
   CHECK(second(stroke("left-arm", 40, 50, 3.0)) == Approx(0.5 * 0.5)); // no step
+  // Steps that are refused count for nothing, those that are switched off as if they were not.
+  const std::vector<rig::Moment> steps{step("right-arm", 0, 10, 10.0), step("left-arm", 40, 50, 3.0)};
+  CHECK(shareOf(planTrails(ground, steps, twiceAsLong(), {{0, "it cannot be"}}), 1) == Approx(1.0));
+  AutoSettings switchedOff = twiceAsLong();
+  switchedOff.beside = {steps[0]};
+  CHECK(shareOf(planFor(ground, {steps[1]}, switchedOff), 0) == Approx(1.0));
   // What arms do in turn is each its own.
   document.body.limbs[0].kind = rig::LimbKind::arm;
   CHECK(second(step(document.body.limbs[0].id.c_str(), 40, 50, 3.0)) == Approx(0.5 * 0.5));
@@ -224,11 +230,18 @@ TEST_CASE("What a flying body does counts beside that, and not beside the beats 
   CHECK(actBeside(rig::MomentKind::cycle, 2.5) == Approx(2.5 / 3.0));
   CHECK(actBeside(rig::MomentKind::cycle, 2.3) == Approx(2.3 / 6.0 * 2.3 / 9.0)); // only a nod
   CHECK(actBeside(rig::MomentKind::stroke, 3.0) == Approx(0.5 * 3.0 / 9.0));
-  CHECK(actBeside(rig::MomentKind::cycle, 3.0, "spine") == Approx(3.0 / 9.0)); // wings hang on it
+  CHECK(actBeside(rig::MomentKind::cycle, 3.0, "spine") == Approx(1.0)); // they beat later
   right->kind = rig::LimbKind::arm;
   CHECK(actBeside(rig::MomentKind::cycle, 3.0) == Approx(0.5 * 3.0 / 9.0));
-  // Nor are weaker acts weak beside the beats, but beside the strongest act.
+  // Wings hang on a spine, which a stretch would tear while they beat, though it counts more than they do.
   right->kind = rig::LimbKind::wing;
+  for (const double strength : {5.0, 5.1}) {
+    rig::Moment beat = stroke("right-arm", 0, 10, 15.0);
+    beat.kind = rig::MomentKind::cycle;
+    CHECK(shareOf(planFor(ground, {beat, stroke("spine", 5, 15, strength)}), 1) == Approx(1.0 / 3.0));
+    CHECK(shareOf(planFor(ground, {beat, stroke("spine", 11, 21, strength)}), 1) == Approx(1.0));
+  }
+  // Nor are weaker acts weak beside the beats, but beside the strongest act.
   rig::Moment beat = stroke("right-arm", 0, 10, 20.0);
   beat.kind = rig::MomentKind::cycle;
   const AutoPlan plan = planFor(ground, {beat, stroke("left-arm", 0, 10, 2.5), stroke("spine", 20, 30, 0.1)});

@@ -22,7 +22,7 @@ namespace {
 constexpr double swingEnd = 60.0;
 
 /// What the stick hangs on, and whether it moves on that.
-enum class Stick { shaken, onChest, onTurningHead, onMovingHead };
+enum class Stick { shaken, onChest, onTurningHead, onMovingHead, onHand };
 
 /// Both hands hold a stick before the chest, which swings round from frame 2 to 12, stays there until 16 and
 /// is back at 20. `besideLeft`: the stick is so far from the middle, towards the left hand.
@@ -30,7 +30,8 @@ Document withStick(double besideLeft = 0.0, Stick kind = Stick::shaken) {
   Document document = test::boxer();
   Scene scene = *document.scene;
   const NodeIndex chest = findLimb(document, "spine")->endNode;
-  const NodeIndex head = test::addNode(scene, "Head", chest, {0.0, 0.0, 0.0});
+  const NodeIndex hand = findLimb(document, "left-arm")->endNode;
+  const NodeIndex head = test::addNode(scene, "Head", kind == Stick::onHand ? hand : chest, {0.0, 0.0, 0.0});
   const NodeIndex stick = test::addNode(scene, "Stick", head, {besideLeft, 0.1, 0.55});
   scene.nodes[at(stick)].mesh = 0;
   document.scene = std::make_shared<const Scene>(std::move(scene));
@@ -117,6 +118,7 @@ TEST_CASE("What hangs firmly on a body is worn, and what hangs on an arm or goes
   CHECK(planned(withStick(0.0, Stick::onChest), moments).holds.props.empty());
   CHECK(planned(withStick(0.0, Stick::onTurningHead), moments).holds.props.empty());
   CHECK(planned(withStick(0.0, Stick::onMovingHead), moments).holds.props.size() == 1);
+  CHECK(planned(withStick(0.0, Stick::onHand), moments).holds.props.size() == 1);
 }
 
 TEST_CASE("Arms are as they are by themselves where only one of them is on the thing") {
