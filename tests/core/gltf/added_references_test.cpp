@@ -228,4 +228,14 @@ TEST_CASE("Of several things each is given back with its own bytes, wherever the
     const gltf::Bytes& own = files[i].thing->buffers[0];
     CHECK(std::equal(own.begin(), own.end(), saved.buffers[1].begin() + static_cast<std::ptrdiff_t>(begin)));
   }
+  // What would lie in a buffer that is not there is left out, and told.
+  for (const std::size_t buffer : {2U, 7U}) {
+    Json beyond = record;
+    for (Json& entry : beyond) {
+      entry["buffer"] = buffer;
+    }
+    gltf::Problems problems;
+    CHECK(gltf::addedFromRecord(saved, beyond, problems).empty());
+    CHECK(problems.list().size() == 3);
+  }
 }
