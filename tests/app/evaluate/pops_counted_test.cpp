@@ -166,7 +166,7 @@ TEST_CASE(
 TEST_CASE("What pops in a clip itself is its own, whatever offsets stand beside it") {
   test::MovingBiped moving = test::still(test::namedBody());
   for (const auto& [joint, angle] : {std::pair("thigh.l", -0.12), {"shin.l", 0.24}}) { // for one frame
-    const auto turned = [&](double share) { return axisAngle(Vec3(1.0, 0.0, 0.0), share * angle); };
+    const auto turned = [most = angle](double share) { return axisAngle(Vec3(1.0, 0.0, 0.0), share * most); };
     moving.clip.tracks.emplace_back(test::rotationTrack(moving.node.at(joint), Interpolation::linear,
                                                         {{0.0, turned(0.0)},
                                                          {9.0 / 24.0, turned(0.0)},
