@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -158,6 +159,9 @@ void joinLimbs(const std::vector<rig::Limb>& limbs, const std::map<NodeIndex, in
 void hangOnCopies(const Document& document, const std::vector<Mat4>& worlds, SkeletonToBind& skeleton) {
   const Scene& scene = *document.scene;
   const double same = 1e-3 * document.body.height;
+  if (!document.body.hips.exists()) {
+    return; // joints of a mesh that is no body stand where they were fitted
+  }
   std::vector<bool> carries(skeleton.joints.size(), false);
   for (const skinning::BindJoint& joint : skeleton.joints) {
     if (joint.parent >= 0) {
@@ -166,7 +170,7 @@ void hangOnCopies(const Document& document, const std::vector<Mat4>& worlds, Ske
   }
   for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
     skinning::BindJoint& joint = skeleton.joints[i];
-    if (document.body.hips.exists() && isAncestorOrSelf(scene, skeleton.nodes[i], document.body.hips)) {
+    if (isAncestorOrSelf(scene, skeleton.nodes[i], document.body.hips)) {
       continue;
     }
     for (NodeIndex above = scene.nodes[at(skeleton.nodes[i])].parent; joint.parent < 0 && above.exists();
@@ -218,26 +222,47 @@ std::optional<Vec3> axisOfBones(const SkeletonToBind& skeleton) {
   return axis;
 }
 
-// Exporters whose bones run along an axis of their own say so where the next joint does not. A bone that runs
-// the other way, as those of one side do where the other side is its mirror image, tells nothing of its
-// joint, nor of what hangs on it.
+// 1 where a joint's bone runs along its axis, -1 where it runs the other way, as those of one side do where
+// they are the mirror image of the other side's. A joint that several hang on, or none, goes by that above
+// it.
+double signOf(const std::vector<skinning::BindJoint>& joints, const std::vector<int>& onlyChild,
+              std::size_t joint) {
+  constexpr double aligned = 0.9; // cosine
+  int above = static_cast<int>(joint);
+  for (std::size_t steps = 0; above >= 0 && steps < joints.size(); ++steps) {
+    const skinning::BindJoint& bone = joints[at(above)];
+    const Vec3 way =
+        onlyChild[at(above)] < 0 ? Vec3(0.0) : joints[at(onlyChild[at(above)])].place - bone.place;
+    const double along = glm::dot(way, bone.forward);
+    if (std::abs(along) > aligned * glm::length(way)) {
+      return along > 0.0 ? 1.0 : -1.0;
+    }
+    above = bone.parent;
+  }
+  return 1.0;
+}
+
+// Exporters whose bones run along an axis of their own say so where the next joint does not.
 void addDirections(SkeletonToBind& skeleton) {
   const std::optional<Vec3> axis = axisOfBones(skeleton);
+  if (!axis) {
+    return;
+  }
   std::vector<skinning::BindJoint>& joints = skeleton.joints;
-  for (std::size_t i = 0; axis && i < joints.size(); ++i) {
+  std::vector<int> onlyChild(joints.size(), -1);
+  std::vector<int> children(joints.size(), 0);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
     const Vec3 along = Mat3(skeleton.worlds[i]) * *axis;
     const double length = glm::length(along);
     joints[i].forward = length > 0.0 ? along / length : Vec3(0.0);
-  }
-  const std::vector<skinning::BindJoint> agreed = joints;
-  for (std::size_t i = 0; axis && i < joints.size(); ++i) {
-    const int parent = agreed[i].parent;
-    constexpr double against = -0.9; // cosine
-    const Vec3 way = parent < 0 ? Vec3(0.0) : agreed[i].place - agreed[at(parent)].place;
-    if (parent >= 0 && glm::dot(way, agreed[at(parent)].forward) < against * glm::length(way)) {
-      joints[i].forward = Vec3(0.0);
-      joints[at(parent)].forward = Vec3(0.0);
+    if (const int parent = joints[i].parent; parent >= 0) {
+      ++children[at(parent)];
+      onlyChild[at(parent)] = children[at(parent)] == 1 ? static_cast<int>(i) : -1;
     }
+  }
+  const std::vector<skinning::BindJoint> alongAxis = joints;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    joints[i].forward *= signOf(alongAxis, onlyChild, i);
   }
 }
 

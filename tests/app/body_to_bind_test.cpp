@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -123,4 +125,43 @@ TEST_CASE("Bones that run along one axis of theirs say where the last of them le
   }
   document.scene = std::make_shared<const Scene>(scene);
   CHECK(app::ownSkeleton(document).joints[5].forward == Vec3(0.0));
+}
+
+TEST_CASE("Bones of one side that run the other way along their axis lead to their ends as well") {
+  // A trunk of four bones and an arm of two on each side; those of the right one run backwards.
+  Scene scene;
+  NodeIndex top = test::addNode(scene, "trunk0", NodeIndex::none, Vec3(0.0));
+  for (int i = 1; i <= 4; ++i) {
+    top = test::addNode(scene, "trunk" + std::to_string(i), top, Vec3(0.0, 2.0, 0.0));
+  }
+  std::vector<NodeIndex> hands;
+  for (const double side : {1.0, -1.0}) {
+    NodeIndex last = test::addNode(scene, "shoulder", top, Vec3(0.5 * side, 0.0, 0.0));
+    scene.nodes[at(last)].rest.rotation = glm::angleAxis(-0.5 * pi, Vec3(0.0, 0.0, 1.0)); // y is to the left
+    for (const char* const name : {"elbow", "hand"}) {
+      last = test::addNode(scene, name, last, Vec3(0.0, 2.0 * side, 0.0));
+    }
+    hands.push_back(last);
+  }
+  Skin skin;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    skin.joints.emplace_back(node);
+  }
+  for (const Mat4& world : worldMatrices(scene, restPose(scene))) {
+    skin.inverseBind.push_back(glm::inverse(world));
+  }
+  scene.skins.push_back(skin);
+  app::Document document;
+  document.scene = std::make_shared<const Scene>(scene);
+  const app::SkeletonToBind skeleton = app::ownSkeleton(document);
+  REQUIRE(skeleton.joints.size() == scene.nodes.size());
+  const auto leadsTo = [&](NodeIndex node, const Vec3& way) {
+    const auto slot = std::ranges::find(skeleton.nodes, node) - skeleton.nodes.begin();
+    return glm::length(skeleton.joints[at(static_cast<int>(slot))].forward - way) < 1e-6;
+  };
+  for (const auto& [hand, side] : {std::pair(hands[0], 1.0), {hands[1], -1.0}}) {
+    CHECK(leadsTo(hand, Vec3(side, 0.0, 0.0)));
+    CHECK(leadsTo(scene.nodes[at(hand)].parent, Vec3(side, 0.0, 0.0)));
+  }
+  CHECK(leadsTo(top, Vec3(0.0, 1.0, 0.0)));
 }
