@@ -14,7 +14,7 @@ Status checkFrameCount(const Clip& clip) {
              : Error{fmt::format("lasts {:.3g} frames, more than {:g}: a key may stand at a wrong time",
                                  frames, mostFrames),
                      fmt::format("clip '{}'", clip.name),
-                     "cut the clip, or count in fewer frames a second"};
+                     "cut the clip, or count in fewer frames per second"};
 }
 
 } // namespace stretch::app
