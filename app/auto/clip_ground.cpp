@@ -21,7 +21,7 @@ namespace {
 // Of limbs and mesh in one frame.
 void lowerTo(const FrameState& frame, const LimbPlaces& places, ClipGround& ground) {
   ground.lowest = std::min(ground.lowest, lowestOf(places));
-  const std::optional<Vec3> vertex = lowestVertexOf(*ground.surface, frame);
+  const std::optional<Vec3> vertex = ground.lowestVertexIn(frame);
   ground.lowestVertices.push_back(vertex ? vertex->y : std::numeric_limits<double>::infinity());
   ground.lowestVertex = std::min(ground.lowestVertex, ground.lowestVertices.back());
 }
@@ -185,13 +185,6 @@ std::optional<double> floorOfSlides(const ClipGround& ground) {
 
 } // namespace
 
-std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface, const FrameState& frame) {
-  std::vector<glm::vec3> places;
-  surface.positions(frame, places);
-  const auto lowest = std::ranges::min_element(places, {}, &glm::vec3::y);
-  return lowest == places.end() ? std::nullopt : std::optional(Vec3(*lowest));
-}
-
 double lowestOf(const LimbPlaces& places) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const std::vector<Vec3>& points : places) {
@@ -229,6 +222,11 @@ Vec3 ClipGround::reachOf(const std::string& limb, double frame) const {
   return points.back() - points.front();
 }
 
+std::optional<Vec3> ClipGround::lowestVertexIn(const FrameState& frame) const {
+  const skinning::SurfacePart& whole = facts->character().whole();
+  return whole.lowest(whole.posed(frame));
+}
+
 double ClipGround::lowestVertexAt(double frame) const {
   const auto last = static_cast<double>(lowestVertices.size() - 1);
   return lowestVertices[static_cast<std::size_t>(std::clamp(std::round(frame), 0.0, last))];
@@ -260,8 +258,6 @@ ClipGround clipGround(const Document& document, int clip) {
   ground.limbs = allLimbs(document);
   ground.lowest = std::numeric_limits<double>::infinity();
   ground.lowestVertex = ground.lowest;
-  ground.surface = std::make_shared<const skinning::SurfacePart>(
-      *document.scene, std::vector<bool>(document.scene->nodes.size(), true), skinning::SurfaceEdges::none);
   ground.facts = std::make_shared<ClipFacts>(document, clip);
   Document source = document; // trails and weight that are there are no part of the ground
   source.trails.clear();

@@ -10,7 +10,6 @@
 #include "app/document.h"
 #include "app/evaluate/clip_facts.h"
 #include "core/anim/frame_state.h"
-#include "skinning/surface_part.h"
 
 namespace stretch::app {
 
@@ -31,12 +30,11 @@ struct ClipGround {
   bool wraps = false; ///< A way back may go on at its start: it has keys from there on, or holds its first
                       ///< pose for a frame, and nothing hangs on its end.
   std::vector<rig::Limb> limbs = {};
-  std::vector<LimbPlaces> places = {};                  ///< One for each whole frame from 0.
-  std::map<std::string, std::vector<Vec2>> stands = {}; ///< By leg: first and last frame of standing,
-                                                        ///< ascending.
-  std::map<std::string, std::vector<Vec2>> slides = {}; ///< `stands`, and where a foot slides while another
-                                                        ///< leg stands.
-  std::shared_ptr<const skinning::SurfacePart> surface = {}; ///< All of the mesh, without edges.
+  std::vector<LimbPlaces> places = {};                   ///< One for each whole frame from 0.
+  std::map<std::string, std::vector<Vec2>> stands = {};  ///< By leg: first and last frame of standing,
+                                                         ///< ascending.
+  std::map<std::string, std::vector<Vec2>> slides = {};  ///< `stands`, and where a foot slides while another
+                                                         ///< leg stands.
   std::shared_ptr<ClipFacts> facts = {};                 ///< Facts that looking at each of its trails needs.
   double lowestVertex = 0.0;                             ///< Height that no vertex goes below in the clip.
   std::vector<double> lowestVertices = {};               ///< Lowest of each whole frame from 0.
@@ -50,6 +48,8 @@ struct ClipGround {
   [[nodiscard]] const std::vector<Vec3>& pointsOf(const std::string& limb, double frame) const;
   /// From the limb's place that stays to the one that leads.
   [[nodiscard]] Vec3 reachOf(const std::string& limb, double frame) const;
+  /// The lowest vertex of the mesh as a frame shows it; nothing for a body without one.
+  [[nodiscard]] std::optional<Vec3> lowestVertexIn(const FrameState& frame) const;
   /// Height of the lowest vertex at a whole frame of a body that has a mesh.
   [[nodiscard]] double lowestVertexAt(double frame) const;
   /// Height that no vertex may go below at a whole frame: the floor on which feet stand, or what the clip
@@ -68,10 +68,6 @@ struct ClipGround {
 };
 
 [[nodiscard]] ClipGround clipGround(const Document& document, int clip);
-
-/// The lowest vertex of the mesh in a frame; nothing for a body without one.
-[[nodiscard]] std::optional<Vec3> lowestVertexOf(const skinning::SurfacePart& surface,
-                                                 const FrameState& frame);
 
 /// Height of the lowest of all points.
 [[nodiscard]] double lowestOf(const LimbPlaces& places);

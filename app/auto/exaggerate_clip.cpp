@@ -67,8 +67,8 @@ bool hangsLower(const ClipGround& ground, const Document& plain, const rig::Moti
   const double seen = 1e-3 * ground.document.body.height;
   for (double frame = 0.0; frame <= ground.lastFrame; frame += 1.0) {
     const double seconds = frame / ground.framesPerSecond;
-    const std::optional<Vec3> without = lowestVertexOf(*ground.surface, evaluate(plain, before, seconds));
-    const std::optional<Vec3> with = lowestVertexOf(*ground.surface, evaluate(weighted, after, seconds));
+    const std::optional<Vec3> without = ground.lowestVertexIn(evaluate(plain, before, seconds));
+    const std::optional<Vec3> with = ground.lowestVertexIn(evaluate(weighted, after, seconds));
     if (with && without && with->y < std::min(ground.leastHeightAt(frame), without->y) - seen) {
       return true;
     }

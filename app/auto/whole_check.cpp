@@ -177,7 +177,7 @@ private:
 
   // What lies below the floor hangs on the limb that it is nearest to.
   void lookAtMesh(double frame, const FrameState& frameState, const LimbPlaces& now) {
-    const std::optional<Vec3> vertex = lowestVertexOf(*ground_.surface, frameState);
+    const std::optional<Vec3> vertex = ground_.lowestVertexIn(frameState);
     if (!isBelowFloor(frame, vertex)) {
       return;
     }
@@ -196,8 +196,7 @@ private:
     if (nearest != nullptr) {
       deepen(frame, *nearest, ground_.leastHeightAt(frame) - vertex->y);
       blame({frame}, *nearest, FaultKind::floor, [&](const Attempt& attempt) {
-        return isBelowFloor(
-            frame, lowestVertexOf(*ground_.surface, shown(attempt, frame / ground_.framesPerSecond)));
+        return isBelowFloor(frame, ground_.lowestVertexIn(shown(attempt, frame / ground_.framesPerSecond)));
       });
     }
   }

@@ -89,7 +89,7 @@ double lowestIn(const Document& document) {
   const rig::MotionState motion = prepareMotion(document, 0);
   double lowest = 1e9;
   for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
-    lowest = std::min(lowest, lowestVertexOf(*ground.surface, evaluate(document, motion, frame / 30.0))->y);
+    lowest = std::min(lowest, ground.lowestVertexIn(evaluate(document, motion, frame / 30.0))->y);
   }
   return lowest;
 }
