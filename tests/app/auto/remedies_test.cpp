@@ -160,6 +160,9 @@ TEST_CASE("A loop whose first key stands on frame 1 is where it was a frame soon
   const ClipGround ground = clipGround(document, 0);
   CHECK(ground.lastFrame == 25.0);
   CHECK(ground.turnFrames == 24.0);
+  CHECK(ground.aTurnLater(3.0) == 27.0);
+  CHECK(ground.aTurnLater(1.0) == 25.0);
+  CHECK(ground.aTurnLater(0.0) == 25.0); // the first key's pose, which is held before it
   CHECK(ground.wraps);
   const ClipGround whole = clipGround(swinger(), 0);
   CHECK(whole.turnFrames == whole.lastFrame);
