@@ -13,6 +13,7 @@
 #include "app/bind/held_pieces.h"
 #include "app/edits/body/limb_edits.h"
 #include "app/locators/build_rig.h"
+#include "app/named.h"
 #include "core/gltf/patch/edits.h"
 #include "core/gltf/source/added_file.h"
 #include "skinning/bind/bind_weights.h"
@@ -149,10 +150,6 @@ private:
   std::vector<Mat4> placements_;
 };
 
-std::string nameOf(const Scene& scene, NodeIndex node) {
-  return scene.nodes[at(node)].name.empty() ? fmt::format("#{}", node.value) : scene.nodes[at(node)].name;
-}
-
 // A bound mesh no longer follows its own node: motion of that node is told.
 std::vector<std::string> lostMotion(const Document& document, const BodyToBind& body,
                                     const std::vector<gltf::AddedNode>& added) {
@@ -169,7 +166,7 @@ std::vector<std::string> lostMotion(const Document& document, const BodyToBind& 
       });
       if (isMoved) {
         warnings.push_back(fmt::format("{} is moved by a clip, which no longer moves its mesh {}",
-                                       nameOf(scene, node), nameOf(scene, mesh.node)));
+                                       nodeTitle(document, node), nodeTitle(document, mesh.node)));
       }
     }
   }
@@ -193,18 +190,18 @@ std::vector<std::string> idleJoints(const Document& document, const SkeletonToBi
       if (isNeeded && followed.insert(node).second) { // a joint of two limbs is told once
         warnings.push_back(
             fmt::format("no vertex follows \"{}\" of the {}: no part of the mesh is nearest to its bone",
-                        nameOf(*document.scene, node), limb.id));
+                        nodeTitle(document, node), limb.id));
       }
     }
   }
   return warnings;
 }
 
-Result<std::vector<NodeIndex>> unboundMeshes(const Scene& scene) {
-  std::vector<NodeIndex> nodes = meshNodesToBind(scene, {});
+Result<std::vector<NodeIndex>> unboundMeshes(const Document& document) {
+  std::vector<NodeIndex> nodes = meshNodesToBind(*document.scene, {});
   for (const NodeIndex node : nodes) {
-    if (scene.nodes[at(node)].skin >= 0) {
-      return Error{fmt::format("its mesh {} is bound to a skeleton already", nameOf(scene, node)), "",
+    if (document.scene->nodes[at(node)].skin >= 0) {
+      return Error{fmt::format("its mesh {} is bound to a skeleton already", nodeTitle(document, node)), "",
                    "bind it again at the file's own joints (--keep-joints)"};
     }
   }
@@ -244,7 +241,7 @@ Result<JointsAndMeshes> jointsAndMeshes(const Document& document, const BindRequ
     made.skeleton = moved(std::move(made.skeleton), made.moves);
     return made;
   }
-  Result<std::vector<NodeIndex>> unbound = unboundMeshes(scene);
+  Result<std::vector<NodeIndex>> unbound = unboundMeshes(document);
   if (!unbound) {
     return unbound.error();
   }

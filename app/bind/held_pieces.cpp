@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/named.h"
 #include "skinning/bind/stiff_shells.h"
 #include "skinning/bind/welded.h"
 
@@ -123,8 +124,7 @@ std::vector<std::string> holdPieces(const Document& document, const SkeletonToBi
       rows[vertex].weights[0] = 1.0F;
     }
     told.push_back(fmt::format("a thing of {} vertices that the {} holds follows \"{}\" as one piece",
-                               piece.size(), hand->limb,
-                               document.scene->nodes[at(skeleton.nodes[hand->joint])].name));
+                               piece.size(), hand->limb, nodeTitle(document, skeleton.nodes[hand->joint])));
   }
   return told;
 }

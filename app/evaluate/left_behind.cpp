@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/named.h"
 #include "core/math/bounds.h"
 #include "rig/limb.h"
 #include "rig/reach/bind_places.h"
@@ -123,11 +124,6 @@ private:
   std::vector<Vec3> otherEnds_;
 };
 
-std::string nameOf(const Scene& scene, NodeIndex node) {
-  const std::string& name = scene.nodes[at(node)].name;
-  return name.empty() ? fmt::format("#{}", node.value) : name;
-}
-
 } // namespace
 
 std::vector<std::string> partsLeftBehind(const Document& document, const rig::Limb& limb,
@@ -141,7 +137,7 @@ std::vector<std::string> partsLeftBehind(const Document& document, const rig::Li
     warnings.push_back(
         fmt::format("the mesh \"{}\" stands at the limb's end but hangs on \"{}\", so it stays where it is; "
                     "hang it on \"{}\" where the file was made",
-                    part.name, nameOf(*document.scene, part.hangsOn), nameOf(*document.scene, end)));
+                    part.name, nodeTitle(document, part.hangsOn), nodeTitle(document, end)));
   }
   return warnings;
 }

@@ -84,6 +84,17 @@ TEST_CASE("A long piece of the mesh that follows fingers follows the hand instea
   CHECK(held.rows[0].bones[0] == tip);
 }
 
+TEST_CASE("A hand without a name is told by its place in the file") {
+  HandWithThings held;
+  Scene scene = *held.document.scene;
+  scene.nodes[1].name.clear();
+  held.document.scene = std::make_shared<const Scene>(std::move(scene));
+  held.follow(tip, 0, 6);
+  const std::vector<std::string> told = held.hold();
+  REQUIRE(told.size() == 1);
+  CHECK(told.front() == "a thing of 3 vertices that the left-arm holds follows \"#1\" as one piece");
+}
+
 TEST_CASE("A mesh that follows fingers alone is held as a whole, its short pieces with it") {
   HandWithThings held;
   held.body.meshes.push_back({});
