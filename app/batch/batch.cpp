@@ -100,6 +100,8 @@ private:
   std::size_t number_ = 0;
 };
 
+constexpr std::string_view answerStart = "{\"line\":"; // as answerJson writes it
+
 // A device has nothing to read, or no end.
 bool holdsAnswers(const std::string& log) {
   std::error_code none;
@@ -120,6 +122,15 @@ std::set<std::string> doneBefore(const std::string& log) {
   return done;
 }
 
+// Whether a file may be a log: what is no log would be spoilt by answers at its end. An empty one may, and one
+// of a run that was killed in its first line.
+bool beginsAsLog(const std::string& log) {
+  std::ifstream file(log);
+  std::string head(answerStart.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return answerStart.starts_with(std::string_view(head).substr(0, static_cast<std::size_t>(file.gcount())));
+}
+
 // A text as a line of JSON gives it back: what is no UTF-8 is replaced there.
 std::string asLogged(const std::string& text) {
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
@@ -131,9 +142,14 @@ Status checkLog(const BatchArguments& arguments) {
     return Error{"is the list itself", arguments.log, "name another file for the answers"};
   }
   const std::filesystem::file_status log = std::filesystem::status(arguments.log, none);
-  const bool canHang = !arguments.log.empty() && std::filesystem::is_fifo(log);
-  return canHang ? Status(Error{"is a pipe, which keeps nothing", arguments.log, "name a file"})
-                 : Status(Success{});
+  if (!arguments.log.empty() && std::filesystem::is_fifo(log)) {
+    return Error{"is a pipe, which keeps nothing", arguments.log, "name a file"};
+  }
+  if (!arguments.log.empty() && holdsAnswers(arguments.log) && !beginsAsLog(arguments.log)) {
+    return Error{"holds something else than answers of an earlier run", arguments.log,
+                 "name another file for them"};
+  }
+  return Success{};
 }
 
 std::string withoutEnds(std::string text) {

@@ -21,7 +21,7 @@ std::ptrdiff_t spacingOf(double samplesPerSecond) {
   return std::max<std::ptrdiff_t>(1, std::lround(shortestSeconds * samplesPerSecond));
 }
 
-void setVelocities(PlaceMotion& motion, double samplesPerSecond) {
+void setVelocities(LimbMotion& motion, double samplesPerSecond) {
   const std::ptrdiff_t spacing = spacingOf(samplesPerSecond);
   const auto last = static_cast<std::ptrdiff_t>(motion.places.size()) - 1;
   const auto within = [&](std::ptrdiff_t i) {
@@ -125,7 +125,7 @@ void dropLonePoses(BodyMotion& motion) {
         hold(limb.places, reversed);
         hold(limb.ends, reversed);
       }
-      hold(motion.hips.places, reversed);
+      hold(motion.hips, reversed);
       hold(motion.forward, reversed);
     }
   }
@@ -167,7 +167,7 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
       motion.limbs[i].places.push_back(motion.limbs[i].ends.back() - stayingPosition(limbs[i], frame));
     }
     if (body.hips.exists()) {
-      motion.hips.places.push_back(positionOf(frame.worlds[stretch::at(body.hips)]));
+      motion.hips.push_back(positionOf(frame.worlds[stretch::at(body.hips)]));
     }
     motion.forward.push_back(forwardOf(limbs, frame));
   }
@@ -177,7 +177,6 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
     motion.limbs[i].isLeg = isLeg(limbs[i]);
     setVelocities(motion.limbs[i], motion.samplesPerSecond);
   }
-  setVelocities(motion.hips, motion.samplesPerSecond);
   setReaches(motion);
   for (std::size_t i = 0; i < limbs.size() && motion.reach > 0.0; ++i) {
     motion.limbs[i].weight =

@@ -10,16 +10,12 @@
 
 namespace stretch::rig {
 
-/// Places over a clip, one at every half frame from frame 0 to the clip's last key, and how they change.
-struct PlaceMotion {
-  std::vector<Vec3> places;     ///< World units.
-  std::vector<Vec3> velocities; ///< World units per second: central differences, smoothed 1-2-1.
-  std::vector<double> speeds;   ///< Their lengths.
-};
-
 /// A limb's motion seen from its base: d(t) = the place that leads minus the place that stays, and where the
-/// place that leads is in the world.
-struct LimbMotion : PlaceMotion {
+/// place that leads is in the world. A sample at every half frame from frame 0 to the clip's last key.
+struct LimbMotion {
+  std::vector<Vec3> places;     ///< d; world units.
+  std::vector<Vec3> velocities; ///< World units per second: central differences of d, smoothed 1-2-1.
+  std::vector<double> speeds;   ///< Their lengths.
   double weight = 1.0; ///< 1 for limbs that act, less for the trunk that carries them and tails that follow,
                        ///< more for a beast's short neck, whose head acts.
   double reach = 0.0;  ///< Longest |d| in the clip.
@@ -31,7 +27,7 @@ struct LimbMotion : PlaceMotion {
 struct BodyMotion {
   double samplesPerSecond = 60.0;
   std::vector<LimbMotion> limbs; ///< In the order in which they were asked for.
-  PlaceMotion hips;              ///< Empty for a body without hips.
+  std::vector<Vec3> hips;        ///< World space, at each sample; empty for a body without hips.
   /// Way the body faces: up x (middle of the right limbs' bases - that of the left ones), horizontal, length
   /// 1; 0 where it has no two sides.
   std::vector<Vec3> forward;

@@ -42,7 +42,7 @@ std::vector<const LimbMotion*> feetOf(const BodyMotion& motion, const std::vecto
 
 std::vector<SampledStroke> landingsOf(const BodyMotion& motion, const std::vector<Limb>& limbs) {
   const std::vector<const LimbMotion*> feet = feetOf(motion, limbs);
-  const std::vector<Vec3>& hips = motion.hips.places;
+  const std::vector<Vec3>& hips = motion.hips;
   std::vector<SampledStroke> landings;
   if (feet.empty() || hips.size() < 3) {
     return landings;

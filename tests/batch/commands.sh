@@ -134,6 +134,10 @@ grep -q "nowhere/log.* cannot be written" unwritable.err || fail "it is not told
 cp list kept
 "$program" batch list --resume list >itself.out 2>itself.err && fail "answers are written into the list"
 grep -q "is the list itself" itself.err && cmp list kept || fail "the list is not as it was"
+cp "the boxer.glb" other.glb
+"$program" batch list --resume other.glb >other.out 2>other.err && fail "answers are written behind a character"
+grep -q "other.glb.* holds something else than answers" other.err || fail "it is not told that a file is no log"
+cmp "the boxer.glb" other.glb || fail "a file that is no log is not as it was"
 mkfifo pipe
 timeout 20 "$program" batch list --resume pipe >pipe.out 2>pipe.err && fail "a pipe keeps no answers"
 grep -q "is a pipe" pipe.err || fail "it is not told that a pipe keeps nothing"

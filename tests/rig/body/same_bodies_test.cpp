@@ -117,8 +117,10 @@ TEST_CASE("A body is read alike whatever its size, and in whatever order its nod
     CAPTURE(one.title);
     const std::vector<std::string> plain = sidedReadingOf(one.body);
     SyntheticBiped other = one.body;
-    other.size = 32.0; // To the last bit.
-    CHECK(sidedReadingOf(other) == plain);
+    for (const double size : {32.0, 1.0 / 32.0}) { // To the last bit.
+      other.size = size;
+      CHECK(sidedReadingOf(other) == plain);
+    }
     other = one.body;
     other.shuffled = true;
     CHECK(sidedReadingOf(other) == plain);

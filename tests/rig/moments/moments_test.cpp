@@ -192,6 +192,38 @@ TEST_CASE("A pose that stands alone in front of a motion or behind it makes no m
   }
 }
 
+TEST_CASE("In place of a pose that stands alone the one beside it is held: limbs, hips and facing") {
+  for (const double lone : {0.0, 40.0}) {
+    CAPTURE(lone);
+    const double beside = lone == 0.0 ? 1.0 : 39.0;
+    MovingBiped captured = stillBiped();
+    move(captured, "hips",
+         {{0, Vec3(0.0)}, {1, Vec3(0.1, 0.2, 0)}, {39, Vec3(0, 0.4, 0.1)}, {40, Vec3(0.0)}});
+    for (const auto& [arm, degrees] : {std::pair("upperArm.l", 60.0), std::pair("upperArm.r", -60.0)}) {
+      const double raised = -degrees;
+      turn(captured, arm, up,
+           lone == 0.0 ? std::vector<Turn>{{0, raised}, {1, degrees}, {40, degrees}}
+                       : std::vector<Turn>{{0, degrees}, {39, degrees}, {40, raised}});
+    }
+    turn(captured, "spine0", up, {{0, 0}, {1, 20}, {39, 20}, {40, 0}});
+    const BodyMotion motion = motionOfBody(captured.scene, captured.clip, captured.body, captured.body.limbs);
+    const auto first = static_cast<std::size_t>(2.0 * std::min(lone, beside));
+    const auto held = static_cast<std::size_t>(2.0 * beside);
+    const std::size_t last = first + 2;
+    for (std::size_t sample = first; sample <= last; ++sample) {
+      CAPTURE(sample);
+      CHECK(motion.hips[sample] == motion.hips[held]);
+      CHECK(motion.forward[sample] == motion.forward[held]);
+      for (const LimbMotion& limb : motion.limbs) {
+        CHECK(limb.places[sample] == limb.places[held]);
+        CHECK(limb.ends[sample] == limb.ends[held]);
+      }
+    }
+    const std::size_t inside = lone == 0.0 ? last + 1 : first - 1;
+    CHECK(motion.hips[inside] != motion.hips[held]);
+  }
+}
+
 TEST_CASE("A strike of one arm in the first frame of a clip is one, and so is that of both which goes on") {
   MovingBiped sudden = stillBiped();
   turn(sudden, "upperArm.l", up, {{0, 30}, {1, -60}, {24, -60}});

@@ -195,7 +195,7 @@ double feetFallAt(const BodyMotion& motion, const std::vector<Limb>& limbs, std:
 /// The landing of one fall of the hips from its top to its bottom, where it is one.
 std::optional<SampledStroke> landingTold(const BodyMotion& motion, const std::vector<Limb>& limbs,
                                          std::size_t top, std::size_t bottom) {
-  const std::vector<Vec3>& hips = motion.hips.places;
+  const std::vector<Vec3>& hips = motion.hips;
   SampledStroke landing;
   landing.peak = top;
   for (std::size_t i = top + 1; i <= bottom; ++i) {
@@ -223,7 +223,7 @@ std::optional<SampledStroke> landingTold(const BodyMotion& motion, const std::ve
 
 std::vector<SampledStroke> landingsTold(const BodyMotion& motion, const std::vector<Limb>& limbs) {
   std::vector<SampledStroke> landings;
-  const std::vector<Vec3>& hips = motion.hips.places;
+  const std::vector<Vec3>& hips = motion.hips;
   for (std::size_t top = 0; top + 1 < hips.size(); ++top) {
     if (fallAt(hips, top + 1) <= 0.0 || (top > 0 && fallAt(hips, top) > 0.0)) {
       continue;
@@ -249,11 +249,11 @@ struct FallingBody {
     limbs[0].kind = LimbKind::arm;
     limbs[1].kind = LimbKind::leg;
     limbs[2].kind = LimbKind::leg;
-    motion.hips.places = fallingPlaces(row, motion.forward.size());
+    motion.hips = fallingPlaces(row, motion.forward.size());
     motion.limbs.resize(limbs.size());
     motion.limbs[0].ends = fallingPlaces(row, motion.forward.size());
-    motion.limbs[1].ends = stoppedPlaces(row, motion.hips.places);
-    motion.limbs[2].ends = stoppedPlaces(row, motion.hips.places);
+    motion.limbs[1].ends = stoppedPlaces(row, motion.hips);
+    motion.limbs[2].ends = stoppedPlaces(row, motion.hips);
   }
 };
 
@@ -444,9 +444,9 @@ TEST_CASE("a body without legs, and one of two samples, lands nowhere") {
     body.limbs[2].kind = LimbKind::arm;
     CHECK(landingsOf(body.motion, body.limbs).empty());
     body.limbs[2].kind = LimbKind::leg;
-    body.motion.hips.places = {Vec3(0.0, 9.0, 0.0), Vec3(0.0)};
+    body.motion.hips = {Vec3(0.0, 9.0, 0.0), Vec3(0.0)};
     CHECK(landingsOf(body.motion, body.limbs).empty());
-    body.motion.hips.places.clear();
+    body.motion.hips.clear();
     CHECK(landingsOf(body.motion, body.limbs).empty());
     return;
   }

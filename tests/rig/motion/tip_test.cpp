@@ -7,6 +7,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/limb.h"
+#include "rig/motion/solve_steps.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/moving_biped.h"
 
@@ -246,4 +247,15 @@ TEST_CASE("a new trail starts at the hips where the body travels, else in the wo
   // Outside the clip nothing moves, however far a range goes.
   CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(-1e30, 1e30)) == space());
   CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(1e29, 1e30)) == TrailSpace::world);
+  // What lies before the clip takes no time from what is looked at.
+  const double lateSeconds = 1.1 * longestFrames / moving.clip.framesPerSecond;
+  for (CopyOnWrite<Track>& one : moving.clip.tracks) {
+    one.edit([&](Track& later) {
+      for (float& time : later.times) {
+        time += static_cast<float>(lateSeconds);
+      }
+    });
+  }
+  setEndsFromKeys(moving.clip);
+  CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 1e30)) == TrailSpace::root);
 }
