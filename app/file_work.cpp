@@ -42,8 +42,14 @@ std::string missText(double missOfHeight) {
              : std::string();
 }
 
-void tellDisconnected(FileUser& user, const Document& document) {
-  if (const std::size_t apart = disconnectedTrails(document); apart > 0) {
+// What is seen or set up, and not in the clips of the file that was written.
+void tellLeftOut(FileUser& user, const Session& session) {
+  if (const ViewState& view = session.view(); isPosedWithoutKey(view)) {
+    user.tell(Tone::warning,
+              fmt::format("The pose at frame {:g} has no key: it is not in the file. Key it, and save again.",
+                          view.frame));
+  }
+  if (const std::size_t apart = disconnectedTrails(session.document()); apart > 0) {
     const bool one = apart == 1;
     user.tell(
         Tone::warning,
@@ -87,6 +93,11 @@ bool hasUnsavedWork(const OpenDocument& open) {
   const Document* const saved = session->history().saved();
   const Document& current = session->history().current();
   return saved == nullptr || saved->references == current.references || !sameInFile(*saved, current);
+}
+
+bool wouldLoseWork(const OpenDocument& open) {
+  const Session* const session = open.character();
+  return hasUnsavedWork(open) || (session != nullptr && isPosedWithoutKey(session->view()));
 }
 
 std::string shownName(const fs::path& path) {
@@ -147,7 +158,7 @@ void FileWork::openFile(FileUser& user, const Paths& paths) {
     user.tell(Tone::info, "Answer the question first");
   } else if (opening_) {
     user.tell(Tone::info, "Another file is being opened");
-  } else if (hasUnsavedWork(user.open())) {
+  } else if (wouldLoseWork(user.open())) {
     state_ = AskingUnsaved{OpenPaths{paths}};
   } else {
     start(user, paths, std::nullopt);
@@ -256,7 +267,7 @@ void FileWork::write(FileUser& user, const fs::path& path, Next next) {
     return;
   }
   user.tell(Tone::success, "Saved " + path.filename().string() + missText(*done));
-  tellDisconnected(user, user.open().character()->document());
+  tellLeftOut(user, *user.open().character());
   path_ = path; // What is open now: unsaved work from here on is kept aside for it.
   stamp(path, stampOf(path));
   forgetKeptAside();
@@ -275,11 +286,11 @@ void FileWork::exportClean(FileUser& user, const fs::path& path) {
     return;
   }
   user.tell(Tone::success, "Exported " + path.filename().string() + missText(*done));
-  tellDisconnected(user, session->document());
+  tellLeftOut(user, *session);
 }
 
 void FileWork::quit(FileUser& user) {
-  if (hasUnsavedWork(user.open())) {
+  if (wouldLoseWork(user.open())) {
     state_ = AskingUnsaved{Quit{}};
   } else {
     user.quit();

@@ -166,6 +166,10 @@ private:
 
 [[nodiscard]] bool hasUnsavedWork(const OpenDocument& open);
 
+/// Whether anything is lost where what is open is closed: unsaved work, or a pose without a key, which no
+/// file holds.
+[[nodiscard]] bool wouldLoseWork(const OpenDocument& open);
+
 /// The name to show, of a folder with a slash at its end too.
 [[nodiscard]] std::string shownName(const std::filesystem::path& path);
 

@@ -48,6 +48,11 @@ void keepClipThere(const Document& document, ViewState& view) {
 
 } // namespace
 
+bool isPosedWithoutKey(const ViewState& view) {
+  const UnkeyedPose& pose = view.unkeyed;
+  return !pose.empty() && pose.clip == view.clip && sameFrame(pose.frame, view.frame);
+}
+
 Session::Session(Document document) : Editing(std::move(document)) {
   if (history().current().carriedWork) {
     savePath_ = history().current().source->path;

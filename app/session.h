@@ -60,6 +60,9 @@ struct ViewState {
   std::optional<CopiedKeys> copiedKeys;              ///< Keys that Paste pastes there.
 };
 
+/// Whether something is posed at the playhead without a key.
+[[nodiscard]] bool isPosedWithoutKey(const ViewState& view);
+
 /// One open character being edited: the door for its edits, what is looked at, and the caches.
 class Session : public Editing<Document> {
 public:

@@ -15,8 +15,11 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/pops.h"
+#include "app/named.h"
 #include "app/things/place.h"
 #include "core/base/check.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -115,6 +118,13 @@ void addWeights(const AutoSettings& settings, const ClipGround& ground, AutoClip
   made = std::move(weighted);
 }
 
+// Limbs that flip or pop in what was made.
+void tellPops(int clip, AutoClip& made) {
+  for (const LimbPop& pop : limbPops(made.document, prepareMotion(made.document, clip))) {
+    made.notes.push_back(popWarning(pop));
+  }
+}
+
 // The settled plan. What could not be done takes no room from others, and makes none of them weak: all are
 // planned again without it.
 AutoPlan settledPlan(const ClipGround& ground, const std::vector<rig::Moment>& moments,
@@ -189,13 +199,14 @@ AutoClip exaggerateClip(const Document& document, int clip, const std::vector<ri
                                     !wasLevel && !planned.trail.settings.axes[1], planned.why};
   }
   for (const rig::Prop& prop : plan.holds.props) {
-    const auto node = static_cast<std::size_t>(std::stoul(prop.node.substr(1)));
-    made.notes.push_back(fmt::format("{} stays in hand", document.scene->nodes[node].name));
+    const NodeIndex thing = rig::propNode(*document.scene, prop.node);
+    made.notes.push_back(fmt::format("{} stays in hand", nodeTitle(document, thing)));
   }
   for (const rig::Grip& grip : plan.holds.grips) {
     made.notes.push_back(fmt::format("the hand of {} keeps to that of {}", grip.follower, grip.leader));
   }
   addWeights(settings, ground, made);
+  tellPops(clip, made);
   return made;
 }
 

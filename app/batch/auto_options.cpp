@@ -135,9 +135,13 @@ void printClip(const Json& clip) {
 
 } // namespace
 
-bool AutoArguments::givesAny() const {
-  return wanted || !style.empty() || !strength.empty() ||
-         std::ranges::any_of(settings.values, [](const auto& one) { return !one.second.empty(); });
+std::string AutoArguments::ownOption() const {
+  if (!style.empty() || !strength.empty()) {
+    return style.empty() ? "--strength" : "--style";
+  }
+  const auto setting = std::ranges::find_if(
+      styleSchema(), [&](const SettingFacts& one) { return textOf(settings, one) != nullptr; });
+  return setting == styleSchema().end() ? std::string() : setting->option;
 }
 
 void addAutoOptions(CommandLine& line, AutoArguments& arguments) {

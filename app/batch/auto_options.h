@@ -14,8 +14,8 @@ struct AutoArguments {
   std::string strength;
   SettingTexts settings; ///< Settings that differ from the style's.
 
-  /// Whether an option was given that only --auto has.
-  [[nodiscard]] bool givesAny() const;
+  /// The first option given that only goes with --auto; empty where none is.
+  [[nodiscard]] std::string ownOption() const;
 };
 
 /// Declares --auto and what goes with it.

@@ -58,10 +58,27 @@ const DeclaredOption& DeclaredOption::group(const std::string& heading) const {
   return *this;
 }
 
+CommandLine::CommandLine(CLI::App& verb)
+    : verb_(&verb), checks_(std::make_shared<std::vector<std::function<void()>>>()) {
+  verb.parse_complete_callback([checks = checks_] {
+    for (const std::function<void()>& check : *checks) {
+      check();
+    }
+  });
+}
+
 void CommandLine::requireOne(const DeclaredOption& one, const DeclaredOption& other) {
-  verb_->parse_complete_callback([one = one.option_, other = other.option_] {
+  checks_->emplace_back([one = one.option_, other = other.option_] {
     if (one->empty() && other->empty()) {
       throw CLI::RequiredError(one->get_name() + " or " + other->get_name());
+    }
+  });
+}
+
+void CommandLine::checkTogether(const std::function<Status()>& problem) {
+  checks_->emplace_back([problem] {
+    if (const Status right = problem(); !right) {
+      throw CLI::ValidationError(right.error().line());
     }
   });
 }
@@ -97,7 +114,7 @@ DeclaredOption CommandLine::flag(const std::string& name, bool& value, const std
 }
 
 DeclaredOption CommandLine::ordered(const std::string& name, const std::string& help) {
-  return DeclaredOption(*verb_->add_option(name)->description(help)->take_all()->expected(1));
+  return DeclaredOption(filled(verb_->add_option(name)->description(help)->take_all()->expected(1)));
 }
 
 DeclaredOption CommandLine::orderedFlag(const std::string& name, const std::string& help) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "core/base/result.h"
 
 namespace CLI { // NOLINT(readability-identifier-naming): the library's own
 class App;
@@ -41,7 +44,7 @@ private:
 /// The one seam to the library that takes command lines apart.
 class CommandLine {
 public:
-  explicit CommandLine(CLI::App& verb) : verb_(&verb) {}
+  explicit CommandLine(CLI::App& verb);
 
   /// `name` is "--clip", "-o,--output", or "FILE" for an argument without a name.
   DeclaredOption option(const std::string& name, std::string& value, const std::string& help);
@@ -54,8 +57,12 @@ public:
   DeclaredOption repeated(const std::string& name, std::vector<std::string>& values, const std::string& help);
   DeclaredOption flag(const std::string& name, bool& value, const std::string& help);
 
-  /// One of the two has to be given. Once for a verb.
+  /// One of the two has to be given.
   void requireOne(const DeclaredOption& one, const DeclaredOption& other);
+
+  /// Says what is wrong with all arguments together, once they are read: then they are wrong arguments, and
+  /// the verb does not run.
+  void checkTogether(const std::function<Status()>& problem);
 
   /// An option or a flag that is read by inOrder() only: it may be repeated, and its place among the others
   /// counts.
@@ -70,6 +77,7 @@ public:
 
 private:
   CLI::App* verb_;
+  std::shared_ptr<std::vector<std::function<void()>>> checks_; ///< Each throws what is wrong.
 };
 
 } // namespace stretch::app

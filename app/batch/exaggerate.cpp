@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/batch/auto_options.h"
 #include "app/batch/options.h"
 #include "app/batch/output.h"
+#include "app/batch/pose_report.h"
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -68,9 +70,11 @@ void setCamera(const std::string& camera, Recipe& recipe) {
   }
 }
 
-Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
-                 bool hasTrailOptions) {
-  if (arguments.every.wanted && (!arguments.recipe.empty() || hasTrailOptions)) {
+// What the arguments say against one another.
+Status checkWays(const ExaggerateArguments& arguments, const CommandLine& line) {
+  const std::vector<TrailRequest> requests = requestsOf(line);
+  const std::vector<std::string> trailOptions = trailOptionsOf(line);
+  if (arguments.every.wanted && (!arguments.recipe.empty() || !trailOptions.empty())) {
     return Error{"stands beside trails of your own", "--auto",
                  "leave out --recipe and all options of a trail, or --auto"};
   }
@@ -83,17 +87,31 @@ Status checkWays(const ExaggerateArguments& arguments, const std::vector<TrailRe
   if (arguments.every.allClips && !arguments.recipe.empty()) {
     return Error{"stands beside --recipe, which names its clip", "--all-clips", "give one of the two"};
   }
-  if (!arguments.every.wanted && arguments.every.givesAny()) {
-    return Error{"a style is for every moment at once", "--style", "give --auto as well"};
+  if (const std::string own = arguments.every.ownOption(); !arguments.every.wanted && !own.empty()) {
+    return Error{"is for every moment at once", own, "give --auto as well"};
   }
   if (!arguments.every.wanted && arguments.recipe.empty() && requests.empty()) {
     return Error{"no limb was named", "--limb",
                  "name one, such as --limb left-arm, or give --auto or a --recipe"};
   }
-  if (!arguments.recipe.empty() && !requests.empty()) {
-    return Error{"stands beside --recipe", "--limb", "give all trails by --limb, or all in the recipe"};
+  const auto other = std::ranges::find_if(trailOptions, [](const std::string& option) {
+    return option != "--camera"; // it judges a recipe's trails, too
+  });
+  if (!arguments.recipe.empty() && other != trailOptions.end()) {
+    return Error{"stands beside --recipe", *other, "give all trails by --limb, or all in the recipe"};
   }
-  return Success{};
+  return checkTrailOptions(line);
+}
+
+// Trails that the file held and that the document has no more.
+void warnOfReplaced(const Document& before, const Document& document, gltf::Json& report) {
+  for (const rig::Trail& trail : before.trails) {
+    if (findTrail(document, trail.id) == nullptr) {
+      report["warnings"].push_back(
+          fmt::format("{}: the trail from {:g} to {:g} that the file holds gives way to the new one",
+                      trail.limb, trail.settings.startFrame, trail.settings.endFrame));
+    }
+  }
 }
 
 // Places trails and tells what became of them.
@@ -103,8 +121,13 @@ Result<gltf::Json> exaggerated(const Recipe& recipe, bool loops, Document& docum
   if (!placed) {
     return placed.error();
   }
-  document = std::move(placed->document);
-  return exaggerationJson(document, recipe.clip, placed->trailIds);
+  const Document before = std::exchange(document, std::move(placed->document));
+  gltf::Json report = exaggerationJson(document, recipe.clip, placed->trailIds);
+  warnOfReplaced(before, document, report);
+  if (!recipe.adjustments.empty() || !recipe.holds.empty()) {
+    addPoseReport(document, recipe.clip, recipe.adjustments, report);
+  }
+  return report;
 }
 
 // The trails that were named, or of the recipe.
@@ -115,8 +138,12 @@ Result<gltf::Json> exaggeratedClip(const ExaggerateArguments& arguments,
   if (!recipe) {
     return recipe.error();
   }
-  setCamera(arguments.recipe.empty() ? std::string() : camera, *recipe);
-  return exaggerated(*recipe, arguments.loops, document);
+  if (arguments.recipe.empty()) {
+    return exaggerated(*recipe, arguments.loops, document);
+  }
+  setCamera(camera, *recipe);
+  Result<gltf::Json> report = exaggerated(*recipe, arguments.loops, document);
+  return report ? std::move(report) : inFile(arguments.recipe, report.error());
 }
 
 // The named trails that can be in a clip; why the others cannot is told.
@@ -175,10 +202,7 @@ void printClips(const gltf::Json& report) {
 }
 
 Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
-                     const std::string& camera, bool hasTrailOptions) {
-  if (Status oneWay = checkWays(arguments, requests, hasTrailOptions); !oneWay) {
-    return oneWay;
-  }
+                     const std::string& camera) {
   if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
     return apart;
   }
@@ -224,8 +248,9 @@ Verb exaggerateVerb() {
             addAutoOptions(line, arguments->every);
             addTrailOptions(line);
             addJson(line, arguments->json);
+            line.checkTogether([arguments, line] { return checkWays(*arguments, line); });
             return [arguments, line] {
-              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"), namesTrail(line));
+              return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
             };
           }};
 }

@@ -212,9 +212,9 @@ Json infoOf(const Document& document) {
     info["cameras"].push_back(cameraJson(document, camera));
   }
   info["biped"] = document.body.isBiped;
-  info["plan"] = {{"plan", document.body.plan},
-                  {"confidence", document.body.planConfidence},
-                  {"reasons", document.body.planReasons}};
+  info["plan"] = document.body.plan;
+  info["plan_confidence"] = document.body.planConfidence;
+  info["plan_reasons"] = document.body.planReasons;
   info["height"] = document.body.height;
   info["limbs"] = Json::array();
   for (const rig::Limb& limb : document.body.limbs) {
@@ -276,13 +276,13 @@ void printPosing(const Json& info) {
   }
 }
 
-void printPlan(const Json& plan) {
+void printPlan(const Json& info) {
   std::string reasons;
-  for (const Json& reason : plan["reasons"]) {
+  for (const Json& reason : info["plan_reasons"]) {
     reasons += (reasons.empty() ? "" : "; ") + reason.get<std::string>();
   }
-  fmt::print("plan   {} (confidence {:.2f}): {}\n", plan["plan"].get<std::string>(),
-             plan["confidence"].get<double>(), reasons);
+  fmt::print("plan   {} (confidence {:.2f}): {}\n", info["plan"].get<std::string>(),
+             info["plan_confidence"].get<double>(), reasons);
 }
 
 void printInfo(const Json& info) {
@@ -301,7 +301,7 @@ void printInfo(const Json& info) {
   for (const Json& camera : info["cameras"]) {
     printCamera(camera);
   }
-  printPlan(info["plan"]);
+  printPlan(info);
   for (const Json& limb : info["limbs"]) {
     const std::string leads = limb.contains("led_by") ? ", led by " + limb["led_by"].get<std::string>() : "";
     fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f}{})\n", limb["limb"].get<std::string>(),

@@ -1,6 +1,7 @@
 #include "app/batch/trail_options.h"
 
 #include <algorithm>
+#include <set>
 
 #include "app/batch/options.h"
 #include "app/edits/trail/starting_settings.h"
@@ -76,12 +77,28 @@ std::vector<TrailRequest> requestsOf(const CommandLine& line) {
   return requests;
 }
 
-bool namesTrail(const CommandLine& line) {
-  return std::ranges::any_of(line.inOrder(), [](const auto& given) {
-    return given.first == "--limb" || given.first == "--range" ||
-           std::ranges::any_of(trailSchema(),
-                               [&](const auto& setting) { return given.first == setting.option; });
-  });
+std::vector<std::string> trailOptionsOf(const CommandLine& line) {
+  std::vector<std::string> options;
+  for (const auto& [name, text] : line.inOrder()) {
+    const bool isSetting =
+        std::ranges::any_of(trailSchema(), [&](const auto& setting) { return name == setting.option; });
+    if (isSetting || name == "--limb" || name == "--range") {
+      options.push_back(name);
+    }
+  }
+  return options;
+}
+
+Status checkTrailOptions(const CommandLine& line) {
+  std::set<std::string> given;
+  for (const std::string& option : trailOptionsOf(line)) {
+    if (option == "--limb") {
+      given.clear();
+    } else if (!given.insert(option).second) {
+      return Error{"is given twice for one limb", option, "leave one out, or start the next trail by --limb"};
+    }
+  }
+  return Success{};
 }
 
 Status checkRequests(const std::vector<TrailRequest>& requests, const Document& document) {

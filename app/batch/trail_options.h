@@ -21,8 +21,12 @@ void addTrailOptions(CommandLine& line);
 /// Trails that were asked for, in the order of the command line. To be asked after the line was parsed.
 [[nodiscard]] std::vector<TrailRequest> requestsOf(const CommandLine& line);
 
-/// Whether any option of a trail was given, --limb or another.
-[[nodiscard]] bool namesTrail(const CommandLine& line);
+/// Options of trails that were given, --limb and --range among them, in the order of the command line.
+[[nodiscard]] std::vector<std::string> trailOptionsOf(const CommandLine& line);
+
+/// Whether each is given once for its limb: of two values one would be lost. What stands before the first
+/// --limb gives way to what stands behind it.
+[[nodiscard]] Status checkTrailOptions(const CommandLine& line);
 
 /// Checks what holds in every clip: that each request names a limb of the document, and a scale.
 [[nodiscard]] Status checkRequests(const std::vector<TrailRequest>& requests, const Document& document);

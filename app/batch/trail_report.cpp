@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/pose_report.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
@@ -95,11 +96,13 @@ Json trailReport(const std::shared_ptr<ClipFacts>& facts, const rig::MotionState
               {"warnings", std::move(warnings)}};
   addSeen(document, motion, solved, report);
   const bool reached = report["reached"].get<bool>(); // as seen, where the scale counts so
-  if (const std::string kept = keptFromLength(document, motion, solved); !reached && !kept.empty()) {
+  const std::string held = reached ? std::string() : keptFromLength(document, motion, solved);
+  const std::string kept = reached || !held.empty() ? held : keptBySettings(solved);
+  if (!kept.empty()) {
     report["kept"] = kept;
-    if (kept == stoppedOnTheWay) {
-      report["stopped"] = true;
-    }
+  }
+  if (kept == stoppedOnTheWay) {
+    report["stopped"] = true;
   }
   return report;
 }
@@ -150,6 +153,9 @@ void printExaggeration(const Json& report) {
                trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "",
                trail.contains("kept") ? ", " + trail["kept"].get<std::string>() : "", seenText(trail));
     printWarnings(trail["warnings"]);
+  }
+  if (report.contains("controllers")) {
+    printPoseReport(report);
   }
   if (report.contains("elastic")) {
     printWeight(report["elastic"]);

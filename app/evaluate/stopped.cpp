@@ -7,6 +7,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
+#include "core/anim/frames.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/paths.h"
 
@@ -61,6 +62,22 @@ std::string keptFromLength(const Document& document, const rig::MotionState& mot
     }
   }
   return isStoppedAtTip(document, motion, solved) ? stoppedOnTheWay : "";
+}
+
+std::string keptBySettings(const rig::SolvedTrail& solved) {
+  constexpr double exaggerated = 2.0; // of the blend
+  const rig::TrailSettings& settings = solved.settings;
+  if (settings.blend < exaggerated) {
+    return "by its blend";
+  }
+  if (settings.stretchSwitch < 1.0) {
+    return "by its stretch switch";
+  }
+  const double tipFrame = settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
+  const bool isPulled = std::ranges::any_of(settings.spheres, [&](const rig::SphereOffset& sphere) {
+    return sameFrame(sphere.frame, tipFrame) && sphere.offset != Vec3(0.0);
+  });
+  return isPulled ? "by the sphere at its tip" : "";
 }
 
 } // namespace stretch::app

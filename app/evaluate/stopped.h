@@ -23,4 +23,8 @@ inline constexpr const char* stoppedOnTheWay = "stopped on the way";
 [[nodiscard]] std::string keptFromLength(const Document& document, const rig::MotionState& motion,
                                          const rig::SolvedTrail& solved);
 
+/// Names the setting of the trail itself by which its limb does not take on that length at the tip: its
+/// blend, its stretch switch or a sphere. Empty where none does.
+[[nodiscard]] std::string keptBySettings(const rig::SolvedTrail& solved);
+
 } // namespace stretch::app

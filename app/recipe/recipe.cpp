@@ -55,7 +55,7 @@ Status checkKeys(const Json& json) {
   }
   const bool isWithoutTrails =
       !json.contains("trails") &&
-      std::ranges::any_of(std::array{"adjustments", "pins", "grips", "props", "references"},
+      std::ranges::any_of(std::array{"elastic", "adjustments", "pins", "grips", "props", "references"},
                           [&](const char* key) { return json.contains(key); });
   if (!isWithoutTrails && (!json.contains("trails") || !json["trails"].is_array())) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
@@ -63,6 +63,10 @@ Status checkKeys(const Json& json) {
   if (json.contains("frames_per_second") &&
       !(json["frames_per_second"].is_number() && json["frames_per_second"].get<double>() > 0.0)) {
     return Error{"is not a rate", "frames_per_second", "give a number above 0, or leave it out"};
+  }
+  if (json.contains("clip") && !json["clip"].is_string()) {
+    return Error{json["clip"].dump() + " is not the name of a clip", "clip",
+                 R"(give its name or its place as text, such as "Walk" or "#1", or leave it out)"};
   }
   if (json.contains("elastic") && !json["elastic"].is_array()) {
     return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
@@ -300,10 +304,8 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   if (const Status keys = checkKeys(json); !keys) {
     return keys.error();
   }
-  const bool namesClip = json.contains("clip") && json["clip"].is_string();
   const Result<int> clip =
-      wantedClip ? Result<int>(*wantedClip)
-                 : findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
+      wantedClip ? Result<int>(*wantedClip) : findClip(document, json.value("clip", std::string()), "clip");
   if (!clip) {
     return clip.error();
   }

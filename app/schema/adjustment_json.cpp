@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/schema/entry_schema.h"
+#include "core/anim/frames.h"
 
 namespace stretch::app {
 
@@ -133,6 +134,10 @@ Result<std::vector<OffsetKey>> offsetKeysFromJson(const Json& json, bool isAttri
     keys.push_back(*key);
   }
   std::ranges::stable_sort(keys, {}, &OffsetKey::frame);
+  if (const auto twice = std::ranges::adjacent_find(keys, sameFrame, &OffsetKey::frame);
+      twice != keys.end()) {
+    return Error{fmt::format("two keys stand at frame {:g}", twice->frame), "keys", "leave one of them out"};
+  }
   return keys;
 }
 

@@ -34,6 +34,14 @@ bool isEase(const Json& value) {
          isNumberWithin(value[1], 0.0, 1.0);
 }
 
+// Each letter once.
+bool isAxes(const Json& value) {
+  const std::string axes = value.is_string() ? value.get<std::string>() : "-";
+  return std::ranges::all_of(axes, [&](char axis) {
+    return std::string("xyz").find(axis) != std::string::npos && std::ranges::count(axes, axis) == 1;
+  });
+}
+
 bool isVectorWithin(const SettingFacts& setting, const Json& value) {
   return value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [&](const Json& v) {
            return isNumberWithin(v, setting.minimum, setting.maximum);
@@ -53,7 +61,7 @@ bool isValid(const SettingFacts& setting, const Json& value) {
   case SettingKind::choice:
     return isChoice(setting, value);
   case SettingKind::axes:
-    return value.is_string() && value.get<std::string>().find_first_not_of("xyz") == std::string::npos;
+    return isAxes(value);
   case SettingKind::ease:
     return isEase(value);
   case SettingKind::vector:

@@ -4,6 +4,7 @@
 
 #include "app/schema/schema_json.h"
 #include "app/schema/schema_rows.h"
+#include "app/schema/trail_schema.h"
 
 namespace stretch::app {
 
@@ -199,8 +200,8 @@ Status checkStyle(const Style& style) {
                        "_most in this order"};
     }
   }
-  if (style.easeIn.percent + style.easeOut.percent >= 1.0) {
-    return Error{"both eases together take the whole path", "ease_in", "give fractions whose sum is below 1"};
+  if (Status eases = checkEases(style.easeIn, style.easeOut); !eases) {
+    return eases;
   }
   return checkSettings(styleSchema(), style);
 }

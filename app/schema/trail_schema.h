@@ -8,6 +8,10 @@ namespace stretch::app {
 /// All settings of a trail but range, spheres, stop plane and view axes, which have shapes of their own.
 [[nodiscard]] const Schema<rig::TrailSettings>& trailSchema();
 
+/// Whether both eases leave a piece of the path between them, and their values lie on their sides of the
+/// half: what crosses it would be a jump. An ease that is off may have any value.
+[[nodiscard]] Status checkEases(const rig::Ease& easeIn, const rig::Ease& easeOut);
+
 /// A trail's settings as recipes and saved files hold them: "range", every setting of the schema, "spheres",
 /// "stop_at", "view_axes" for the space `view`, "seen_view". `lengthUnit` is what one unit of a sphere's
 /// offset and of a kept view's position is in world units: 1 for metres, the limb's rest length for offsets

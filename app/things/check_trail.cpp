@@ -74,6 +74,9 @@ Status checkAlone(const Ground& ground, const rig::Trail& trail) {
     return camera;
   }
   const rig::TrailSettings& settings = trail.settings;
+  if (Status eases = checkEases(settings.easeIn, settings.easeOut); !eases && ground.entry != Entry::file) {
+    return eases; // an older file may hold others, and is not to lose its trail
+  }
   const double last = lastFrame(clipOf(ground.document, trail.clip));
   const bool isOutside = settings.startFrame >= last || settings.endFrame <= 0.0;
   return isOutside && ground.entry != Entry::file

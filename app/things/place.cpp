@@ -1,6 +1,8 @@
 #include "app/things/place.h"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -26,6 +28,35 @@ Error meeting(const T& wanted, const T& other) {
   } else {
     return {"is held twice at the same time", subjectOf(wanted), "give each a range of its own"};
   }
+}
+
+// The limb of those in the list that is the same chain of joints by another name and acts at the same time:
+// each would move what the other has moved. Empty where none does.
+template <typename T>
+std::string sameJointsIn(const Document& document, const T& thing, std::span<const T> list) {
+  if constexpr (isThing<T, rig::Trail> || isThing<T, WeightedLimb>) {
+    const rig::Limb* const limb = findLimb(document, thing.limb);
+    for (T other : list) {
+      const std::string name = std::exchange(other.limb, thing.limb);
+      const rig::Limb* const chain = findLimb(document, name);
+      if (name != thing.limb && meets(other, thing) && limb != nullptr && chain != nullptr &&
+          chain->joints == limb->joints) {
+        return name;
+      }
+    }
+  }
+  return {};
+}
+
+template <typename T>
+Status checkJoints(const Ground& ground, const T& thing, std::span<const T> beside,
+                   const std::vector<T>& present) {
+  std::string other = sameJointsIn<T>(ground.document, thing, beside);
+  other = other.empty() ? sameJointsIn<T>(ground.document, thing, present) : other;
+  return other.empty() || ground.entry == Entry::file
+             ? Status(Success{})
+             : Status(Error{"has the joints of " + other + ", which acts at the same time", subjectOf(thing),
+                            "name the chain once, or give each a range of its own"});
 }
 
 // Where the wanted thing goes among those that it does not meet: a limb's weight to the place of the one that
@@ -55,6 +86,9 @@ Status placeAll(const Ground& ground, const std::vector<T>& wanted, Placed& plac
     T thing = wanted[i];
     if (Status fits = checkAlone(ground, thing); !fits) {
       return fits;
+    }
+    if (Status own = checkJoints<T>(ground, thing, std::span(wanted).first(i), list); !own) {
+      return own;
     }
     const auto isMet = [&](const T& other) { return meets(other, thing); };
     const auto end = wanted.begin() + static_cast<std::ptrdiff_t>(i);

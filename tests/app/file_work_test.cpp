@@ -403,3 +403,58 @@ TEST_CASE("Save incremental takes the next free number") {
   CHECK(nextIncrement(folder.path() / "punch-001.glb").filename() == "punch-002.glb");
   CHECK(nextIncrement(folder.path() / "one-two.glb").filename() == "one-two-001.glb");
 }
+
+namespace {
+
+/// Poses the left hand at the playhead without a key.
+void poseWithoutKey(Session& session) {
+  ViewState& view = session.view();
+  view.unkeyed.clip = view.clip;
+  view.unkeyed.frame = view.frame;
+  view.unkeyed.offsets["left-hand"] = {"left-hand", Vec3(0.1, 0.0, 0.0), Vec3(0.0)};
+}
+
+} // namespace
+
+TEST_CASE("A pose without a key is asked for before it is lost, and told when a file is saved without it") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  Session& session = *desk.document.character();
+  session.view().frame = 16.0;
+  poseWithoutKey(session);
+  CHECK_FALSE(hasUnsavedWork(desk.document)); // no file would hold it
+  CHECK(wouldLoseWork(desk.document));
+  work.quit(desk);
+  CHECK(work.question().kind == Kind::unsaved);
+  work.answer(desk, FileAnswer::cancel);
+  work.openFile(desk, {desk.file("b.glb")});
+  CHECK(work.question().kind == Kind::unsaved);
+  work.answer(desk, FileAnswer::cancel);
+  desk.told.clear();
+  work.saveAs(desk, desk.file("mine.glb"));
+  REQUIRE(desk.told.size() == 2);
+  CHECK(desk.told[1].first == Tone::warning);
+  CHECK_THAT(desk.told[1].second, Catch::Contains("The pose at frame 16 has no key: it is not in the file"));
+  desk.told.clear();
+  work.exportClean(desk, desk.file("clean.glb"));
+  CHECK(desk.lastTone() == Tone::warning);
+  desk.news();
+  SECTION("discarded, it is not asked for again") {
+    work.openFile(desk, {desk.file("b.glb")});
+    work.answer(desk, FileAnswer::discard);
+    desk.waitWhileOpening(work);
+    CHECK(work.path() == desk.file("b.glb"));
+    CHECK_FALSE(wouldLoseWork(desk.document));
+  }
+  SECTION("at another frame it is gone, and nothing is asked") {
+    session.view().frame = 17.0;
+    CHECK_FALSE(wouldLoseWork(desk.document));
+    work.quit(desk);
+    CHECK(desk.news() == "quit ");
+  }
+  SECTION("in another clip, too") {
+    session.view().clip = 1;
+    CHECK_FALSE(wouldLoseWork(desk.document));
+  }
+}

@@ -255,7 +255,7 @@ def creature_problems(program, data, name, folder, rows):
     file, mesh = data / name, folder / "creature.gltf"
     places = unskinned(file, mesh)
     info = json.loads(run(program, "info", file, "--json", "--tolerant")[1])
-    plan, output = info["plan"]["plan"], folder / "creature.json"
+    plan, output = info["plan"], folder / "creature.json"
     status, _, told = run(program, "rig", mesh, "-o", output, "--locators-only", "--tolerant")
     if status != 0:
         return [f"{name}: {told}"]
@@ -279,8 +279,8 @@ def creature_problems(program, data, name, folder, rows):
     run(program, "bind", mesh, "-o", bound, "--tolerant")
     found = json.loads(run(program, "info", bound, "--json")[1])
     lacking = {limb for limb in artists if limb not in {one["limb"] for one in found["limbs"]}}
-    if found["plan"]["plan"] != plan or lacking:
-        problems.append(f"{name}: bound, it is a {found['plan']['plan']} without {sorted(lacking)}")
+    if found["plan"] != plan or lacking:
+        problems.append(f"{name}: bound, it is a {found['plan']} without {sorted(lacking)}")
     return problems + ([f"{name}: the mean is {mean:.2f} % of the size off"] if mean > CREATURE_MEAN else [])
 
 

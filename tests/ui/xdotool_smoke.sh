@@ -6,6 +6,8 @@ if [ "${2:-}" != inside ]; then
 fi
 source "$(dirname "$0")/x_program.sh"
 start_program "$1"
+for _ in $(seq 100); do grep -q 'punch.glb' "$work/config/stretch-engine/settings.json" && break; sleep 0.1; done
+grep -q 'punch.glb' "$work/config/stretch-engine/settings.json" || finish 1 "the file is not among the recent ones until the program ends"
 xdotool key --delay 60 1 Home bracketleft e 3 y Return
 until_dot yes || finish 1 "typing the punch did not change the file: $(title)"
 xdotool key --delay 60 ctrl+z

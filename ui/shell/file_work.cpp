@@ -88,7 +88,7 @@ public:
     }
   }
   void opened() override {
-    rememberRecent(shell_.ui, shell_.files.path());
+    keepRecent(shell_.files.path());
     forgetViewOfTime(shell_.ui);
     if (shell_.open.character() != nullptr) {
       showCharacter(shell_);
@@ -97,10 +97,16 @@ public:
       showSequence(shell_);
     }
   }
-  void saved(const fs::path& path) override { rememberRecent(shell_.ui, path); }
+  void saved(const fs::path& path) override { keepRecent(path); }
   void quit() override { shell_.quit = true; }
 
 private:
+  // At once: whoever is cut off finds his files again.
+  void keepRecent(const fs::path& path) {
+    rememberRecent(shell_.ui, path);
+    shell_.ui.answers.keepSettings = true;
+  }
+
   Shell& shell_;
 };
 
@@ -371,7 +377,7 @@ std::string windowTitle(const Shell& shell) {
   if (shell.open.isEmpty()) {
     return program;
   }
-  return (app::hasUnsavedWork(shell.open) ? "\xE2\x97\x8F " : "") + openFileName(shell) + " \xE2\x80\x93 " +
+  return (app::wouldLoseWork(shell.open) ? "\xE2\x97\x8F " : "") + openFileName(shell) + " \xE2\x80\x93 " +
          program;
 }
 

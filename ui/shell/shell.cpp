@@ -39,7 +39,7 @@ EditorStatus statusOf(const Shell& shell) {
   EditorStatus status;
   status.question = shell.files.question();
   status.fileName = openFileName(shell);
-  status.unsaved = app::hasUnsavedWork(shell.open);
+  status.unsaved = app::wouldLoseWork(shell.open);
   status.pressedKey = shell.pressedKey;
   describeTool(shell.tool, status);
   status.tour = tourCard(shell);

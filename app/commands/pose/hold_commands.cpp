@@ -62,8 +62,17 @@ bool hasClipAndLegs(const Session& session) {
                              [](const rig::Limb& limb) { return isLeg(limb); });
 }
 
-rig::HoldTime shownTime(const Session& session) {
-  return {shownRange(session), usualBlend};
+// The frames that the timeline shows, where the playhead is in them. Else those that were set by hand; where
+// none were, and a selected trail elsewhere is shown, those around the playhead in which the limb has none.
+rig::HoldTime shownTime(const Session& session, const std::string& limbId) {
+  const double frame = session.view().frame;
+  const int clip = session.view().clip;
+  const Vec2 whole(0.0, lastFrame(session.document(), clip));
+  const Vec2 shown = shownRange(session);
+  const bool isShown = shown.x <= frame && frame <= shown.y;
+  std::optional<Vec2> range = isShown ? std::optional(shown) : session.rangeByHand();
+  range = range ? range : freeRange(session.document(), limbId, clip, whole, frame);
+  return {range.value_or(shown), usualBlend};
 }
 
 // At the place itself, not at the frame's: what is posed at that frame later leaves the pin where it is.
@@ -72,7 +81,7 @@ rig::Pin pinHere(Session& session, const std::string& limbId) {
   rig::Pin pin;
   pin.limb = limbId;
   pin.clip = session.view().clip;
-  pin.time = shownTime(session);
+  pin.time = shownTime(session, limbId);
   pin.atFrame = frame;
   pin.place = rig::endPlace(*findLimb(session.document(), limbId), session.frameAt(frame));
   return pin;
@@ -88,8 +97,8 @@ Status pinTargets(Session& session) {
 
 Status pinPlantedFeet(Session& session) {
   const int clip = session.view().clip;
-  const Vec2 frames = isRangeSet(session.view()) ? Vec2(session.view().rangeStart, session.view().rangeEnd)
-                                                 : Vec2(0.0, lastFrame(session.document(), clip));
+  const Vec2 whole(0.0, lastFrame(session.document(), clip));
+  const Vec2 frames = session.rangeByHand().value_or(whole); // a selected trail's says nothing of feet
   const rig::Holds found = plantedFeet(session.document(), clip, frames);
   if (found.empty()) {
     return Error{"no foot stands in this range", "", "set another working range, or pin the foot by hand"};
@@ -111,7 +120,7 @@ std::optional<std::size_t> presentGrip(const Session& session) {
   const std::vector<rig::Grip>& grips = session.document().holds.grips;
   for (std::size_t i = 0; !targets.empty() && i < grips.size(); ++i) {
     const Vec2 range = grips[i].time.rangeFrames;
-    const Vec2 wanted = shownTime(session).rangeFrames;
+    const Vec2 wanted = shownTime(session, targets.front()).rangeFrames;
     if (grips[i].leader == targets.front() && grips[i].clip == session.view().clip && range.x <= wanted.y &&
         wanted.x <= range.y) {
       return i;
@@ -135,7 +144,7 @@ Status matchOtherHand(Session& session) {
     return Error{"there is no limb on the other side to follow it", leader, "select a limb that has one"};
   }
   rig::Holds wanted;
-  wanted.grips.push_back({follower, leader, session.view().clip, shownTime(session), {}, 1.0});
+  wanted.grips.push_back({follower, leader, session.view().clip, shownTime(session, leader), {}, 1.0});
   return finish(session, placeHolds(session.document(), wanted), "Match the other hand");
 }
 
@@ -306,11 +315,11 @@ std::vector<std::string> handsForProp(const Session& session) {
 
 std::vector<DocumentCommand> holdCommands() {
   return {
-      entry(
-          command::holdPin, "Pin",
-          "Keeps the selected hands and feet, over the range that the timeline shows, at the place that they "
-          "have at the playhead.",
-          {"Shift+P"}, heldTargetNeeded(), pinTargets),
+      entry(command::holdPin, "Pin",
+            "Keeps the selected hands and feet at the place that they have at the playhead, over the range "
+            "that "
+            "the timeline shows, or around the playhead where it is outside of that.",
+            {"Shift+P"}, heldTargetNeeded(), pinTargets),
       entry(command::holdPinFeet, "Pin planted feet",
             "Finds where each foot stands, in the working range or the whole clip, and pins it there.",
             {"Alt+P"}, {hasClipAndLegs, "open a character with legs and a clip"}, pinPlantedFeet),

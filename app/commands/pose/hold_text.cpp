@@ -9,6 +9,8 @@
 
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
+#include "app/named.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -61,7 +63,9 @@ std::vector<ToldHold> holdsOnlyIn(const Document& document, const Document& othe
         for (const rig::PropHand& hand : prop.hands) {
           hands.push_back(limbTitle(document, hand.limb));
         }
-        return ToldHold{"prop in " + listed(hands),
+        const NodeIndex node = rig::propNode(*document.scene, prop.node);
+        const std::string thing = node.exists() ? nodeTitle(document, node) : prop.node;
+        return ToldHold{thing + " in " + listed(hands),
                         prop.time ? toldRange(prop.time->rangeFrames) : std::string("over the whole clip")};
       },
       told);
@@ -126,7 +130,7 @@ std::string holdChangeText(const Document& before, const Document& after) {
     text += (text.empty() ? "" : ", ") + title + " " + toldRanges(ranges);
     const auto old =
         std::ranges::find_if(oldTitles, [&title = title](const auto& one) { return one.first == title; });
-    if (!added.empty() && old != oldTitles.end()) {
+    if (!added.empty() && old != oldTitles.end() && old->second != ranges) {
       text += " in the place of " + toldRanges(old->second);
     }
   }

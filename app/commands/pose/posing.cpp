@@ -32,10 +32,6 @@ std::string titlesOf(const Document& document, std::span<const std::string> ids)
   return "the " + listed(titles);
 }
 
-bool isPosedWithoutKey(const ViewState& view) {
-  return view.unkeyed.clip == view.clip && sameFrame(view.unkeyed.frame, view.frame);
-}
-
 /// Remembers what is shown and keyed nowhere; what cannot be done is refused as for a key.
 Status poseWithoutKey(Session& session, const OffsetPose& pose) {
   ViewState& view = session.view();

@@ -34,6 +34,16 @@ int nestingOf(std::string_view text) {
   return deepest;
 }
 
+// As editors of text count: lines and columns from 1. `byte` counts from 1, too.
+std::string placeInText(std::string_view text, std::size_t byte) {
+  const std::string_view before =
+      text.substr(0, std::min(text.size(), byte - std::min<std::size_t>(byte, 1)));
+  const std::size_t lineStart = before.rfind('\n');
+  const auto line = std::ranges::count(before, '\n') + 1;
+  const std::size_t column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1) + 1;
+  return fmt::format(" (at line {}, column {})", line, column);
+}
+
 } // namespace
 
 Result<Json> parseJson(std::string_view text) {
@@ -62,9 +72,13 @@ Json parseAnyJson(std::string_view text) {
 }
 
 Result<Json> parseHandwrittenJson(std::string_view text, const std::string& remedy) {
-  Json json = parseAnyJson(text);
-  if (json.is_discarded()) {
-    return Error{"is not JSON", "", remedy};
+  if (nestingOf(text) > deepestNesting) {
+    return Error{fmt::format("is nested deeper than {} levels", deepestNesting), "", remedy};
+  }
+  Json json;
+  if (const auto failure = buildJson(text, json)) {
+    const std::string what = failure->isOutOfRange ? "holds a number out of range" : "is not JSON";
+    return Error{what + placeInText(text, failure->byte), "", remedy};
   }
   if (const std::optional<std::string> twice = repeatedKey(text)) {
     return Error{"stands twice in one object", *twice, "leave one of the two out"};

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/batch/command_words.h"
-#include "app/batch/worker.h"
+#include "app/batch/list/command_words.h"
+#include "app/batch/list/worker.h"
 #include "tests/support/refusal.h"
 
 using namespace stretch;

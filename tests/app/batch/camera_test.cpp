@@ -32,8 +32,8 @@ Punch punch(const std::string& character, const TemporaryFolder& folder,
             const std::vector<std::string>& more) {
   Punch made;
   made.file = (folder / "punch.glb").string();
-  std::vector<std::string> words{"exaggerate", character, "-o",      made.file, "--limb", "left-arm",
-                                 "--range",    "21:27",   "--scale", "3",       "--json"};
+  std::vector<std::string> words{"exaggerate", character, "-o",     made.file,  "--range", "21:27",
+                                 "--scale",    "3",       "--limb", "left-arm", "--json"};
   words.insert(words.end(), more.begin(), more.end());
   made.answer = runVerb(words);
   INFO(made.answer.told);

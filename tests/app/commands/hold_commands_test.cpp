@@ -140,6 +140,33 @@ TEST_CASE("What was pinned is told with its frames, and what it took the place o
   CHECK(told() == "Take holds away \xE2\x80\x93 left arm 5 to 10");
 }
 
+TEST_CASE(
+    "A pin outside of the selected trail's range is made around the playhead, between the limb's trails") {
+  Document trails = test::withNewTrail(test::boxer(), {"left-arm", 2.0, 6.0});
+  const int first = trails.trails.front().id;
+  trails = test::withNewTrail(trails, {"left-arm", 14.0, 18.0});
+  Session session(test::withNewTrail(trails, {"right-arm", 9.0, 12.0}));
+  const double last = lastFrame(session.document(), 0);
+  const auto pinned = [&](double frame) {
+    session.view().frame = frame;
+    selectTrail(session, first);
+    session.followSelection();
+    REQUIRE(runHold(session, command::holdPin).empty());
+    const Vec2 range = session.document().holds.pins.back().time.rangeFrames;
+    session.undo();
+    return range;
+  };
+  CHECK(pinned(4.0) == Vec2(2.0, 6.0));
+  CHECK(pinned(10.0) == Vec2(6.0, 14.0));
+  CHECK(pinned(19.0) == Vec2(18.0, last));
+  CHECK(pinned(1.0) == Vec2(0.0, 2.0));
+  session.view().selection.dropTrail();
+  session.followSelection();
+  session.view().rangeStart = 8.0; // by hand, wherever the playhead is
+  session.view().rangeEnd = 11.0;
+  CHECK(pinned(19.0) == Vec2(8.0, 11.0));
+}
+
 TEST_CASE("In a recipe a pin follows its frame where the clip has the hand there, and else keeps its place") {
   Session session = armSelected();
   REQUIRE(runHold(session, command::holdPin).empty());

@@ -278,11 +278,14 @@ TEST_CASE("A step tells what it came to hold, and where and in whose place") {
   prop.node = "Stick";
   prop.hands = {{"left-arm", {}}, {"right-arm", {}}};
   propped.holds.props = {prop};
-  CHECK(toldBy(none, propped) == "prop in left arm and right arm over the whole clip");
+  CHECK(toldBy(none, propped) == "Stick in left arm and right arm over the whole clip");
   propped.holds.props[0].time.emplace();
   propped.holds.props[0].time->rangeFrames = Vec2(1.0, 4.0);
-  CHECK(toldBy(none, propped) == "prop in left arm and right arm 1 to 4");
-  CHECK(toldBy(propped, none) == "prop in left arm and right arm 1 to 4");
+  CHECK(toldBy(none, propped) == "Stick in left arm and right arm 1 to 4");
+  CHECK(toldBy(propped, none) == "Stick in left arm and right arm 1 to 4");
+  Document bound = propped; // otherwise, in the same frames
+  bound.holds.props[0].boundFrame = 2.0;
+  CHECK(toldBy(propped, bound) == "Stick in left arm and right arm 1 to 4");
 }
 
 TEST_CASE("A step of a sequence tells the one setting that changed, of the fit before that of the clip") {

@@ -95,17 +95,11 @@ TEST_CASE("A trail that the command line gives to a hoof stops at the ground") {
 TEST_CASE("A hoof that misses its length for another reason than the ground is not told as stopped") {
   const CreatureOnDisk file(pawingHorse());
   const std::string output = (file.folder / "out.glb").string();
-  const std::vector<std::string> hoof{"exaggerate",    file.path, "-o",  output,  "--limb",
-                                      "hind-left-leg", "--range", "0:6", "--json"};
-  for (const std::vector<std::string>& missing :
-       {std::vector<std::string>{"--scale", "1.5", "--axes", ""}, {"--scale", "0.3", "--no-pull"}}) {
-    std::vector<std::string> words = hoof;
-    words.insert(words.end(), missing.begin(), missing.end());
-    const VerbAnswer answer = runVerb(words);
-    REQUIRE(answer.exitCode == 0);
-    CHECK_THAT(answer.output, Catch::Contains(R"("reached": false)"));
-    CHECK_THAT(answer.output, !Catch::Contains("stopped"));
-  }
+  const VerbAnswer answer = runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg",
+                                     "--range", "0:6", "--scale", "0.3", "--no-pull", "--json"});
+  REQUIRE(answer.exitCode == 0);
+  CHECK_THAT(answer.output, Catch::Contains(R"("reached": false)"));
+  CHECK_THAT(answer.output, !Catch::Contains("stopped"));
 }
 
 TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan which ones there are") {

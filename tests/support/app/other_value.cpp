@@ -21,7 +21,7 @@ Json otherValue(const app::SettingFacts& setting) {
   case SettingKind::axes:
     return "y";
   case SettingKind::ease:
-    return Json::array({0.25, 0.75});
+    return Json::array({0.25, setting.name == "ease_in" ? 0.25 : 0.75}); // on its side of the half
   case SettingKind::vector:
     return Json::array({1.0, -2.5, 0.0});
   case SettingKind::text:

@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include "app/commands/pose/hold.h"
@@ -58,10 +59,21 @@ struct AskedDialog {
   int entered = -1;                     ///< Button that Enter stands for; -1: none.
 };
 
-AskedDialog unsavedDialog() {
+AskedDialog unsavedDialog(const app::OpenDocument& open) {
+  const app::Session* const session = open.character();
+  std::string lost = app::hasUnsavedWork(open)
+                         ? "There are changes that are not saved. They are lost if you go on without saving."
+                         : "";
+  if (session != nullptr && app::isPosedWithoutKey(session->view())) {
+    lost +=
+        (lost.empty() ? "" : " ") +
+        fmt::format("The pose at frame {:g} has no key, and is lost if you go on, saved or not: cancel to "
+                    "key it.",
+                    session->view().frame);
+  }
   return {app::FileQuestion::Kind::unsaved,
           {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},
-          "There are changes that are not saved. They are lost if you go on without saving.",
+          lost,
           {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
            {.id = "", .text = "Cancel"},
            {.id = "", .text = "Save"}},
@@ -321,7 +333,7 @@ void drawQuestions(PanelContext& context) {
     context.ui.dialogs.question = {};
   }
   const std::filesystem::path& file = context.status.question.about;
-  drawAsked(context, unsavedDialog());
+  drawAsked(context, unsavedDialog(context.open));
   drawAsked(context, overwriteDialog(file));
   drawAsked(context, restoreDialog(file));
   drawClash(context);

@@ -1,4 +1,4 @@
-#include "app/batch/command_words.h"
+#include "app/batch/list/command_words.h"
 
 #include <optional>
 

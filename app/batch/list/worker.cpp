@@ -1,4 +1,4 @@
-#include "app/batch/worker.h"
+#include "app/batch/list/worker.h"
 
 #include <array>
 #include <cerrno>

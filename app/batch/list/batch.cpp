@@ -16,9 +16,9 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "app/batch/command_words.h"
+#include "app/batch/list/command_words.h"
+#include "app/batch/list/worker.h"
 #include "app/batch/verb.h"
-#include "app/batch/worker.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/json_text.h"
@@ -122,8 +122,8 @@ std::set<std::string> doneBefore(const std::string& log) {
   return done;
 }
 
-// Whether a file may be a log: what is no log would be spoilt by answers at its end. An empty one may, and one
-// of a run that was killed in its first line.
+// Whether a file may be a log: what is no log would be spoilt by answers at its end. An empty one may, and
+// one of a run that was killed in its first line.
 bool beginsAsLog(const std::string& log) {
   std::ifstream file(log);
   std::string head(answerStart.size(), '\0');

@@ -1,0 +1,126 @@
+#include "app/batch/pose_report.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/hold_report.h"
+#include "app/evaluate/pops.h"
+#include "app/evaluate/prop_flips.h"
+#include "app/schema/schema_json.h"
+#include "core/gltf/json/json.h"
+#include "rig/adjust/apply_adjustments.h"
+#include "rig/motion/evaluate.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+// Where the controller was asked to be at a frame and where it came to; nothing where it only turns.
+std::optional<Json> placesAt(const Document& document, const rig::MotionState& motion,
+                             const std::string& controller, double frame) {
+  const Clip& clip = clipOf(document, motion.clip);
+  FrameState state = rig::sampledFrame(*document.scene, clip, frame / clip.framesPerSecond);
+  const std::vector<rig::AskedPlace> asked =
+      rig::applyAdjustments(*document.scene, motion.adjustments, state);
+  const auto own = std::ranges::find(asked, controller, &rig::AskedPlace::controller);
+  if (own == asked.end()) {
+    return std::nullopt;
+  }
+  const Vec3 reached = rig::controllerPlace(motion.adjustments, controller, state);
+  return Json{{"frame", frame},
+              {"asked", vectorToJson(own->place)},
+              {"reached", vectorToJson(reached)},
+              {"missed_by", glm::length(reached - own->place)}};
+}
+
+// How the ends were held, and which elbows and knees pop; what the document's own trails make of the body is
+// in it.
+void addMotionReports(const Document& document, int clip, Json& report) {
+  const rig::MotionState motion = prepareMotion(document, clip);
+  for (const LimbPop& pop : limbPops(document, motion)) {
+    report["warnings"].push_back(popWarning(pop));
+  }
+  for (const PropFlip& flip : propFlips(document, motion)) {
+    report["warnings"].push_back(flipWarning(flip));
+  }
+  report["holds"] = Json::array();
+  for (const HoldReport& hold : holdReports(document, motion)) {
+    Json entry{{"hold", holdWord(hold.kind)},
+               {"limb", hold.limb},
+               {"reached", hold.framesFallShort.empty()},
+               {"farthest", hold.farthest},
+               {"falls_short_at", hold.framesFallShort}};
+    report["holds"].push_back(std::move(entry));
+    if (const std::string warning = holdWarning(hold); !warning.empty()) {
+      report["warnings"].push_back(warning);
+    }
+  }
+}
+
+void warnOfMiss(const std::string& controller, const Json& place, double height, Json& warnings) {
+  constexpr double seen = 1e-3; // of the height
+  const double miss = place["missed_by"].get<double>();
+  if (miss > seen * height) {
+    warnings.push_back(
+        fmt::format("{} misses its place at frame {:g} by {:.4g}: its limb is not to stretch so far",
+                    controller, place["frame"].get<double>(), miss));
+  }
+}
+
+std::string placeText(const Json& place) {
+  return fmt::format("{:.4f} {:.4f} {:.4f}", place[0].get<double>(), place[1].get<double>(),
+                     place[2].get<double>());
+}
+
+void printHold(const Json& hold) {
+  const std::string held = hold["reached"].get<bool>()
+                               ? fmt::format("held, at most {:.4g} away", hold["farthest"].get<double>())
+                               : fmt::format("falls short by up to {:.4g}", hold["farthest"].get<double>());
+  fmt::print("{} of {}: {}\n", hold["hold"].get<std::string>(), hold["limb"].get<std::string>(), held);
+}
+
+} // namespace
+
+void addPoseReport(const Document& document, int clip, const std::vector<rig::Adjustment>& adjustments,
+                   Json& report) {
+  const rig::MotionState motion = prepareMotion(adjustedOnly(document), clip);
+  report["controllers"] = Json::array();
+  for (const rig::Adjustment& adjustment : adjustments) {
+    Json keys = Json::array();
+    for (const rig::OffsetKey& key : adjustment.keys) {
+      const std::optional<Json> place = placesAt(document, motion, adjustment.controller, key.frame);
+      keys.push_back(place.value_or(Json{{"frame", key.frame}}));
+      if (place) {
+        warnOfMiss(adjustment.controller, *place, document.body.height, report["warnings"]);
+      }
+    }
+    report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
+  }
+  addMotionReports(document, clip, report);
+}
+
+void printPoseReport(const Json& report) {
+  for (const Json& controller : report["controllers"]) {
+    for (const Json& key : controller["keys"]) {
+      const std::string place =
+          key.contains("asked")
+              ? fmt::format("asked for {}, reached {}", placeText(key["asked"]), placeText(key["reached"]))
+              : std::string("set");
+      fmt::print("{}: frame {:g}: {}\n", controller["controller"].get<std::string>(),
+                 key["frame"].get<double>(), place);
+    }
+  }
+  for (const Json& hold : report["holds"]) {
+    printHold(hold);
+  }
+}
+
+} // namespace stretch::app
