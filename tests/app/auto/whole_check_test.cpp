@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -210,6 +212,42 @@ TEST_CASE("Limbs of one chain may not pull opposite ways while both act", "[whol
   CHECK(faults(180.0, 3.0, armFirst) == Faults{{1, FaultKind::chain}});
   CHECK(faults(180.0, 10.5, armFirst) == Faults{{1, FaultKind::chain}}); // On the way back of the spine.
   CHECK(faults(180.0, 11.0, armFirst).empty());
+}
+
+TEST_CASE("The ways of a chain's limbs are those of their own trails, wherever those stand in the plan",
+          "[whole]") {
+  // The left arm is held up and goes to its left, against the spine, which bends to the right; the right arm,
+  // out to its side, goes down, along neither.
+  const Document start = test::boxer();
+  std::vector<Track> tracks;
+  for (const auto& [limb, at, by] :
+       {std::tuple("left-arm", 0.5 * pi, 0.35), {"right-arm", 0.0, -0.35}, {"spine", 0.0, -0.05}}) {
+    tracks.push_back(test::turnsOf(start, limb));
+    for (const auto& [frame, angle] : {std::pair(0.0, by), {10.0, 0.0}, {20.0, by}}) {
+      test::addKey(tracks.back(), frame, glm::angleAxis(at + angle, Vec3(0.0, 0.0, 1.0)));
+    }
+  }
+  const Document document = test::withTracks(start, std::move(tracks));
+  const auto scaled = [](const std::string& limb) {
+    PlannedTrail trail = pulled(limb, 2, 8, Vec3(0.0));
+    trail.trail.settings.spheres.clear();
+    trail.trail.settings.scale = 1.1;
+    return trail;
+  };
+  std::vector<std::string> order{"left-arm", "right-arm", "spine"};
+  do {
+    std::vector<PlannedTrail> trails;
+    std::ranges::transform(order, std::back_inserter(trails), scaled);
+    const auto later = [&](const std::string& limb) {
+      return static_cast<std::size_t>(std::ranges::find(order, limb) - order.begin());
+    };
+    CAPTURE(order);
+    for (const auto& [where, kind] : faultsIn(document, planWith(trails))) {
+      UNSCOPED_INFO("of " << where << ": " << textOf(kind));
+    }
+    CHECK(faultsIn(document, planWith(trails)) ==
+          Faults{{std::max(later("left-arm"), later("spine")), FaultKind::chain}});
+  } while (std::ranges::next_permutation(order).found);
 }
 
 TEST_CASE("Limbs that do not carry each other may pull opposite ways", "[whole]") {
