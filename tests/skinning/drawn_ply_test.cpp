@@ -276,7 +276,7 @@ Drawn drawnFile(std::uint32_t seed, Written how) {
 }
 
 template <typename Vector>
-void checkNear(const std::vector<Vector>& found, const std::vector<Vector>& wanted) {
+void checkAlmost(const std::vector<Vector>& found, const std::vector<Vector>& wanted) {
   REQUIRE(found.size() == wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     CHECK(glm::length(found[i] - wanted[i]) <= 1e-5F * (1.0F + glm::length(wanted[i])));
@@ -290,7 +290,7 @@ std::string asciiFile(const std::string& head, const std::string& data) {
 const std::string places = "property float x\nproperty float y\nproperty float z\n";
 const std::string threeVertices = "element vertex 3\n" + places;
 const std::string oneFace = "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string threeCorners = "0 0 0\n1 0 0\n0 1 0\n";
 
 } // namespace
 
@@ -301,10 +301,10 @@ TEST_CASE("A PLY of any columns is read by their names, in every encoding", "[dr
     INFO(drawn.bytes.substr(0, drawn.endOfHead));
     const Result<MeshFile> mesh = parsePly(drawn.bytes, "drawn.ply");
     REQUIRE(test::refusal(mesh) == "accepted");
-    checkNear(mesh->positions, drawn.mesh.positions);
-    checkNear(mesh->normals, drawn.mesh.normals);
-    checkNear(mesh->texCoords, drawn.mesh.texCoords);
-    checkNear(mesh->colors, drawn.mesh.colors);
+    checkAlmost(mesh->positions, drawn.mesh.positions);
+    checkAlmost(mesh->normals, drawn.mesh.normals);
+    checkAlmost(mesh->texCoords, drawn.mesh.texCoords);
+    checkAlmost(mesh->colors, drawn.mesh.colors);
     CHECK(mesh->triangles == drawn.mesh.triangles);
   }
 }
@@ -322,7 +322,7 @@ TEST_CASE("A binary PLY that was cut anywhere is refused, and an ascii one where
 
 TEST_CASE("Each line of a PLY's head that is not understood is refused", "[drawn-ply]") {
   const std::string head = threeVertices + oneFace;
-  const std::string data = corners + "3 0 1 2\n";
+  const std::string data = threeCorners + "3 0 1 2\n";
   REQUIRE(parsePly(asciiFile(head, data), "a.ply"));
   REQUIRE(parsePly(asciiFile("obj_info of a scan\n" + head + "element nothing 0\n", data), "a.ply"));
   for (const auto& [of, is] :
@@ -363,20 +363,21 @@ TEST_CASE("A PLY's numbers that cannot be meant are refused by where they stand"
          "vertex 0", "finite x, y and z");
   for (const char* const face : {"3 0 1 3\n", "3 -1 1 2\n", "2 0 1\n", "0\n", "4 0 1 2 3\n"}) {
     CAPTURE(face);
-    isTold(refusal(head, corners + face), "face 0", "three or more corners that exist");
+    isTold(refusal(head, threeCorners + face), "face 0", "three or more corners that exist");
   }
-  isTold(refusal(threeVertices + "element face 1\nproperty int vertex_indices\n", corners + "0\n"), "face 0",
-         "three or more corners");
-  isTold(refusal(threeVertices + "element face 1\nproperty list uchar int strip\n", corners + "3 0 1 2\n"),
+  isTold(refusal(threeVertices + "element face 1\nproperty int vertex_indices\n", threeCorners + "0\n"),
          "face 0", "three or more corners");
-  isTold(refusal(head, corners + "-1\n"), "face 0", "not a number");
-  isTold(refusal(head, corners + "3 0 1\n"), "face 0", "end early");
+  isTold(
+      refusal(threeVertices + "element face 1\nproperty list uchar int strip\n", threeCorners + "3 0 1 2\n"),
+      "face 0", "three or more corners");
+  isTold(refusal(head, threeCorners + "-1\n"), "face 0", "not a number");
+  isTold(refusal(head, threeCorners + "3 0 1\n"), "face 0", "end early");
   isTold(refusal(threeVertices + "element edge 1\nproperty list int uchar ends\n" + oneFace,
-                 corners + "1000001 0\n"),
+                 threeCorners + "1000001 0\n"),
          "edge 0", "not a number");
-  CHECK(refusal(threeVertices, corners) ==
+  CHECK(refusal(threeVertices, threeCorners) ==
         "a.ply: the file holds no faces; give a mesh with triangles or polygons");
-  CHECK_THAT(refusal(threeVertices + "element edge 1\n" + oneFace, corners + "3 0 1 2\n"),
+  CHECK_THAT(refusal(threeVertices + "element edge 1\n" + oneFace, threeCorners + "3 0 1 2\n"),
              Catch::Contains("element 'edge' has no properties"));
   // A place whose axis is a list is none, and one that comes twice is not three.
   isTold(

@@ -33,7 +33,7 @@ std::vector<std::string> linesOf(const Problems& problems) {
   return lines;
 }
 
-std::vector<std::string> toldOf(const Json& json) {
+std::vector<std::string> toldOfGraph(const Json& json) {
   Problems problems;
   gltf::validateGraph(json, problems);
   return linesOf(problems);
@@ -102,7 +102,7 @@ struct Expected {
   std::vector<std::string> skinLines;
 };
 
-Expected expectedOf(const Graph& graph) {
+Expected plainlyTold(const Graph& graph) {
   Expected expected;
   std::vector<int> parents(graph.children.size(), -1);
   for (std::size_t node = 0; node < parents.size(); ++node) {
@@ -157,8 +157,8 @@ TEST_CASE("Of drawn graphs each second parent, loop, root below a node and wrong
   std::size_t fine = 0;
   for (int i = 0; i < 3000; ++i) {
     const Graph graph = drawnGraph(row);
-    const Expected expected = expectedOf(graph);
-    std::vector<std::string> told = toldOf(graph.json());
+    const Expected expected = plainlyTold(graph);
+    std::vector<std::string> told = toldOfGraph(graph.json());
     INFO(graph.json().dump());
     for (const std::set<int>& loop : expected.loops) {
       const auto line = std::ranges::find_if(told, [&](const std::string& text) {
@@ -183,7 +183,7 @@ TEST_CASE("Of drawn graphs each second parent, loop, root below a node and wrong
 
 TEST_CASE("A node's numbers are told where they are too large, no unit or beside a matrix",
           "[drawn-graphs]") {
-  const auto told = [](const Json& node) { return toldOf({{"nodes", {Json::object(), node}}}); };
+  const auto told = [](const Json& node) { return toldOfGraph({{"nodes", {Json::object(), node}}}); };
   using Lines = std::vector<std::string>;
   const double largest = 3.4028234663852886e38;
   const std::vector<double> unit{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

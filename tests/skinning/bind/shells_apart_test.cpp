@@ -33,14 +33,14 @@ test::Shape tubeBesideTube(double apart) {
   return shape;
 }
 
-const std::vector<BindJoint> twoBones{{Vec3(0, 0, 0), -1}, {Vec3(5, 0, 0), 0}, {Vec3(9.5, 0, 0), 1}};
+const std::vector<BindJoint> bonesOfTube{{Vec3(0, 0, 0), -1}, {Vec3(5, 0, 0), 0}, {Vec3(9.5, 0, 0), 1}};
 
 } // namespace
 
 TEST_CASE("A long shell beside a body follows each bone along its part of it", "[shells-apart]") {
   const double apart = GENERATE(-2.5, 2.0, 4.0);
   const test::Shape shape = tubeBesideTube(apart);
-  const Result<BoundBody> bound = skinning::bindWeights(shape.positions, shape.triangles, twoBones);
+  const Result<BoundBody> bound = skinning::bindWeights(shape.positions, shape.triangles, bonesOfTube);
   REQUIRE(test::refusal(bound) == "accepted");
   const std::size_t first = test::tube(length, 1.0, 40, 12).positions.size();
   for (std::size_t v = first; v < shape.positions.size(); ++v) {

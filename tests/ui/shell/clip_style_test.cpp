@@ -1,3 +1,7 @@
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/command_ids.h"
@@ -139,4 +143,20 @@ TEST_CASE(
   const std::vector<rig::Trail> again = exaggerate(0.5);
   CHECK(std::ranges::find(again, byHand) != again.end());
   CHECK(state.replaced.size() == strong.size() - 1);
+}
+
+TEST_CASE("A clip of years opens no dialog, and the reason is told") {
+  test::EditorStage stage;
+  test::withLimb(stage.work());
+  app::Document document = stage.session().document();
+  std::vector<Clip> clips = *document.clips;
+  Clip& clip = clips[static_cast<std::size_t>(stage.session().view().clip)];
+  clip.endSeconds = 100001.0 / clip.framesPerSecond;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  stage.session().edit(std::move(document), "Edit");
+  stage.shell.ui.toasts.clear();
+  stage.run(app::command::clipExaggerate);
+  CHECK_FALSE(stage.shell.ui.trails.clipStyle.open);
+  REQUIRE(stage.shell.ui.toasts.size() == 1);
+  CHECK_THAT(stage.shell.ui.toasts[0].text, Catch::Contains("frames, more than 100000"));
 }
