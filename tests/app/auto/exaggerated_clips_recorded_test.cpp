@@ -1,5 +1,6 @@
 // What whole clips become in each style, from moments to trails, holds and the reasons that are given.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -13,8 +14,11 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/auto/exaggerate_clip.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/clip_moments.h"
+#include "core/anim/frames.h"
 #include "tests/support/app/auto_clips.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/nodes.h"
 #include "tests/support/recorded.h"
 #include "tests/support/row.h"
@@ -115,6 +119,47 @@ Document drawnClip(Row& row) {
   return withTracks(document, std::move(tracks));
 }
 
+Document atRate(Document document, double framesPerSecond) {
+  Clip clip = document.clips->front();
+  clip.framesPerSecond = framesPerSecond;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  return document;
+}
+
+/// Work that somebody has begun: a trail, holds, weight, on limbs of either side.
+Document begun(Row& row, Document document) {
+  const double last = endInFrames(document.clips->front());
+  const auto rangeOf = [&](double longest) {
+    const double first = std::floor(row.between(0.0, 0.7 * last));
+    return Vec2(first, std::min(last, first + std::floor(row.between(3.0, longest))));
+  };
+  if (row.once(2)) {
+    const Vec2 range = rangeOf(12.0);
+    document = withNewTrail(document, {row.once(2) ? "left-arm" : "right-leg", range.x, range.y});
+  }
+  rig::Holds holds;
+  if (row.once(2)) {
+    rig::Pin pin;
+    pin.limb = row.once(2) ? "left-leg" : "right-arm";
+    pin.time = {rangeOf(10.0), {2.0, 2.0}};
+    pin.atFrame = pin.time.rangeFrames.x;
+    holds.pins = {pin};
+  }
+  if (row.once(2)) {
+    holds.grips = {{"right-arm", "left-arm", 0, {rangeOf(20.0), {1.0, 2.0}}, {}, row.between(0.0, 1.0)}};
+  }
+  if (const Result<Document> held = placeHolds(document, holds)) {
+    document = *held;
+  }
+  if (row.once(2)) {
+    WeightedLimb weight;
+    weight.limb = row.once(2) ? "left-arm" : "right-arm";
+    weight.settings.amount = row.between(0.3, 1.0);
+    document.weights = {weight};
+  }
+  return document;
+}
+
 std::string vectorText(const Vec3& v) {
   return fmt::format("({:.4f} {:.4f} {:.4f})", v.x, v.y, v.z);
 }
@@ -204,6 +249,29 @@ TEST_CASE("What drawn clips become in each style is as it was looked at", "[exag
         fmt::format("clip {} , {} , strength {:.2f}\n", i, style.name, strength) + clipText(made, document);
   }
   compareWithRecord("exaggerated-clips", text, 2e-3);
+}
+
+TEST_CASE("What drawn clips become in which work was begun is as it was looked at", "[exaggerated-clips]") {
+  std::string text;
+  Row row(83);
+  const std::vector<rig::Style> styles = rig::builtInStyles();
+  for (std::size_t i = 0; i < 32; ++i) {
+    Document document = drawnClip(row);
+    const double rate = row.oneOf(std::array{24.0, 30.0, 60.0});
+    document = atRate(document, rate);
+    document = begun(row, std::move(document));
+    const rig::Style& style = styles[i % styles.size()];
+    std::vector<rig::Moment> moments = momentsOf(document, 0);
+    AutoSettings settings{style};
+    if (moments.size() > 2 && row.once(3)) { // one that gets no trail
+      settings.beside = {moments.front()};
+      moments.erase(moments.begin());
+    }
+    const AutoClip made = exaggerateClip(document, 0, moments, settings);
+    text +=
+        fmt::format("clip {} , {} , {} frames a second\n", i, style.name, rate) + clipText(made, document);
+  }
+  compareWithRecord("exaggerated-clips-in-work", text, 2e-3);
 }
 
 TEST_CASE("The second clip becomes what it would become as the first, and holds there",

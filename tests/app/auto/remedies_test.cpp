@@ -2,6 +2,7 @@
 // at a time.
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -166,4 +167,75 @@ TEST_CASE("A loop whose first key stands on frame 1 is where it was a frame soon
   CHECK(ground.wraps);
   const ClipGround whole = clipGround(swinger(), 0);
   CHECK(whole.turnFrames == whole.lastFrame);
+}
+
+TEST_CASE("A trail ends before a seam where at least half of its range is left by then") {
+  // Without a way back over the seam three frames are left for it: the last frame but four is its end.
+  const auto tried = [](const char* limb, double startFrame, double endFrame) {
+    Tried trail(limb, startFrame, endFrame);
+    trail.ground.wraps = false;
+    trail.settings().startFrame = trail.ground.lastFrame + startFrame;
+    trail.settings().endFrame = trail.ground.lastFrame + endFrame;
+    trail.settings().lingerFrames = 0.0;
+    return trail;
+  };
+  for (const auto& [startFrame, endFrame, ends] : {std::tuple(-8.0, 0.0, true),
+                                                   {-7.0, 0.0, false},
+                                                   {-6.0, -2.0, true},
+                                                   {-5.0, -2.0, false},
+                                                   {-30.0, -1.0, true}}) {
+    CAPTURE(startFrame, endFrame);
+    Tried arm = tried("left-arm", startFrame, endFrame);
+    const double last = arm.ground.lastFrame;
+    const rig::TrailSettings& now = arm.lowered(FaultKind::seam);
+    CHECK(now.endFrame == (ends ? last - 4.0 : last + endFrame));
+    CHECK(*now.releaseFrames == (ends ? 3.0 : 6.0));
+    CHECK(now.scale == Approx(ends ? 1.5 : 1.35));
+    CHECK(now.startFrame == last + startFrame);
+  }
+  // A leg's step may end no more than a twelfth of a second earlier.
+  for (const auto& [endFrame, ends] : {std::pair(-1.0, false), {-2.0, true}, {-1.5, true}}) {
+    Tried leg = tried("left-leg", -20.0, endFrame);
+    CHECK((leg.lowered(FaultKind::seam).endFrame == leg.ground.lastFrame - 4.0) == ends);
+  }
+}
+
+TEST_CASE("Whose way back is not given comes back over half of its range, before a seam") {
+  Tried arm("left-arm", -24, -8);
+  arm.settings().releaseFrames.reset();
+  CHECK(arm.lowered(FaultKind::seam).releaseFrames == 7.0);
+  CHECK(arm.settings().scale == 1.5);
+  Tried shorter("left-arm", -20, -8); // It is back two frames before the end.
+  shorter.settings().releaseFrames.reset();
+  shorter.settings().bend = rig::Bend::straighten;
+  CHECK_FALSE(shorter.lowered(FaultKind::seam).releaseFrames);
+  CHECK(shorter.settings().bend == rig::Bend::keep);
+}
+
+TEST_CASE("What would pass the other side's limb keeps its way along the line between their bases") {
+  using Axes = std::array<bool, 3>;
+  // The thighs stand beside each other; the left foot is ahead and lifted at the tip.
+  Tried leg("left-leg", 10, 25);
+  CHECK(leg.lowered(FaultKind::sides).axes == Axes{false, true, true});
+  CHECK(leg.settings().scale == 1.5);
+  CHECK(leg.lowered(FaultKind::sides).scale == Approx(1.35)); // Only once.
+  CHECK(leg.settings().axes == Axes{false, true, true});
+  Tried arm("right-arm", 10, 25);
+  CHECK(arm.lowered(FaultKind::sides).axes == Axes{false, true, true});
+  Tried level("left-leg", 10, 25);
+  level.settings().axes = levelAxes;
+  CHECK(level.lowered(FaultKind::sides).axes == levelAxes);
+  CHECK(level.settings().scale == Approx(1.35));
+  // Another fault, a limb in the middle, what follows, and a limb without another side lose no axis.
+  Tried lengths("left-leg", 10, 25);
+  CHECK(lengths.lowered(FaultKind::lengths).axes == allAxes);
+  Tried spine("spine", 10, 25);
+  CHECK(spine.lowered(FaultKind::sides).axes == allAxes);
+  Tried follows("left-leg", 10, 25);
+  follows.plan.trails.front().follows = true;
+  CHECK(follows.lowered(FaultKind::sides).axes == allAxes);
+  Tried single("left-leg", 10, 25);
+  std::erase_if(single.ground.limbs, [](const rig::Limb& limb) { return limb.id == "right-leg"; });
+  CHECK(single.lowered(FaultKind::sides).axes == allAxes);
+  CHECK(single.settings().scale == Approx(1.35));
 }
