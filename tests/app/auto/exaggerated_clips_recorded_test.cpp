@@ -127,7 +127,7 @@ Document atRate(Document document, double framesPerSecond) {
 }
 
 /// Work that somebody has begun: a trail, holds, weight, on limbs of either side.
-Document begun(Row& row, Document document) {
+Document withWorkBegun(Row& row, Document document) {
   const double last = endInFrames(document.clips->front());
   const auto rangeOf = [&](double longest) {
     const double first = std::floor(row.between(0.0, 0.7 * last));
@@ -259,7 +259,7 @@ TEST_CASE("What drawn clips become in which work was begun is as it was looked a
     Document document = drawnClip(row);
     const double rate = row.oneOf(std::array{24.0, 30.0, 60.0});
     document = atRate(document, rate);
-    document = begun(row, std::move(document));
+    document = withWorkBegun(row, std::move(document));
     const rig::Style& style = styles[i % styles.size()];
     std::vector<rig::Moment> moments = momentsOf(document, 0);
     AutoSettings settings{style};
