@@ -15,9 +15,11 @@ using namespace stretch::app;
 namespace {
 
 /// The settings of one trail of the left arm in a loop of 24 frames once that is settled; nothing where it
-/// was left out.
-std::optional<rig::TrailSettings> settled(const rig::TrailSettings& wanted, bool wraps = true) {
-  const Document document = test::swinger();
+/// was left out. `holds`: those that were there before.
+std::optional<rig::TrailSettings> settled(const rig::TrailSettings& wanted, bool wraps = true,
+                                          const rig::Holds& holds = {}) {
+  Document document = test::swinger();
+  document.holds = holds;
   ClipGround ground = clipGround(document, 0);
   ground.wraps = wraps;
   PlannedTrail planned;
@@ -142,4 +144,26 @@ TEST_CASE("A trail whose limb is farthest before its end ends there, and is back
   CHECK(now->endFrame == 7.0); // The arm strikes until then.
   CHECK(*now->releaseFrames == Approx(ended.back).margin(1e-6));
   CHECK(now->lingerFrames == Approx(ended.heldSince).margin(1e-6));
+}
+
+TEST_CASE("Of what is more than a path allows there is less, and less of it is not held") {
+  const auto [start, end, held] = GENERATE(
+      table<double, double, double>({{2.0, 14.0, 2.0}, {2.0, 7.0, 1.0}, {8.0, 18.0, 3.0}, {8.0, 14.0, 0.0}}));
+  rig::TrailSettings wanted = over(start, end, 5.0, held);
+  wanted.scale = 6.0; // No path is drawn out to more than half as much again as the largest scale.
+  const std::optional<rig::TrailSettings> now = settled(wanted, false);
+  REQUIRE(now);
+  CHECK(now->scale == Approx(4.5));
+  CHECK(now->lingerFrames == 0.0);
+  CHECK(*now->releaseFrames == 5.0 - held);
+  CHECK(now->endFrame == end);
+}
+
+TEST_CASE("A trail is looked at as if nothing held its limb") {
+  rig::Pin pin;
+  pin.limb = GENERATE("left-arm", "right-arm");
+  pin.time = {{0.0, 24.0}, {0.0, 0.0}};
+  const std::optional<rig::TrailSettings> now = settled(over(2.0, 7.0, 5.0), false, {{pin}, {}, {}});
+  REQUIRE(now);
+  CHECK(*now == *settled(over(2.0, 7.0, 5.0), false));
 }
