@@ -198,6 +198,9 @@ std::vector<rig::Moment> Session::momentsOf(const std::string& limbId) const {
 }
 
 void Session::followSelection() {
+  if (ratedClip_ != view_.clip) {
+    followRate(); // Another clip is looked at, at a rate of its own.
+  }
   const rig::Trail* const trail = findTrail(document(), view_.selection.trail());
   const Followed now = trail == nullptr
                            ? Followed{}

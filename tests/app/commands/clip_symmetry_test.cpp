@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/keys/clips.h"
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
@@ -208,4 +209,22 @@ TEST_CASE("Keys that are picked are those of the clip that was looked at then", 
   session.view().clip = clip;
   pickKeys(session, ofFirst, false);
   CHECK(pickedKeys(session) == ofFirst);
+}
+
+TEST_CASE("Where the rate of a clip changes that was just gone to, the playhead stays where it is in time",
+          "[clip-symmetry]") {
+  const int clip = GENERATE(0, 1);
+  OpenDocument open{Opened{test::twoPunches()}};
+  Session& session = *open.character();
+  showClip(session, 1);
+  showClip(session, clip);
+  session.view().frame = 10.0;
+  session.view().rangeStart = 5.0;
+  session.view().rangeEnd = 15.0;
+  const std::vector<DocumentCommand> commands = documentCommands();
+  const auto slower = std::ranges::find(commands, std::string(command::clipRate24), &DocumentCommand::id);
+  REQUIRE(run(*slower, open));
+  CHECK(session.view().frame == 8.0);
+  CHECK(session.view().rangeStart == 4.0);
+  CHECK(session.view().rangeEnd == 12.0);
 }
