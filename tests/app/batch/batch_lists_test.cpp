@@ -10,21 +10,20 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "app/batch/verb.h"
 #include "core/base/file.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/captured_stream.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::app;
+using gltf::Json;
 
 namespace {
-
-using Json = nlohmann::json;
 
 Verb verbOf(const char* name, Status (*does)(const std::string& word)) {
   return {name, "Does it.", [does](CommandLine& line) {
