@@ -239,7 +239,7 @@ bool areAllOf(const List& list, int clip) {
 TEST_CASE("What drawn clips become in each style is as it was looked at", "[exaggerated-clips]") {
   std::string text;
   Row row(41);
-  const std::vector<rig::Style> styles = rig::builtInStyles();
+  const std::vector<rig::Style>& styles = rig::builtInStyles();
   for (std::size_t i = 0; i < 48; ++i) {
     const Document document = drawnClip(row);
     const double strength = row.once(3) ? row.between(0.3, 2.0) : 1.0;
@@ -254,7 +254,7 @@ TEST_CASE("What drawn clips become in each style is as it was looked at", "[exag
 TEST_CASE("What drawn clips become in which work was begun is as it was looked at", "[exaggerated-clips]") {
   std::string text;
   Row row(83);
-  const std::vector<rig::Style> styles = rig::builtInStyles();
+  const std::vector<rig::Style>& styles = rig::builtInStyles();
   for (std::size_t i = 0; i < 32; ++i) {
     Document document = drawnClip(row);
     const double rate = row.oneOf(std::array{24.0, 30.0, 60.0});
@@ -277,7 +277,7 @@ TEST_CASE("What drawn clips become in which work was begun is as it was looked a
 TEST_CASE("The second clip becomes what it would become as the first, and holds there",
           "[exaggerated-clips]") {
   Row row(41);
-  const std::vector<rig::Style> styles = rig::builtInStyles();
+  const std::vector<rig::Style>& styles = rig::builtInStyles();
   std::size_t held = 0;
   for (std::size_t i = 0; i < 16; ++i) {
     CAPTURE(i);

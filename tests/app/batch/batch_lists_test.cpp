@@ -91,10 +91,8 @@ std::vector<Verb> verbs() {
 
 Told batch(std::vector<std::string> words) {
   words.insert(words.begin(), {"stretch-engine", "batch"});
-  std::vector<const char*> arguments;
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
+  std::vector<const char*> arguments(words.size());
+  std::ranges::transform(words, arguments.begin(), [](const std::string& word) { return word.c_str(); });
   const test::CapturedStream errors(stderr);
   const test::CapturedStream output(stdout);
   const int exitCode =
@@ -223,10 +221,8 @@ TEST_CASE("What a log says is done is left out, and what failed or was cut off i
   CHECK(textIn(log) == first.output);
   checkEvery(answersIn(textIn(log)));
   const std::vector<Json> again = answersIn(batch({list, "--json-lines", "--resume", log}).output);
-  std::vector<int> lines;
-  for (const Json& answer : again) {
-    lines.push_back(answer["line"].get<int>());
-  }
+  std::vector<int> lines(again.size());
+  std::ranges::transform(again, lines.begin(), [](const Json& answer) { return answer["line"].get<int>(); });
   CHECK(lines == std::vector<int>{4, 5, 7, 8, 9});
   // A line that a kill cut off tells nothing, and the next answer begins a line of its own.
   const std::string torn = R"({"line":1,"command":"say one","exit":0)";
