@@ -44,7 +44,7 @@ TEST_CASE("A long shell beside a body follows each bone along its part of it", "
   REQUIRE(test::refusal(bound) == "accepted");
   const std::size_t first = test::tube(length, 1.0, 40, 12).positions.size();
   for (std::size_t v = first; v < shape.positions.size(); ++v) {
-    const double x = static_cast<double>(shape.positions[v].x);
+    const auto x = static_cast<double>(shape.positions[v].x);
     CAPTURE(x, shape.positions[v].y);
     const double ofFirst = test::weightOf(bound->influences[v], 0);
     const double ofSecond = test::weightOf(bound->influences[v], 1);
