@@ -36,13 +36,6 @@ struct GraphStage {
   explicit GraphStage(void (*state)(const test::Work&)) { state({driver.open, driver.ui, driver.status}); }
   app::Session& session() { return context.character(); }
   ui::GraphState& graph() { return driver.ui.time.graph; }
-  const GraphSubject subject(const std::string& title) {
-    const std::vector<GraphSubject> all = ui::graphSubjects(context);
-    const auto found = std::ranges::find(all, title, &GraphSubject::title);
-    INFO(title);
-    REQUIRE(found != all.end());
-    return *found;
-  }
   std::vector<Curve> curves(const GraphSubject& subject, const ui::Span& frames = {0.0, 24.0}) {
     return ui::graphCurves(context, subject, frames);
   }
