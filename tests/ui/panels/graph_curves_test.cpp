@@ -302,6 +302,13 @@ TEST_CASE("Curves follow whatever they are made from: clip, theme, view, subject
   CHECK(hidden() == std::vector{true, false, false});
   app::pickKeys(stage.session(), {}, false);
   CHECK(pickedOf() == Picked{{}, {}, {}});
+}
+
+TEST_CASE("Curves are those of the clip that is looked at", "[graph-curves]") {
+  GraphStage stage(&test::withArmsGraph);
+  stage.graph().channels = GraphChannels::rotation;
+  const GraphSubject joint = ui::graphSubjects(stage.context).front();
+  const std::vector<Curve> first = stage.curves(joint);
   // Another clip of the same tracks, twice as slow.
   app::Document document = stage.session().document();
   std::vector<Clip> clips = *document.clips;
@@ -316,9 +323,9 @@ TEST_CASE("Curves follow whatever they are made from: clip, theme, view, subject
   clips.back().endSeconds *= 2.0;
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
   stage.session().edit(std::move(document), "Edit");
-  CHECK(pointsOf(stage.curves(subjects[0])) == pointsOf(first));
+  CHECK(stage.curves(joint)[0].points == first[0].points);
   stage.session().view().clip = static_cast<int>(stage.session().document().clips->size()) - 1;
-  const std::vector<Curve> slow = stage.curves(subjects[0]);
+  const std::vector<Curve> slow = stage.curves(joint);
   REQUIRE(slow[0].keys.size() == first[0].keys.size());
   for (std::size_t k = 0; k < slow[0].keys.size(); ++k) {
     CHECK(slow[0].keys[k].at.x == Approx(2.0 * first[0].keys[k].at.x).margin(1e-4));
@@ -326,8 +333,7 @@ TEST_CASE("Curves follow whatever they are made from: clip, theme, view, subject
   }
 }
 
-TEST_CASE("The graph offers what is selected, each joint once, then all of them, and tells their units",
-          "[graph-curves]") {
+TEST_CASE("The graph offers what is selected, each joint once, then all of them", "[graph-curves]") {
   GraphStage stage(&test::withArmsGraph);
   app::selectLimb(stage.session(), "right-leg", true);
   const app::Document& document = stage.session().document();
@@ -365,6 +371,14 @@ TEST_CASE("The graph offers what is selected, each joint once, then all of them,
     CHECK(ui::graphRows(stage.context, all) == wanted);
     CHECK(ui::graphRows(stage.context, subjects[1]) == std::vector<app::KeyRow>{{ofArm[1], channel, {}}});
   }
+}
+
+TEST_CASE("The graph tells the units of joints, controllers and attributes by what it shows of them",
+          "[graph-curves]") {
+  GraphStage stage(&test::withArmsGraph);
+  const std::vector<GraphSubject> subjects = ui::graphSubjects(stage.context);
+  const GraphSubject& all = subjects[subjects.size() - 2];
+  REQUIRE(all.title == "All joints");
   for (const auto& [channels, unit] : {std::pair(GraphChannels::translation, " m"),
                                        {GraphChannels::rotation, "\xC2\xB0"},
                                        {GraphChannels::scale, ""},
