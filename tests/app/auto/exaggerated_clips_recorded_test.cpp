@@ -269,7 +269,7 @@ TEST_CASE("What drawn clips become in which work was begun is as it was looked a
     }
     const AutoClip made = exaggerateClip(document, 0, moments, settings);
     text +=
-        fmt::format("clip {} , {} , {} frames a second\n", i, style.name, rate) + clipText(made, document);
+        fmt::format("clip {} , {} , {} frames per second\n", i, style.name, rate) + clipText(made, document);
   }
   compareWithRecord("exaggerated-clips-in-work", text, 2e-3);
 }
