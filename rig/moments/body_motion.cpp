@@ -21,26 +21,6 @@ std::ptrdiff_t spacingOf(double samplesPerSecond) {
   return std::max<std::ptrdiff_t>(1, std::lround(shortestSeconds * samplesPerSecond));
 }
 
-void setVelocities(LimbMotion& motion, double samplesPerSecond) {
-  const std::ptrdiff_t spacing = spacingOf(samplesPerSecond);
-  const auto last = static_cast<std::ptrdiff_t>(motion.places.size()) - 1;
-  const auto within = [&](std::ptrdiff_t i) {
-    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last));
-  };
-  std::vector<Vec3> raw;
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    const std::size_t before = within(i - spacing);
-    const std::size_t after = within(i + spacing);
-    const double seconds = static_cast<double>(after - before) / samplesPerSecond;
-    raw.push_back(seconds > 0.0 ? (motion.places[after] - motion.places[before]) / seconds : Vec3(0.0));
-  }
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    motion.velocities.push_back(0.25 *
-                                (raw[within(i - spacing)] + 2.0 * raw[within(i)] + raw[within(i + spacing)]));
-    motion.speeds.push_back(glm::length(motion.velocities.back()));
-  }
-}
-
 // What a limb weighs: the trunk carries the limbs that act, a tail follows them, the more the longer it is. A
 // serpent's trunk has nothing to carry. A beast's neck bears the head, which bites and butts, and counts in
 // lengths of its own where it is short. `lengths`: its reach in those of the body.
@@ -144,6 +124,29 @@ void setReaches(BodyMotion& motion) {
 
 } // namespace
 
+Velocities velocitiesOf(const std::vector<Vec3>& places, double samplesPerSecond) {
+  const std::ptrdiff_t spacing = spacingOf(samplesPerSecond);
+  const auto last = static_cast<std::ptrdiff_t>(places.size()) - 1;
+  const auto within = [&](std::ptrdiff_t i) {
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last));
+  };
+  const auto differenceAt = [&](std::size_t sample) {
+    const std::size_t before = within(static_cast<std::ptrdiff_t>(sample) - spacing);
+    const std::size_t after = within(static_cast<std::ptrdiff_t>(sample) + spacing);
+    const double seconds = static_cast<double>(after - before) / samplesPerSecond;
+    return seconds > 0.0 ? (places[after] - places[before]) / seconds : Vec3(0.0);
+  };
+  Velocities velocities;
+  velocities.ways.reserve(places.size());
+  velocities.speeds.reserve(places.size());
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    velocities.ways.push_back(0.25 * (differenceAt(within(i - spacing)) + 2.0 * differenceAt(within(i)) +
+                                      differenceAt(within(i + spacing))));
+    velocities.speeds.push_back(glm::length(velocities.ways.back()));
+  }
+  return velocities;
+}
+
 BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
                         const std::vector<Limb>& limbs) {
   BodyMotion motion;
@@ -159,6 +162,10 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
   }
   const NodeSampler sampler(scene, clip, nodes);
   const double last = std::min(endInFrames(clip), longestFrames) + frameTolerance;
+  for (LimbMotion& limb : motion.limbs) {
+    limb.places.reserve(static_cast<std::size_t>(2.0 * last) + 1);
+    limb.ends.reserve(limb.places.capacity());
+  }
   FrameState frame;
   for (double at = 0.0; at <= last; at += 0.5) {
     sampler.sample(at / clip.framesPerSecond, frame);
@@ -175,7 +182,6 @@ BodyMotion motionOfBody(const Scene& scene, const Clip& clip, const Body& body,
   const bool hasOuterLimbs = std::ranges::any_of(limbs, [](const Limb& limb) { return reachesOut(limb); });
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     motion.limbs[i].isLeg = isLeg(limbs[i]);
-    setVelocities(motion.limbs[i], motion.samplesPerSecond);
   }
   setReaches(motion);
   for (std::size_t i = 0; i < limbs.size() && motion.reach > 0.0; ++i) {

@@ -30,9 +30,9 @@ bool feetStand(const BodyMotion& motion) {
 }
 
 // What goes round so slowly on feet that stand breathes, sways or looks about: it is idle.
-bool isSway(const BodyMotion& motion, const LimbMotion& limb) {
+bool isSway(const BodyMotion& motion, const Velocities& velocities) {
   constexpr double slow = 2.0; // R per second.
-  return std::ranges::max(limb.speeds) < slow * motion.reach;
+  return std::ranges::max(velocities.speeds) < slow * motion.reach;
 }
 
 // Whole frames, where animators key: half a frame is given to the stroke.
@@ -154,10 +154,11 @@ std::vector<Moment> momentsOf(const Scene& scene, const Clip& clip, const Body& 
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     steps = steps || (cycles[i] && isLeg(limbs[i]));
     const MomentKind kind = cycles[i] ? MomentKind::cycle : MomentKind::stroke;
-    if (cycles[i] && stands && isSway(motion, motion.limbs[i])) {
+    const Velocities velocities = velocitiesOf(motion.limbs[i].places, motion.samplesPerSecond);
+    if (cycles[i] && stands && isSway(motion, velocities)) {
       continue;
     }
-    for (const SampledStroke& stroke : strokesOf(motion, motion.limbs[i], cycles[i])) {
+    for (const SampledStroke& stroke : strokesOf(motion, motion.limbs[i], velocities, cycles[i])) {
       moments.push_back(momentOf(limbs[i].id, kind, stroke, last));
     }
   }

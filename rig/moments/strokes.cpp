@@ -18,13 +18,13 @@ constexpr double leastPeak = 0.25;   // R per second: no way is so far that less
 constexpr double leastTravel = 0.15; // Of the reach: less only trembles.
 
 /// The sample where the stroke with this peak ends, looking from the peak in one direction.
-std::size_t edgeOf(const LimbMotion& limb, std::size_t peak, std::ptrdiff_t direction) {
-  const auto count = static_cast<std::ptrdiff_t>(limb.speeds.size());
+std::size_t edgeOf(const Velocities& velocities, std::size_t peak, std::ptrdiff_t direction) {
+  const auto count = static_cast<std::ptrdiff_t>(velocities.speeds.size());
   auto at = static_cast<std::ptrdiff_t>(peak);
   const auto goesOn = [&](std::ptrdiff_t i) {
     const auto sample = static_cast<std::size_t>(i);
-    return limb.speeds[sample] > slowShare * limb.speeds[peak] &&
-           cosineBetween(limb.velocities[sample], limb.velocities[peak]) > turnCosine;
+    return velocities.speeds[sample] > slowShare * velocities.speeds[peak] &&
+           cosineBetween(velocities.ways[sample], velocities.ways[peak]) > turnCosine;
   };
   while (at + direction >= 0 && at + direction < count && goesOn(at)) {
     at += direction;
@@ -70,14 +70,16 @@ bool isStep(const BodyMotion& motion, const LimbMotion& limb, const SampledStrok
          after < still * limb.reach;
 }
 
-double strengthOf(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke) {
+// `speed`: at its peak.
+double strengthOf(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke,
+                  double speed) {
   constexpr double forwardGain = 0.4;
   const double travel = glm::length(limb.places[stroke.tip] - limb.places[stroke.start]);
   const Vec3 way = limb.ends[stroke.tip] - limb.ends[stroke.start];
   const double seen = seenShare(travel, glm::length(way));
   const double out = glm::length(limb.places[stroke.tip]) / limb.reach;
   const double forward = cosineBetween(way, motion.forward[stroke.peak]);
-  return limb.speeds[stroke.peak] / motion.reach * std::sqrt(travel / limb.reach * seen * out) *
+  return speed / motion.reach * std::sqrt(travel / limb.reach * seen * out) *
          std::exp(forwardGain * forward) * limb.weight;
 }
 
@@ -103,17 +105,19 @@ void lessenSteps(const BodyMotion& motion, const LimbMotion& limb, std::vector<S
 
 } // namespace
 
-std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb, bool goesRound) {
+std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb,
+                                     const Velocities& velocities, bool goesRound) {
   constexpr double wayBackShare = 0.5;
   std::vector<SampledStroke> all;
-  for (std::size_t peak = 0; peak < limb.speeds.size(); ++peak) {
-    if (!isPeak(limb.speeds, peak) || limb.speeds[peak] < leastPeak * motion.reach) {
+  for (std::size_t peak = 0; peak < velocities.speeds.size(); ++peak) {
+    const double speed = velocities.speeds[peak];
+    if (!isPeak(velocities.speeds, peak) || speed < leastPeak * motion.reach) {
       continue;
     }
-    SampledStroke stroke{edgeOf(limb, peak, -1), peak, edgeOf(limb, peak, 1)};
+    SampledStroke stroke{edgeOf(velocities, peak, -1), peak, edgeOf(velocities, peak, 1)};
     if (glm::length(limb.places[stroke.tip] - limb.places[stroke.start]) >= leastTravel * limb.reach) {
       const bool isBack = !goesRound && isWayBack(limb, stroke);
-      stroke.strength = strengthOf(motion, limb, stroke) * (isBack ? wayBackShare : 1.0);
+      stroke.strength = strengthOf(motion, limb, stroke, speed) * (isBack ? wayBackShare : 1.0);
       all.push_back(stroke);
     }
   }

@@ -15,10 +15,10 @@ struct SampledStroke {
   double strength = 0.0;
 };
 
-/// The strokes of one limb of the motion, strongest first; they share at most their ends. `goesRound`: the
-/// limb is in a cycle, where every way leads back to the beginning and a leg's ways are steps; elsewhere one
-/// or two steps only carry the body and count less.
+/// The strokes of one limb of the motion, strongest first; they share at most their ends. `velocities`: of
+/// its places. `goesRound`: the limb is in a cycle, where every way leads back to the beginning and a leg's
+/// ways are steps; elsewhere one or two steps only carry the body and count less.
 [[nodiscard]] std::vector<SampledStroke> strokesOf(const BodyMotion& motion, const LimbMotion& limb,
-                                                   bool goesRound);
+                                                   const Velocities& velocities, bool goesRound);
 
 } // namespace stretch::rig

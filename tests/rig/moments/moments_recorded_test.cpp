@@ -29,7 +29,8 @@ std::string momentsText(const std::string& title, const MovingBiped& moving) {
   for (std::size_t i = 0; i < moving.body.limbs.size(); ++i) {
     double fastest = 0.0;
     double sum = 0.0;
-    for (const double speed : motion.limbs[i].speeds) {
+    const Velocities velocities = velocitiesOf(motion.limbs[i].places, motion.samplesPerSecond);
+    for (const double speed : velocities.speeds) {
       fastest = std::max(fastest, speed);
       sum += speed;
     }

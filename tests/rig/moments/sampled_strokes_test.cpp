@@ -20,13 +20,22 @@ namespace {
 
 constexpr double samplesPerSecond = 60.0;
 
+/// A limb whose velocities are given beside its places.
+struct GivenLimb : LimbMotion {
+  Velocities velocities;
+};
+
+std::vector<SampledStroke> strokesIn(const BodyMotion& motion, const GivenLimb& limb, bool goesRound) {
+  return strokesOf(motion, limb, limb.velocities, goesRound);
+}
+
 /// A limb that goes from place to place by these velocities, in a body that faces +Z.
-LimbMotion movedBy(const Vec3& from, const std::vector<Vec3>& velocities) {
-  LimbMotion limb;
+GivenLimb movedBy(const Vec3& from, const std::vector<Vec3>& velocities) {
+  GivenLimb limb;
   limb.places.push_back(from);
-  limb.velocities = velocities;
+  limb.velocities.ways = velocities;
   for (const Vec3& velocity : velocities) {
-    limb.speeds.push_back(glm::length(velocity));
+    limb.velocities.speeds.push_back(glm::length(velocity));
     limb.places.push_back(limb.places.back() + velocity / samplesPerSecond);
   }
   limb.places.pop_back();
@@ -46,7 +55,7 @@ BodyMotion bodyOf(std::size_t samples, double reach) {
 }
 
 /// Straight along +Z at these speeds, from a place far behind the start, so that no way leads back to it.
-LimbMotion straight(const std::vector<double>& speeds) {
+GivenLimb straight(const std::vector<double>& speeds) {
   std::vector<Vec3> velocities;
   velocities.reserve(speeds.size());
   for (const double speed : speeds) {
@@ -61,7 +70,7 @@ double cosine(const Vec3& a, const Vec3& b) {
 }
 
 /// docs/moments.md, Strength, of a limb in a body that faces +Z.
-double strengthTold(const BodyMotion& motion, const LimbMotion& limb, const SampledStroke& stroke,
+double strengthTold(const BodyMotion& motion, const GivenLimb& limb, const SampledStroke& stroke,
                     bool goesRound) {
   const Vec3 from = limb.places[stroke.start];
   const Vec3 to = limb.places[stroke.tip];
@@ -70,24 +79,24 @@ double strengthTold(const BodyMotion& motion, const LimbMotion& limb, const Samp
   const double seen = std::min(1.0, std::max(0.2, glm::length(way) / travel));
   const double home = glm::length(to - limb.places[0]);
   const bool isBack = home < 0.15 * limb.reach && glm::length(from - limb.places[0]) - home > 0.8 * travel;
-  return limb.speeds[stroke.peak] / motion.reach *
+  return limb.velocities.speeds[stroke.peak] / motion.reach *
          std::sqrt(travel / limb.reach * seen * glm::length(to) / limb.reach) *
          std::exp(0.4 * cosine(way, Vec3(0.0, 0.0, 1.0))) * limb.weight * (isBack && !goesRound ? 0.5 : 1.0);
 }
 
 /// Whether a stroke with its peak there goes on at a sample.
-bool goesOn(const LimbMotion& limb, std::size_t peak, std::size_t sample) {
-  return limb.speeds[sample] > 0.25 * limb.speeds[peak] &&
-         cosine(limb.velocities[sample], limb.velocities[peak]) > -0.2;
+bool goesOn(const GivenLimb& limb, std::size_t peak, std::size_t sample) {
+  return limb.velocities.speeds[sample] > 0.25 * limb.velocities.speeds[peak] &&
+         cosine(limb.velocities.ways[sample], limb.velocities.ways[peak]) > -0.2;
 }
 
-std::vector<SampledStroke> strokesTold(const BodyMotion& motion, const LimbMotion& limb, bool goesRound) {
+std::vector<SampledStroke> strokesTold(const BodyMotion& motion, const GivenLimb& limb, bool goesRound) {
   std::vector<SampledStroke> found;
-  const std::size_t last = limb.speeds.size() - 1;
+  const std::size_t last = limb.velocities.speeds.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
-    const double speed = limb.speeds[i];
-    const bool rises = i == 0 || limb.speeds[i - 1] < speed;
-    const bool falls = i == last || limb.speeds[i + 1] <= speed;
+    const double speed = limb.velocities.speeds[i];
+    const bool rises = i == 0 || limb.velocities.speeds[i - 1] < speed;
+    const bool falls = i == last || limb.velocities.speeds[i + 1] <= speed;
     SampledStroke stroke{i, i, i};
     for (; stroke.start > 0 && goesOn(limb, i, stroke.start); --stroke.start) {
     }
@@ -142,8 +151,8 @@ std::vector<Vec3> swellingVelocities(Row& row, std::size_t count, double fastest
   return velocities;
 }
 
-LimbMotion swelling(Row& row, double fastest) {
-  LimbMotion limb = movedBy(row.vector(0.6), swellingVelocities(row, 2 + row.below(60), fastest));
+GivenLimb swelling(Row& row, double fastest) {
+  GivenLimb limb = movedBy(row.vector(0.6), swellingVelocities(row, 2 + row.below(60), fastest));
   Vec3 carried(0.0);
   for (Vec3& end : limb.ends) {
     carried += row.vector(0.03);
@@ -263,11 +272,11 @@ TEST_CASE("strokes are those that a slower way finds, sample by sample") {
   Row row(101);
   std::size_t found = 0;
   for (int round = 0; round < 600; ++round) {
-    const LimbMotion limb = swelling(row, round % 3 == 0 ? 1.0 : 12.0);
+    const GivenLimb limb = swelling(row, round % 3 == 0 ? 1.0 : 12.0);
     const BodyMotion motion = bodyOf(limb.places.size(), row.between(0.5, 1.5));
     for (const bool goesRound : {false, true}) {
       CAPTURE(round, goesRound);
-      const std::vector<SampledStroke> strokes = strokesOf(motion, limb, goesRound);
+      const std::vector<SampledStroke> strokes = strokesIn(motion, limb, goesRound);
       checkSame(strokes, strokesTold(motion, limb, goesRound));
       found += strokes.size();
     }
@@ -282,9 +291,9 @@ TEST_CASE("the way straight back to the clip's beginning counts half, except in 
     velocities.insert(velocities.end(), 4, Vec3(0.0));
     velocities.insert(velocities.end(), 8, Vec3(0.0, 0.0, -back * speed));
     velocities.emplace_back(0.0);
-    const LimbMotion limb = movedBy(Vec3(0.0, 0.0, 0.4), velocities);
+    const GivenLimb limb = movedBy(Vec3(0.0, 0.0, 0.4), velocities);
     const BodyMotion motion = bodyOf(limb.places.size(), 1.0);
-    const std::vector<SampledStroke> strokes = strokesOf(motion, limb, goesRound);
+    const std::vector<SampledStroke> strokes = strokesIn(motion, limb, goesRound);
     REQUIRE(strokes.size() == 2);
     return strokes[1].strength;
   };
@@ -296,12 +305,12 @@ TEST_CASE("a stroke at the very beginning or end of a clip is one, cut there") {
   const std::vector<double> rising{0.0, 1.0, 3.0, 6.0, 9.0, 9.5};
   const std::vector<double> falling{9.5, 9.0, 6.0, 3.0, 1.0, 0.0};
   const BodyMotion motion = bodyOf(rising.size(), 1.0);
-  const std::vector<SampledStroke> last = strokesOf(motion, straight(rising), false);
+  const std::vector<SampledStroke> last = strokesIn(motion, straight(rising), false);
   REQUIRE(last.size() == 1);
   CHECK(last[0].start == 1);
   CHECK(last[0].peak == 5);
   CHECK(last[0].tip == 5);
-  const std::vector<SampledStroke> first = strokesOf(motion, straight(falling), false);
+  const std::vector<SampledStroke> first = strokesIn(motion, straight(falling), false);
   REQUIRE(first.size() == 1);
   CHECK(first[0].start == 0);
   CHECK(first[0].peak == 0);
@@ -313,22 +322,22 @@ TEST_CASE("the farthest way is a stroke from a quarter of the reach each second 
     const auto samples = static_cast<std::size_t>(2.0 * samplesPerSecond / speed);
     std::vector<Vec3> velocities(samples, Vec3(0.0, 0.0, speed));
     velocities[samples / 2].z *= 1.001;
-    const LimbMotion limb = movedBy(Vec3(0.0, 0.0, -1.0), velocities);
+    const GivenLimb limb = movedBy(Vec3(0.0, 0.0, -1.0), velocities);
     CAPTURE(speed);
-    CHECK(strokesOf(bodyOf(samples, 1.0), limb, false).size() == count);
+    CHECK(strokesIn(bodyOf(samples, 1.0), limb, false).size() == count);
   }
 }
 
 TEST_CASE("a stroke counts by what is seen of it in the world, a fifth of it at least") {
   const std::vector<double> speeds{0.0, 4.0, 8.0, 12.0, 12.0, 8.0, 4.0, 0.0};
-  const LimbMotion limb = straight(speeds);
+  const GivenLimb limb = straight(speeds);
   const BodyMotion motion = bodyOf(speeds.size(), 1.0);
   const auto strength = [&](double seen) {
-    LimbMotion carried = limb;
+    GivenLimb carried = limb;
     for (std::size_t i = 0; i < carried.ends.size(); ++i) {
       carried.ends[i] = Vec3(seen * limb.places[i].z, 0.0, 0.0); // at a right angle to where the body faces
     }
-    return strokesOf(motion, carried, false).at(0).strength;
+    return strokesIn(motion, carried, false).at(0).strength;
   };
   for (const double seen : {0.1, 0.19, 0.21, 0.5, 0.9, 1.0, 1.7}) {
     CAPTURE(seen);
@@ -343,8 +352,8 @@ TEST_CASE("a stroke turns where its way comes past a right angle, not at one") {
     std::vector<Vec3> velocities{Vec3(0.0), {0.0, 0.0, 9.0}, {0.0, 0.0, 8.0}};
     velocities.insert(velocities.end(), 2, 7.0 * aside);
     velocities.emplace_back(0.0);
-    const LimbMotion limb = movedBy(Vec3(0.0, 0.0, 0.5), velocities);
-    const std::vector<SampledStroke> strokes = strokesOf(bodyOf(limb.places.size(), 1.0), limb, false);
+    const GivenLimb limb = movedBy(Vec3(0.0, 0.0, 0.5), velocities);
+    const std::vector<SampledStroke> strokes = strokesIn(bodyOf(limb.places.size(), 1.0), limb, false);
     CAPTURE(sine);
     REQUIRE_FALSE(strokes.empty());
     CHECK(strokes[0].peak == 1);
@@ -362,7 +371,7 @@ struct Steps {
   double creeps = 0.0;      ///< How fast it goes on after it is put down.
 };
 
-LimbMotion stepping(const Steps& steps, bool isLeg = true) {
+GivenLimb stepping(const Steps& steps, bool isLeg = true) {
   std::vector<Vec3> velocities(10, Vec3(0.0));
   for (int i = 0; i < steps.count; ++i) {
     for (int sample = 0; sample < 20; ++sample) {
@@ -373,14 +382,14 @@ LimbMotion stepping(const Steps& steps, bool isLeg = true) {
     }
     velocities.insert(velocities.end(), 12, Vec3(0.0, 0.0, steps.creeps));
   }
-  LimbMotion limb = movedBy(Vec3(0.0, -1.0, -0.3), velocities);
+  GivenLimb limb = movedBy(Vec3(0.0, -1.0, -0.3), velocities);
   limb.isLeg = isLeg;
   return limb;
 }
 
-double strengthOfSteps(const LimbMotion& limb, bool goesRound = false, double bodyReach = 1.0) {
+double strengthOfSteps(const GivenLimb& limb, bool goesRound = false, double bodyReach = 1.0) {
   const std::vector<SampledStroke> strokes =
-      strokesOf(bodyOf(limb.places.size(), bodyReach), limb, goesRound);
+      strokesIn(bodyOf(limb.places.size(), bodyReach), limb, goesRound);
   return strokes.empty() ? 0.0 : strokes.front().strength;
 }
 
@@ -405,12 +414,12 @@ TEST_CASE("a foot that skims over the ground and is put down to stand steps, whi
 
 TEST_CASE("a step at the end of a clip, of which nobody sees whether the foot stands, counts whole") {
   for (const auto& [left, share] : {std::pair{10, 0.3}, std::pair{2, 1.0}}) {
-    LimbMotion leg = stepping({});
-    for (std::vector<Vec3>* const list : {&leg.places, &leg.ends, &leg.velocities}) {
+    GivenLimb leg = stepping({});
+    for (std::vector<Vec3>* const list : {&leg.places, &leg.ends, &leg.velocities.ways}) {
       list->resize(list->size() - 12 + static_cast<std::size_t>(left));
     }
-    leg.speeds.resize(leg.places.size());
-    LimbMotion other = leg;
+    leg.velocities.speeds.resize(leg.places.size());
+    GivenLimb other = leg;
     other.isLeg = false;
     CAPTURE(left);
     CHECK(strengthOfSteps(leg) == Approx(share * strengthOfSteps(other)));
