@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -24,6 +25,7 @@ constexpr double mostTimes = 8.0; // an edge that is not seen is looked at as if
 LongEdges::LongEdges(const SurfacePart& part, const FrameState& bind, double seen)
     : seen_(seen), areMeans_(part.areMeans()), longest_(part.slots().size(), 0.0) {
   const SurfacePart::Posed posed = part.posed(bind);
+  lengths_.reserve(part.edges().size());
   for (const SurfacePart::Edge& edge : part.edges()) {
     const glm::vec3 between = part.place(edge.moved, posed) - part.place(edge.other, posed);
     lengths_.push_back(std::sqrt(static_cast<double>(glm::dot(between, between))));
@@ -54,7 +56,8 @@ void LongEdges::measure(const SurfacePart& part) {
       for (const auto& [to, taken] : passed) {
         if (given > least && taken < -least) {
           auto& [blend, box] = blends[std::minmax(from, to)];
-          blend.edges.push_back({all / length, edge, ends[1]});
+          blend.edges.push_back(
+              {std::nextafter(static_cast<float>(all / length), std::numeric_limits<float>::max()), edge});
           box.add(ends[0]);
           box.add(ends[1]);
         }
@@ -64,12 +67,14 @@ void LongEdges::measure(const SurfacePart& part) {
   for (auto& [slots, measured] : blends) {
     auto& [blend, box] = measured;
     std::ranges::sort(blend.edges, std::greater(), &Passing::share);
+    blend.edges.shrink_to_fit();
     blends_.push_back({slots.first, slots.second, 0.5 * (box.low + box.high),
                        0.5 * glm::length(box.high - box.low), std::move(blend.edges)});
   }
 }
 
-std::vector<std::uint32_t> LongEdges::among(const SurfacePart::Posed& posed, double times) const {
+std::vector<std::uint32_t> LongEdges::among(const SurfacePart& part, const SurfacePart::Posed& posed,
+                                            double times) const {
   double carried = 0.0;
   for (std::size_t slot = 0; slot < longest_.size(); ++slot) {
     carried = std::max(carried, longest_[slot] * growthOf(posed.matrices[slot]));
@@ -85,10 +90,12 @@ std::vector<std::uint32_t> LongEdges::among(const SurfacePart::Posed& posed, dou
     const Mat4 apart = posed.matrices[blend.from] - posed.matrices[blend.to];
     const double farthest = glm::length(transformPoint(apart, blend.centre)) + growthOf(apart) * blend.radius;
     for (const Passing& one : blend.edges) {
-      if (one.share * farthest <= left) {
+      const double share = one.share;
+      if (share * farthest <= left) {
         break;
       }
-      if (one.share * glm::length(transformPoint(apart, one.end)) > left) {
+      const Vec3 end(part.placeInMesh(part.edges()[one.edge].other));
+      if (share * glm::length(transformPoint(apart, end)) > left) {
         edges.push_back(one.edge);
       }
     }

@@ -21,14 +21,14 @@ public:
   /// Lengths of the part's edges in the bind pose, world units.
   [[nodiscard]] const std::vector<double>& lengths() const { return lengths_; }
   /// Indices of the edges that may be longer than `times` their length in the bind pose and longer than what
-  /// is seen; some more than once.
-  [[nodiscard]] std::vector<std::uint32_t> among(const SurfacePart::Posed& posed, double times) const;
+  /// is seen; some more than once. `part`: the one that they are of.
+  [[nodiscard]] std::vector<std::uint32_t> among(const SurfacePart& part, const SurfacePart::Posed& posed,
+                                                 double times) const;
 
 private:
   struct Passing {      // of weight, along an edge
-    double share = 0.0; // over the edge's length
+    float share = 0.0F; // over the edge's length, rounded up
     std::uint32_t edge = 0;
-    Vec3 end{0.0}; // in the mesh
   };
   // Two joints between which edges pass weight on.
   struct Blend {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -34,8 +35,9 @@ public:
 
   void build(SurfaceEdges edges) {
     const std::vector<NodeIndex> holders = drawnMeshNodes(scene_);
+    makeRoom(holders);
     for (const NodeIndex holder : holders) {
-      forEachPrimitive(holder, [&](const Primitive& primitive) { addMoved(holder, primitive); });
+      forEachPrimitive(holder, [&](const Primitive& primitive) { addMoved(holder, primitive, edges); });
     }
     part_.movedCount_ = part_.vertices_.size();
     if (edges == SurfaceEdges::all) {
@@ -45,6 +47,9 @@ public:
       }
       std::sort(part_.edges_.begin(), part_.edges_.end());
       part_.edges_.erase(std::unique(part_.edges_.begin(), part_.edges_.end()), part_.edges_.end());
+      part_.edges_.shrink_to_fit();
+      part_.vertices_.shrink_to_fit();
+      part_.influences_.shrink_to_fit();
     }
     for (const Slot& slot : part_.slots_) {
       part_.nodes_.push_back(slot.node);
@@ -63,6 +68,39 @@ private:
     }
   }
 
+  // `use`: of a joint's index in the skin and its weight.
+  template <typename Use>
+  static void forEachInfluence(const Skin& skin, const VertexInfluences& influences, const Use& use) {
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      if (influences.weights[i] != 0.0F && influences.joints[i] < skin.joints.size()) {
+        use(std::size_t{influences.joints[i]}, influences.weights[i]);
+      }
+    }
+  }
+
+  // Lists that grow to hold a large mesh would take twice what they need.
+  void makeRoom(const std::vector<NodeIndex>& holders) {
+    std::size_t vertices = 0;
+    std::size_t influences = 0;
+    for (const NodeIndex holder : holders) {
+      forEachPrimitive(holder, [&](const Primitive& primitive) {
+        const Skin* const skin = skinOf(holder, primitive);
+        for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
+          if (isMoved(holder, primitive, vertex)) {
+            ++vertices;
+            influences += skin == nullptr ? 1 : 0;
+            if (skin != nullptr) {
+              forEachInfluence(*skin, primitive.influences[vertex],
+                               [&](std::size_t, float) { ++influences; });
+            }
+          }
+        }
+      });
+    }
+    part_.vertices_.reserve(vertices);
+    part_.influences_.reserve(influences);
+  }
+
   [[nodiscard]] const Skin* skinOf(NodeIndex holder, const Primitive& primitive) const {
     const int skin = scene_.nodes[at(holder)].skin;
     return skin >= 0 && !primitive.influences.empty() ? &scene_.skins[at(skin)] : nullptr;
@@ -73,14 +111,10 @@ private:
     if (skin == nullptr) {
       return follows_[at(holder)];
     }
-    const VertexInfluences& influences = primitive.influences[vertex];
-    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-      const std::size_t joint = influences.joints[i];
-      if (influences.weights[i] != 0.0F && joint < skin->joints.size() && follows_[at(skin->joints[joint])]) {
-        return true;
-      }
-    }
-    return false;
+    bool moved = false;
+    forEachInfluence(*skin, primitive.influences[vertex],
+                     [&](std::size_t joint, float) { moved = moved || follows_[at(skin->joints[joint])]; });
+    return moved;
   }
 
   std::uint32_t slotOf(std::uint32_t& slot, NodeIndex node, const Mat4& inverseBind) {
@@ -97,15 +131,10 @@ private:
         node.morphWeights.empty() ? scene_.meshes[at(node.mesh)].morphWeights : node.morphWeights;
     const auto first = static_cast<std::uint32_t>(part_.influences_.size());
     if (const Skin* const skin = skinOf(holder, primitive)) {
-      const VertexInfluences& influences = primitive.influences[vertex];
-      for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-        const std::size_t joint = influences.joints[i];
-        if (influences.weights[i] != 0.0F && joint < skin->joints.size()) {
-          std::uint32_t& slot = slotsOfSkins_[at(node.skin)][joint];
-          part_.influences_.push_back(
-              {slotOf(slot, skin->joints[joint], skin->inverseBind[joint]), influences.weights[i]});
-        }
-      }
+      forEachInfluence(*skin, primitive.influences[vertex], [&](std::size_t joint, float weight) {
+        std::uint32_t& slot = slotsOfSkins_[at(node.skin)][joint];
+        part_.influences_.push_back({slotOf(slot, skin->joints[joint], skin->inverseBind[joint]), weight});
+      });
     } else {
       part_.influences_.push_back({slotOf(slotsOfNodes_[at(holder)], holder, Mat4(1.0)), 1.0F});
     }
@@ -114,11 +143,15 @@ private:
     return static_cast<std::uint32_t>(part_.vertices_.size() - 1);
   }
 
-  void addMoved(NodeIndex holder, const Primitive& primitive) {
-    std::vector<std::uint32_t>& places = places_.emplace_back(primitive.positions.size(), none);
+  void addMoved(NodeIndex holder, const Primitive& primitive, SurfaceEdges edges) {
+    std::vector<std::uint32_t>& places =
+        places_.emplace_back(edges == SurfaceEdges::all ? primitive.positions.size() : 0, none);
     for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
       if (isMoved(holder, primitive, vertex)) {
-        places[vertex] = addVertex(holder, primitive, vertex);
+        const std::uint32_t place = addVertex(holder, primitive, vertex);
+        if (edges == SurfaceEdges::all) {
+          places[vertex] = place;
+        }
       }
     }
   }
@@ -174,13 +207,22 @@ bool SurfacePart::isMean(std::size_t vertex) const {
 
 void SurfacePart::measureSlots() {
   std::vector<Bounds> boxes(slots_.size());
-  for (std::uint32_t vertex = 0; vertex < vertices_.size(); ++vertex) {
+  firstFollowers_.assign(slots_.size() + 1, 0);
+  for (std::size_t vertex = 0; vertex < vertices_.size(); ++vertex) {
     const Vec3 place(vertices_[vertex].position);
     reach_ = std::max(reach_, glm::length(place));
     areMeans_ = areMeans_ && isMean(vertex);
     for (const Influence& one : vertex < movedCount_ ? influencesOf(vertex) : std::span<const Influence>()) {
-      slots_[one.slot].vertices.push_back(vertex);
+      ++firstFollowers_[one.slot + 1];
       boxes[one.slot].add(place);
+    }
+  }
+  std::partial_sum(firstFollowers_.begin(), firstFollowers_.end(), firstFollowers_.begin());
+  followers_.resize(firstFollowers_.back());
+  std::vector<std::size_t> next = firstFollowers_;
+  for (std::uint32_t vertex = 0; vertex < movedCount_; ++vertex) {
+    for (const Influence& one : influencesOf(vertex)) {
+      followers_[next[one.slot]++] = vertex;
     }
   }
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
@@ -188,7 +230,7 @@ void SurfacePart::measureSlots() {
       slots_[slot].centre = 0.5 * (boxes[slot].low + boxes[slot].high);
       slots_[slot].half = 0.5 * (boxes[slot].high - boxes[slot].low);
     }
-    for (const std::uint32_t vertex : slots_[slot].vertices) {
+    for (const std::uint32_t vertex : followersOf(slot)) {
       slots_[slot].radius =
           std::max(slots_[slot].radius, glm::distance(Vec3(vertices_[vertex].position), slots_[slot].centre));
     }
@@ -245,7 +287,7 @@ std::optional<Vec3> SurfacePart::lowest(const Posed& posed, double limit) const 
     if (bottom > (lowest ? lowest->first : limit)) {
       break;
     }
-    for (const std::uint32_t vertex : slots_[slot].vertices) {
+    for (const std::uint32_t vertex : followersOf(slot)) {
       const std::pair found(static_cast<double>(place(vertex, posed).y), vertex);
       if (lowest ? found < *lowest : found.first < limit) {
         lowest = found;
@@ -259,7 +301,7 @@ std::vector<std::pair<double, std::size_t>> SurfacePart::farthestMoves(const Pos
                                                                        const Posed& to) const {
   std::vector<std::pair<double, std::size_t>> moves;
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
-    if (!slots_[slot].vertices.empty()) {
+    if (!followersOf(slot).empty()) {
       const Mat4 change = to.matrices[slot] - from.matrices[slot];
       const double most = glm::length(transformPoint(change, slots_[slot].centre)) +
                           growthOf(change) * slots_[slot].radius + from.rounding + to.rounding;

@@ -43,7 +43,6 @@ public:
     Vec3 centre{0.0};    ///< Of the box around the moved vertices that follow it, in their mesh.
     Vec3 half{0.0};      ///< Of that box.
     double radius = 0.0; ///< Of the ball around them at that centre.
-    std::vector<std::uint32_t> vertices = {}; ///< Those vertices; empty: none does.
   };
   struct Influence {
     std::uint32_t slot = 0;
@@ -65,6 +64,10 @@ public:
   [[nodiscard]] const std::vector<Slot>& slots() const { return slots_; }
   [[nodiscard]] std::span<const Influence> influencesOf(std::size_t vertex) const {
     return {&influences_[vertices_[vertex].firstInfluence], vertices_[vertex].influences};
+  }
+  /// The moved vertices that follow a slot, in order.
+  [[nodiscard]] std::span<const std::uint32_t> followersOf(std::size_t slot) const {
+    return {followers_.data() + firstFollowers_[slot], firstFollowers_[slot + 1] - firstFollowers_[slot]};
   }
   /// Place of a vertex in its mesh.
   [[nodiscard]] const glm::vec3& placeInMesh(std::size_t vertex) const { return vertices_[vertex].position; }
@@ -108,6 +111,8 @@ private:
   std::vector<NodeIndex> nodes_;
   std::vector<Slot> slots_;
   std::vector<Influence> influences_;
+  std::vector<std::uint32_t> followers_;    // vertices of the first slot, of the second, ...
+  std::vector<std::size_t> firstFollowers_; // by slot, and how many there are
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
   std::size_t movedCount_ = 0;

@@ -370,7 +370,7 @@ private:
       if (ofSlot <= farthest) {
         break; // no lever makes it farther
       }
-      for (const std::uint32_t vertex : surface().slots()[slot].vertices) {
+      for (const std::uint32_t vertex : surface().followersOf(slot)) {
         double bound = 0.0;
         for (const skinning::SurfacePart::Influence& one : surface().influencesOf(vertex)) {
           bound += std::abs(static_cast<double>(one.weight)) * bounds[one.slot];
@@ -396,7 +396,7 @@ private:
   void lookAtEdges(double frame) {
     const double most = std::max(longestEdge, room * trail_.settings.scale);
     double worst = 0.0;
-    for (const std::uint32_t i : look_.surface_->edges.among(to_, most)) {
+    for (const std::uint32_t i : look_.surface_->edges.among(surface(), to_, most)) {
       const auto lengthIn = [&](const skinning::SurfacePart::Posed& posed) {
         const auto [moved, other] = surface().edges()[i];
         return distanceBetween(surface().place(moved, posed), surface().place(other, posed));

@@ -157,7 +157,7 @@ TEST_CASE("Joints rule out most edges of a part, and never one that is long") {
   for (int i = 0; i < 400; ++i) {
     const FrameState frame = posed(scene, poses.next());
     const double times = 1.5 + 9.0 * std::pow(std::abs(poses.any()), 3.0);
-    const std::vector<std::uint32_t> told = edges.among(part.posed(frame), times);
+    const std::vector<std::uint32_t> told = edges.among(part, part.posed(frame), times);
     const std::vector<glm::vec3> all = placesIn(part, frame);
     for (std::uint32_t edge = 0; edge < edges.lengths().size(); ++edge) {
       const auto [moved, other] = part.edges()[edge];
@@ -171,8 +171,8 @@ TEST_CASE("Joints rule out most edges of a part, and never one that is long") {
     }
   }
   CHECK(longOnes > 100);
-  CHECK((weight != 1.0F || edges.among(part.posed(bind), 1.5).empty()));
-  CHECK((weight == 1.0F || edges.among(part.posed(bind), 1.5).size() == part.edges().size()));
+  CHECK((weight != 1.0F || edges.among(part, part.posed(bind), 1.5).empty()));
+  CHECK((weight == 1.0F || edges.among(part, part.posed(bind), 1.5).size() == part.edges().size()));
 }
 
 TEST_CASE("No moved vertex is farther from its place than its joints allow, and the bound is near it") {
@@ -192,7 +192,7 @@ TEST_CASE("No moved vertex is farther from its place than its joints allow, and 
     CHECK(std::ranges::is_sorted(moves, std::greater()));
     double farthest = 0.0;
     for (const auto& [bound, slot] : moves) {
-      for (const std::uint32_t vertex : part.slots()[slot].vertices) {
+      for (const std::uint32_t vertex : part.followersOf(slot)) {
         farthest = std::max(farthest, static_cast<double>(glm::distance(before[vertex], after[vertex])));
       }
       CHECK(farthest <= moves.front().first);
