@@ -31,7 +31,7 @@ inline constexpr int highestQualityLevel = 3;
 
 /// Triangles that a renderer in software poses and draws in a few hundredths of a second; a character that
 /// moves is drawn with about so many.
-inline constexpr std::size_t movingTriangles = 30'000;
+inline constexpr std::size_t movingTriangles = 22'000;
 
 /// Chooses the next level from how long frames take; the shell feeds it one duration for each drawn frame.
 class QualityGovernor {
