@@ -235,12 +235,30 @@ TEST_CASE("What a log says is done is left out, and what failed or was cut off i
        {R"({"line":1,"command":"say one","exit":1})", R"({"line":1,"command":"say one"})",
         R"({"line":1,"command":3,"exit":0})", R"({"line":1,"exit":0})", R"(["say one",0])", "say one"}) {
     CAPTURE(answer);
-    const std::string other = folder.write("other", std::string(answer) + "\n").string();
+    const std::string lines = R"({"line":7,"command":"say seven","exit":0})" + std::string("\n") + answer;
+    const std::string other = folder.write("other", lines + "\n").string();
     CHECK(batch({two, "--resume", other}).output == "done: say one\ndone: say two\n");
-    CHECK(textIn(other).starts_with(std::string(answer) + "\n{")); // without an empty line between
+    CHECK(textIn(other).starts_with(lines + "\n{")); // without an empty line between
   }
   const std::string done = folder.write("done", R"({"line":9,"command":"say one","exit":0})").string();
   CHECK(batch({two, "--resume", done}).output == "done: say two\n");
+}
+
+TEST_CASE("A file that does not begin as a log does is refused, and stays as it is", "[batch-lists]") {
+  const test::TemporaryFolder folder;
+  const std::string list = folder.write("list", "say one\n").string();
+  for (const char* const text : {"say one", "{\"asset\":{}}\n", "glTF", "{\"lines\":1}", "\n"}) {
+    CAPTURE(text);
+    const std::string other = folder.write("other", text).string();
+    const Told told = batch({list, "--resume", other});
+    CHECK(told.exitCode == 1);
+    CHECK_THAT(told.told, Catch::Contains(other + ": holds something else than answers of an earlier run"));
+    CHECK(textIn(other) == text);
+  }
+  for (const char* const text : {"", "{", "{\"line\":", "{\"line\":3"}) { // cut off by a kill
+    CAPTURE(text);
+    CHECK(batch({list, "--resume", folder.write("cut", text).string()}).exitCode == 0);
+  }
 }
 
 TEST_CASE("A list without a command, and a log that keeps nothing, are refused for that", "[batch-lists]") {
