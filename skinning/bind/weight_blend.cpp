@@ -164,6 +164,7 @@ std::vector<JointField> fieldsOf(const std::vector<BoneLine>& lines, const std::
     field.weights.push_back(1.0F);
   }
   std::vector<JointField> all;
+  all.reserve(fields.size());
   for (auto& [joint, field] : fields) {
     all.push_back(std::move(field));
   }
