@@ -88,13 +88,45 @@ Status addComparisons(const CheckArguments& arguments, Json& report) {
     if (!source) {
       return source.error();
     }
-    const Result<std::vector<ClipChange>> worse = worseThanFile(*document, *source);
-    if (!worse) {
-      return worse.error();
+    const Result<FileChanges> changes = worseThanFile(*document, *source);
+    if (!changes) {
+      return changes.error();
     }
-    report["worse"] = changesToJson(*worse);
+    report["worse"] = changesToJson(changes->worse);
+    report["compared_clips"] = changes->compared;
+    report["clips_not_compared"] = {{"in_file", changes->added}, {"in_source", changes->gone}};
   }
   return Success{};
+}
+
+std::string quotedNames(const Json& names) {
+  std::string text;
+  for (const Json& name : names) {
+    text += (text.empty() ? "'" : ", '") + name.get<std::string>() + "'";
+  }
+  return text;
+}
+
+// Tells what is worse than in the file from before, and of which clips this is said.
+void printComparison(const CheckArguments& arguments, const Json& report) {
+  if (!report.contains("worse")) {
+    return;
+  }
+  printChanges(report["worse"]);
+  fmt::print("before {} clips compared: {}; {}\n", report["compared_clips"].size(),
+             quotedNames(report["compared_clips"]),
+             report["worse"].empty() ? "nothing is worse" : fmt::format("{} worse", report["worse"].size()));
+  for (const auto& [list, file] :
+       {std::pair("in_file", &arguments.file), std::pair("in_source", &arguments.before)}) {
+    if (const Json& names = report["clips_not_compared"][list]; !names.empty()) {
+      fmt::print("before not compared, in {} alone: {}\n", *file, quotedNames(names));
+    }
+  }
+}
+
+bool hasProblem(const gltf::Diagnosis& diagnosis, gltf::Severity severity) {
+  return std::ranges::any_of(diagnosis.problems,
+                             [&](const gltf::Problem& problem) { return problem.severity == severity; });
 }
 
 Json diagnosisJson(const gltf::Diagnosis& diagnosis) {
@@ -105,7 +137,10 @@ Json diagnosisJson(const gltf::Diagnosis& diagnosis) {
                     {"what", problem.what},
                     {"remedy", problem.remedy}});
   }
-  return {{"extensions", extensionsJson(diagnosis.extensions)}, {"problems", list}};
+  // Other verbs refuse what breaks the specification, unless --tolerant is given.
+  const bool isRefused =
+      hasProblem(diagnosis, gltf::Severity::error) || hasProblem(diagnosis, gltf::Severity::violation);
+  return {{"extensions", extensionsJson(diagnosis.extensions)}, {"problems", list}, {"refused", isRefused}};
 }
 
 void printDiagnosis(const gltf::Diagnosis& diagnosis) {
@@ -118,18 +153,16 @@ void printDiagnosis(const gltf::Diagnosis& diagnosis) {
                Error{problem.what, problem.where, problem.remedy}.line());
   }
   fmt::print("{} problem{} found\n", problems.size(), problems.size() == 1 ? "" : "s");
-}
-
-bool hasErrors(const gltf::Diagnosis& diagnosis) {
-  return std::ranges::any_of(diagnosis.problems, [](const gltf::Problem& problem) {
-    return problem.severity == gltf::Severity::error;
-  });
+  if (hasProblem(diagnosis, gltf::Severity::violation) && !hasProblem(diagnosis, gltf::Severity::error)) {
+    fmt::print("the other verbs refuse this file as it is: --tolerant takes it as well as it can be read\n");
+  }
 }
 
 Status runCheck(const CheckArguments& arguments) {
   const gltf::Diagnosis diagnosis = gltf::diagnose(arguments.file);
   Json report = diagnosisJson(diagnosis);
-  Status compared = hasErrors(diagnosis) ? Status(Success{}) : addComparisons(arguments, report);
+  Status compared =
+      hasProblem(diagnosis, gltf::Severity::error) ? Status(Success{}) : addComparisons(arguments, report);
   if (!compared) {
     return compared;
   }
@@ -138,7 +171,7 @@ Status runCheck(const CheckArguments& arguments) {
   } else {
     printDiagnosis(diagnosis);
     printForecast(report.value("engines", Json::array()));
-    printChanges(report.value("worse", Json::array()));
+    printComparison(arguments, report);
   }
   const std::vector<gltf::Problem>& problems = diagnosis.problems;
   const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {

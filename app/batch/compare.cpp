@@ -5,6 +5,7 @@
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/base/number.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct CompareArguments {
   std::vector<std::string> words;
+  std::string clip;
   bool flattening = false;
   SettingTexts body;
   skinning::StedSettings sted;
@@ -60,10 +62,23 @@ bool isGltf(const Words& side) {
   return side.size() == 1 && skinning::isGltfFile(side.front());
 }
 
-/// `framesPerSecond` 0: at the rate that the file's own keys suggest.
-Result<MeshSequence> readSide(const Words& side, double framesPerSecond) {
-  return isGltf(side) ? skinning::readAnimatedGltf(side.front(), {}, {}, framesPerSecond)
+/// `clip`: of a glTF, by name or #index. `framesPerSecond` 0: at the rate that the file's own keys suggest.
+Result<MeshSequence> readSide(const Words& side, const std::string& clip, double framesPerSecond) {
+  return isGltf(side) ? skinning::readAnimatedGltf(side.front(), clip, {}, framesPerSecond)
                       : readSequenceWords(side);
+}
+
+/// Oddities of both sides, each with the file that it is about: of several clips which one was taken, too.
+gltf::Json warningsOf(const std::pair<Words, Words>& sides, const MeshSequence& reference,
+                      const MeshSequence& other) {
+  gltf::Json warnings = gltf::Json::array();
+  for (const auto& [side, sequence] :
+       {std::pair(&sides.first, &reference), std::pair(&sides.second, &other)}) {
+    for (const std::string& warning : sequence->warnings) {
+      warnings.push_back(side->front() + ": " + warning);
+    }
+  }
+  return warnings;
 }
 
 gltf::Json flatteningJson(const skinning::Flattening& flattening) {
@@ -104,10 +119,14 @@ Status runCompare(const CompareArguments& arguments) {
   if (!sides) {
     return sides.error();
   }
-  Result<MeshSequence> reference = readSide(sides->first, 0.0);
+  if (!arguments.clip.empty() && !isGltf(sides->first) && !isGltf(sides->second)) {
+    return Error{"neither of the two has clips to choose from", "--clip", "leave it out"};
+  }
+  Result<MeshSequence> reference = readSide(sides->first, arguments.clip, 0.0);
   // Both are looked at on the frames of the reference, whatever keys the other one has.
   const bool hasRate = reference && isGltf(sides->first);
-  Result<MeshSequence> other = readSide(sides->second, hasRate ? reference->framesPerSecond : 0.0);
+  Result<MeshSequence> other =
+      readSide(sides->second, arguments.clip, hasRate ? reference->framesPerSecond : 0.0);
   if (!reference || !other) {
     return reference ? other.error() : reference.error();
   }
@@ -118,6 +137,7 @@ Status runCompare(const CompareArguments& arguments) {
     return metrics.error();
   }
   gltf::Json report = metricsJson(*metrics);
+  report["warnings"] = warningsOf(*sides, *reference, *other);
   if (arguments.flattening) {
     if (Status done = addFlattening(arguments, *reference, *other, report); !done) {
       return done;
@@ -131,6 +151,7 @@ Status runCompare(const CompareArguments& arguments) {
   if (arguments.flattening) {
     printFlattening(report["flattening"]);
   }
+  printWarnings(report["warnings"]);
   return Success{};
 }
 
@@ -167,24 +188,25 @@ void addStedOptions(CommandLine& line, skinning::StedSettings& sted) {
 } // namespace
 
 Verb compareVerb() {
-  return {"compare", "Compares two animated files or sequences with the same topology.",
-          [](CommandLine& line) {
-            const auto arguments = std::make_shared<CompareArguments>();
-            line.examples({"dummy.glb punch.glb"});
-            line.options("FILES", arguments->words,
-                         "The reference and what is compared with it: each an animated glTF, a folder of "
-                         "frames, or BASE CACHE (a mesh and its .pc2 or .mdd)")
-                .required()
-                .takes(2, 4);
-            line.flag("--flattening", arguments->flattening,
-                      "A ran with gravity, B without: how flat A is, and the modulus that explains it");
-            for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
-              addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
-            }
-            addStedOptions(line, arguments->sted);
-            addJson(line, arguments->json);
-            return [arguments] { return runCompare(*arguments); };
-          }};
+  return {
+      "compare", "Compares two animated files or sequences with the same topology.", [](CommandLine& line) {
+        const auto arguments = std::make_shared<CompareArguments>();
+        line.examples({"dummy.glb punch.glb", "dummy.glb punch.glb --clip Guard"});
+        line.options("FILES", arguments->words,
+                     "The reference and what is compared with it: each an animated glTF, a folder of "
+                     "frames, or BASE CACHE (a mesh and its .pc2 or .mdd)")
+            .required()
+            .takes(2, 4);
+        line.option("--clip", arguments->clip, "Name or #index of the clip of each glTF; default: its first");
+        line.flag("--flattening", arguments->flattening,
+                  "A ran with gravity, B without: how flat A is, and the modulus that explains it");
+        for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
+          addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
+        }
+        addStedOptions(line, arguments->sted);
+        addJson(line, arguments->json);
+        return [arguments] { return runCompare(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

@@ -261,22 +261,35 @@ std::vector<ClipChange> worseThanSource(const Document& document,
   return all;
 }
 
-Result<std::vector<ClipChange>> worseThanFile(const Document& result, const Document& source) {
+Result<FileChanges> worseThanFile(const Document& result, const Document& source) {
   if (!sharesLimbs(result, source)) {
     return Error{"is not the file that the other was made from: its limbs have other joints",
                  source.source->path.string(), "name the file that was opened for the edit"};
   }
-  std::vector<ClipChange> all;
+  FileChanges all;
   const std::shared_ptr<const skinning::SurfacePart> before = wholeSurface(*source.scene);
   const std::shared_ptr<const skinning::SurfacePart> after = wholeSurface(*result.scene);
+  std::vector<bool> isCompared(result.clips->size());
   for (int clip = 0; clip < static_cast<int>(source.clips->size()); ++clip) {
-    const int other = clipNamed(result, clipOf(source, clip).name, clip);
-    if (other < 0 || at(other) >= result.clips->size()) {
+    const std::string& name = clipOf(source, clip).name;
+    const int other = clipNamed(result, name, clip);
+    (other < 0 ? all.gone : all.compared).push_back(name);
+    if (other < 0) {
       continue;
     }
+    isCompared[at(other)] = true;
     const std::vector<ClipChange> changes =
         worseThanSource(source, clip, watchedClip(source, clip, before), watchedClip(result, other, after));
-    all.insert(all.end(), changes.begin(), changes.end());
+    all.worse.insert(all.worse.end(), changes.begin(), changes.end());
+  }
+  for (std::size_t clip = 0; clip < isCompared.size(); ++clip) {
+    if (!isCompared[clip]) {
+      all.added.push_back((*result.clips)[clip].name);
+    }
+  }
+  if (all.compared.empty()) {
+    return Error{"has no clip of the same name as one of the other, so nothing can be compared",
+                 source.source->path.string(), "name the file that was opened for the edit"};
   }
   return all;
 }

@@ -48,9 +48,16 @@ struct ClipChange {
 worseThanSource(const Document& document, const std::vector<std::pair<int, std::vector<Track>>>& edited,
                 EvaluationCache& cache);
 
-/// The clips of a file against those of the same name in the file that it was made from. Error: the one is
-/// not made from the other.
-[[nodiscard]] Result<std::vector<ClipChange>> worseThanFile(const Document& result, const Document& source);
+/// Clips of a file against those of the same name in the file that it was made from.
+struct FileChanges {
+  std::vector<ClipChange> worse;
+  std::vector<std::string> compared; ///< Names of the clips that both files have.
+  std::vector<std::string> added;    ///< Names of clips of the result alone: not compared.
+  std::vector<std::string> gone;     ///< Likewise of the source alone.
+};
+
+/// Compares the clips of two files. Error: the one is not made from the other; no clip is in both.
+[[nodiscard]] Result<FileChanges> worseThanFile(const Document& result, const Document& source);
 
 [[nodiscard]] gltf::Json changesToJson(const std::vector<ClipChange>& changes);
 /// Prints them as lines of text.

@@ -89,7 +89,7 @@ TEST_CASE("Options of a verb stand under the headings of what they are about") {
   auto compare = optionsByHeading("compare");
   CHECK(compare["Flattening"] == Options{"gravity", "mass", "metres-per-unit"});
   CHECK(compare["STED"] == Options{"sted-rings", "sted-window", "sted-dt", "sted-c"});
-  CHECK(compare["Options"] == Options{"help", "flattening", "json", "json-line"});
+  CHECK(compare["Options"] == Options{"help", "clip", "flattening", "json", "json-line"});
 }
 
 TEST_CASE("The help of a setting tells its choices, its unit and its default") {

@@ -84,9 +84,9 @@ Document standing() {
 }
 
 std::vector<ClipChange> worse(const Document& result, const Document& source) {
-  const Result<std::vector<ClipChange>> changes = worseThanFile(result, source);
+  const Result<FileChanges> changes = worseThanFile(result, source);
   REQUIRE(changes);
-  return *changes;
+  return changes->worse;
 }
 
 std::optional<ClipChange> told(const std::vector<ClipChange>& changes, const std::string& id,
@@ -199,7 +199,7 @@ TEST_CASE("A file whose limbs have other joints is refused by its name") {
   Scene scene = *source.scene;
   scene.nodes[at(source.body.limbs.back().joints.back())].name = "Other";
   other.scene = std::make_shared<const Scene>(std::move(scene));
-  const Result<std::vector<ClipChange>> changes = worseThanFile(other, source);
+  const Result<FileChanges> changes = worseThanFile(other, source);
   REQUIRE_FALSE(changes);
   CHECK_THAT(changes.error().line(),
              Catch::Contains("is not the file that the other was made from") && Catch::Contains("dummy.glb"));

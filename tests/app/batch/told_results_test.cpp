@@ -1,0 +1,99 @@
+// What a verb did is told, also where it did less than a reader may take for granted.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "core/base/file.h"
+#include "core/gltf/json/json.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/core/foreign_text.h"
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/skinning/obj_frames.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::runVerb;
+using test::TemporaryFolder;
+
+namespace {
+
+const std::string dummyFile = test::posedCharacter;
+const std::string swingFile = STRETCH_SOURCE_DIR "/assets/dummy_swing.glb";
+
+/// The bundled character whose second clip, Guard, is stretched.
+std::string stretchedGuardIn(const TemporaryFolder& folder) {
+  std::string file = (folder / "guard.glb").string();
+  REQUIRE(
+      runVerb({"exaggerate", dummyFile, "-o", file, "--limb", "left-arm", "--scale", "3", "--clip", "Guard"})
+          .exitCode == 0);
+  return file;
+}
+
+Json jsonOf(std::vector<std::string> words, int exitCode = 0) {
+  words.emplace_back("--json");
+  const test::VerbAnswer answer = runVerb(words);
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == exitCode);
+  return Json::parse(answer.output);
+}
+
+} // namespace
+
+TEST_CASE("compare looks at the clip that is named, and says which of several it took", "[compare]") {
+  const TemporaryFolder folder;
+  const std::string guard = stretchedGuardIn(folder);
+  const Json first = jsonOf({"compare", dummyFile, guard});
+  CHECK(first["rmse_percent"].get<double>() < 1e-3);
+  REQUIRE(first["warnings"].size() == 2);
+  CHECK(first["warnings"][0] == dummyFile + ": the first of 2 clips was taken, 'One-two punch'");
+  CHECK_THAT(runVerb({"compare", dummyFile, guard}).told,
+             Catch::Contains("warning: " + guard + ": the first of 2 clips was taken"));
+  for (const char* const name : {"Guard", "#1"}) {
+    const Json named = jsonOf({"compare", dummyFile, guard, "--clip", name});
+    CHECK(named["rmse_percent"].get<double>() > 0.5);
+    CHECK(named["warnings"].empty());
+  }
+  const test::VerbAnswer missing = runVerb({"compare", dummyFile, guard, "--clip", "Kick"});
+  CHECK(missing.exitCode == 1);
+  CHECK_THAT(missing.told, Catch::Contains("Kick"));
+}
+
+TEST_CASE("check --before says which clips it compared, and refuses where there is none", "[check]") {
+  const TemporaryFolder folder;
+  const std::string guard = stretchedGuardIn(folder);
+  const Json report = jsonOf({"check", guard, "--before", dummyFile});
+  CHECK(report["compared_clips"] == Json{"One-two punch", "Guard"});
+  CHECK(report["clips_not_compared"]["in_file"].empty());
+  CHECK_THAT(runVerb({"check", guard, "--before", dummyFile}).output,
+             Catch::Contains("before 2 clips compared: 'One-two punch', 'Guard'; "));
+  const std::string more = (folder / "more.glb").string();
+  REQUIRE(runVerb({"import-clip", dummyFile, "-o", more, "--from", swingFile, "--name", "Swing"}).exitCode ==
+          0);
+  const Json added = jsonOf({"check", more, "--before", dummyFile});
+  CHECK(added["clips_not_compared"] == Json{{"in_file", {"Swing"}}, {"in_source", Json::array()}});
+  const test::VerbAnswer swapped = runVerb({"check", dummyFile, "--before", more});
+  CHECK(swapped.exitCode == 0);
+  CHECK_THAT(swapped.output, Catch::Contains("before not compared, in " + more + " alone: 'Swing'"));
+  const test::VerbAnswer other = runVerb({"check", swingFile, "--before", dummyFile});
+  CHECK(other.exitCode == 1);
+  CHECK_THAT(other.told, Catch::Contains("has no clip of the same name as one of the other"));
+}
+
+TEST_CASE("check says of a file that the other verbs refuse that they do", "[check]") {
+  const TemporaryFolder folder;
+  Json json = Json::parse(R"({"asset": {"version": "2.0"}, "nodes": [{"rotation": [0, 0, 0, 2]}],
+                              "scenes": [{"nodes": [0]}]})");
+  const std::string file = folder.write("turned.gltf", json.dump()).string();
+  REQUIRE(runVerb({"info", file}).exitCode == 1);
+  const test::VerbAnswer words = runVerb({"check", file});
+  CHECK(words.exitCode == 0);
+  CHECK_THAT(words.output,
+             Catch::Contains("the other verbs refuse this file") && Catch::Contains("--tolerant"));
+  CHECK(jsonOf({"check", file})["refused"] == true);
+  CHECK(jsonOf({"check", dummyFile})["refused"] == false);
+  CHECK_THAT(runVerb({"check", dummyFile}).output, !Catch::Contains("refuse"));
+}
