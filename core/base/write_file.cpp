@@ -12,6 +12,7 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/file.h"
+#include "core/base/file_series.h"
 
 namespace stretch {
 
@@ -33,11 +34,11 @@ fs::path folderOfFile(const fs::path& path) {
 }
 
 // A name beside the file that no other program and no other thread has. Names of a fixed length: the file's
-// own may be as long as the system allows.
+// own may be as long as the system allows. Names are tried from number `first` on.
 template <typename Make>
-fs::path makeUnique(const fs::path& target, const char* beginning, Make&& make) {
-  constexpr int mostTries = 10000;
-  for (int i = 0; i < mostTries; ++i) {
+fs::path makeUnique(const fs::path& target, const char* beginning, std::size_t first, Make&& make) {
+  constexpr std::size_t mostTries = 10000;
+  for (std::size_t i = first; i < first + mostTries; ++i) {
     fs::path name = folderOfFile(target) / fmt::format("{}{}-{}.tmp", beginning, ::getpid(), i);
     errno = 0;
     if (make(name)) {
@@ -119,7 +120,7 @@ public:
   Status write(const fs::path& target, std::span<const std::span<const std::uint8_t>> pieces) {
     Step step;
     step.target = target;
-    step.temporary = makeUnique(target, partName, [&](const fs::path& name) {
+    step.temporary = makeUnique(target, partName, steps_.size(), [&](const fs::path& name) {
       step.part = newPart(name);
       return step.part.number() >= 0;
     });
@@ -135,11 +136,14 @@ public:
     return done ? Status(Success{}) : Status(cannotWrite(target, reasonOf(errno)));
   }
 
+  // Of what was written last; whoever holds another lock against removeLeftParts may give it up.
+  void unlockLast() { steps_.back().part.close(); }
+
   // All into their places. The last one needs no way back: with it the save is done.
   Status moveIntoPlace() {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       Step& step = steps_[i];
-      if (i + 1 < steps_.size() && !setAside(step)) {
+      if (i + 1 < steps_.size() && !setAside(step, i)) {
         return cannotWrite(step.target, reasonOf(errno));
       }
       if (::rename(step.temporary.c_str(), step.target.c_str()) != 0) {
@@ -193,12 +197,12 @@ private:
   }
 
   // A second name for the old content, or a copy where the disk knows no second names.
-  static bool setAside(Step& step) {
+  static bool setAside(Step& step, std::size_t number) {
     std::error_code failure;
     if (!fs::exists(step.target, failure)) {
       return true;
     }
-    step.old = makeUnique(step.target, ".stretch-engine-", [&](const fs::path& name) {
+    step.old = makeUnique(step.target, ".stretch-engine-", number, [&](const fs::path& name) {
       if (::link(step.target.c_str(), name.c_str()) == 0 || errno == EEXIST) {
         return errno != EEXIST;
       }
@@ -246,25 +250,34 @@ struct Content {
   std::vector<std::span<const std::uint8_t>> pieces;
 };
 
+// Another file may stand in the way of one, and a link leads to where it is written.
+Status checkTarget(const fs::path& path, const fs::path& target) {
+  std::error_code ignored;
+  const fs::file_status before = fs::status(target, ignored);
+  if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
+    return Error{"is not a regular file", path.string(), "choose another name"};
+  }
+  if (isProtected(target)) {
+    return Error{"is write-protected", path.string(), "take the protection away, or choose another name"};
+  }
+  return Success{};
+}
+
+Status writePart(Replacement& replacement, const Content& content) {
+  const fs::path target = withoutLinks(content.path);
+  const Status free = checkTarget(content.path, target);
+  return free ? replacement.write(target, content.pieces) : free;
+}
+
 Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
   Replacement replacement;
   for (const Content& content : contents) {
-    const fs::path target = withoutLinks(content.path);
     if (folder == MissingFolder::isMade) {
-      if (Status made = replacement.makeFolders(target.parent_path()); !made) {
+      if (Status made = replacement.makeFolders(withoutLinks(content.path).parent_path()); !made) {
         return made;
       }
     }
-    std::error_code ignored;
-    const fs::file_status before = fs::status(target, ignored);
-    if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
-      return Error{"is not a regular file", content.path.string(), "choose another name"};
-    }
-    if (isProtected(target)) {
-      return Error{"is write-protected", content.path.string(),
-                   "take the protection away, or choose another name"};
-    }
-    if (Status written = replacement.write(target, content.pieces); !written) {
+    if (Status written = writePart(replacement, content); !written) {
       return written;
     }
   }
@@ -274,10 +287,66 @@ Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
   return contents.empty() ? Status(Success{}) : replacement.keep();
 }
 
+// A folder with a lock on it; where none is given, errno says why.
+Descriptor lockedFolder(const fs::path& folder, int kind) {
+  Descriptor open(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (open.number() >= 0 && ::flock(open.number(), kind) != 0) {
+    const int reason = errno;
+    open.close();
+    errno = reason;
+  }
+  return open;
+}
+
 } // namespace
+
+struct FileSeries::Parts {
+  Descriptor folder; ///< Its lock keeps removeLeftParts away: so many files cannot hold one each.
+  Replacement replacement;
+};
+
+FileSeries::FileSeries(const fs::path& folder) : parts_(std::make_unique<Parts>()) {
+  removeLeftParts(folder);
+  parts_->folder = lockedFolder(folder, LOCK_SH);
+}
+FileSeries::FileSeries(FileSeries&&) noexcept = default;
+FileSeries::~FileSeries() = default;
+
+Status FileSeries::add(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  Status written = writePart(parts_->replacement, {path, {bytes}});
+  if (written && parts_->folder.number() >= 0) {
+    parts_->replacement.unlockLast();
+  }
+  return written;
+}
+
+Status FileSeries::finish() {
+  const Status moved = parts_->replacement.moveIntoPlace();
+  return moved ? parts_->replacement.keep() : moved;
+}
+
+Status checkPlace(const fs::path& path) {
+  const fs::path target = withoutLinks(path);
+  const fs::path folder = folderOfFile(target);
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    return Error{"there is no such folder", folder.string(), "make it, or save elsewhere"};
+  }
+  if (fs::is_directory(target, ignored)) {
+    return Error{"is a folder", path.string(), "choose another name"};
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    return cannotWrite(path, reasonOf(errno));
+  }
+  return checkTarget(path, target);
+}
 
 void removeLeftParts(const fs::path& folder) {
   std::error_code failure;
+  const Descriptor held(lockedFolder(folder, LOCK_EX | LOCK_NB));
+  if (held.number() < 0 && errno == EWOULDBLOCK) {
+    return; // a series is being written: the parts of others are taken away the next time
+  }
   for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
     const fs::path& path = entry->path();

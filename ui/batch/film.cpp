@@ -8,7 +8,10 @@
 #include <fmt/core.h>
 
 #include "app/reference/reference_edits.h"
+#include "app/schema/parse_text.h"
+#include "core/anim/frames.h"
 #include "core/base/file.h"
+#include "core/base/file_series.h"
 #include "ui/render/picture/image_edits.h"
 
 namespace stretch::ui {
@@ -16,14 +19,6 @@ namespace stretch::ui {
 namespace {
 
 constexpr int gap = 2; // pixels between two sides
-
-std::filesystem::path numbered(const std::filesystem::path& path, double frame) {
-  std::filesystem::path name = path;
-  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame))
-                                                        : fmt::format("{:08.3f}", frame);
-  name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
-  return name;
-}
 
 // Draws some pictures of a side into their place on the whole ones.
 Status drawPart(const FilmSide& side, const PictureOptions& options, const Box& shown, std::size_t begin,
@@ -76,6 +71,53 @@ Status drawBeside(const Film& film, const PictureOptions& options,
 
 } // namespace
 
+std::filesystem::path numberedName(const std::filesystem::path& path, double frame) {
+  std::filesystem::path name = path;
+  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame))
+                                                        : fmt::format("{:08.3f}", frame);
+  name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
+  return name;
+}
+
+Result<std::vector<double>> parseFrames(const std::string& text) {
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+  const Result<Vec2> range = app::parseRange(text.substr(0, second), "--frames");
+  if (!range) {
+    return range.error();
+  }
+  const Result<double> step = second == std::string::npos
+                                  ? Result<double>(1.0)
+                                  : app::parseNumber(text.substr(second + 1), "--frames");
+  if (!step || *step <= 0.0) {
+    return Error{"the step has to be above 0", "--frames", "give A:B:STEP, such as 0:60:5"};
+  }
+  constexpr double mostPictures = 100000.0;
+  const double count = std::floor((range->y - range->x) / *step + 1e-9);
+  if (count > mostPictures) {
+    return Error{fmt::format("{:.0f} pictures are too many", count + 1.0), "--frames",
+                 "give a larger step: 100000 pictures at most"};
+  }
+  std::vector<double> frames;
+  for (double i = 0.0; i <= count; i += 1.0) {
+    frames.push_back(range->x + i * *step);
+  }
+  return frames;
+}
+
+Status checkFrames(const app::Document& document, int clip, const std::vector<double>& frames) {
+  if (clip < 0) {
+    return Success{};
+  }
+  const Clip& shown = app::clipOf(document, clip);
+  const double last = std::max(lastFrame(shown), endInFrames(shown));
+  const auto outside =
+      std::ranges::find_if(frames, [&](double frame) { return !(frame >= 0.0 && frame <= last + 1e-6); });
+  return outside == frames.end() ? Status(Success{})
+                                 : Status(Error{fmt::format("there is no frame {:g}", *outside), shown.name,
+                                                fmt::format("give frames from 0 to {:g}", last)});
+}
+
 Result<std::optional<FilmSound>> filmSoundOf(const app::Document& document, int clip,
                                              const std::vector<double>& frames) {
   const app::ReferenceSound sound = app::referenceOf(document, clip).sound;
@@ -100,6 +142,7 @@ Status drawFilm(const Film& film, const PictureOptions& options,
 Status writeFilm(const Film& film, const PictureOptions& options, const std::filesystem::path& path,
                  const FilmProgress& progress) {
   std::optional<VideoWriter> video;
+  std::optional<FileSeries> series;
   if (isVideoName(path)) {
     Result<VideoWriter> opened = VideoWriter::open(
         {path, options.widthPixels, options.heightPixels, film.framesPerSecond, film.sound});
@@ -108,17 +151,21 @@ Status writeFilm(const Film& film, const PictureOptions& options, const std::fil
     }
     video.emplace(std::move(opened).value());
   } else {
-    removeLeftParts(path.parent_path());
+    series.emplace(path.parent_path());
   }
   const auto count = static_cast<double>(film.frames.size());
   Status drawn = drawFilm(film, options, [&](std::size_t index, const Image& picture) {
     if (progress && !progress(static_cast<double>(index) / count)) {
       return Status(Error{"was stopped", path.string(), "start it again"});
     }
-    return video ? video->add(picture) : writePng(numbered(path, film.frames[index]), picture);
+    if (video) {
+      return video->add(picture);
+    }
+    const Result<Bytes> png = encodePng(picture);
+    return png ? series->add(numberedName(path, film.frames[index]), *png) : Status(png.error());
   });
-  if (drawn && video) {
-    drawn = video->finish();
+  if (drawn) {
+    drawn = video ? video->finish() : series->finish();
   }
   if (progress) {
     progress(1.0);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/document.h"
@@ -35,10 +36,20 @@ struct Film {
 [[nodiscard]] Status drawFilm(const Film& film, const PictureOptions& options,
                               const std::function<Status(std::size_t, const Image&)>& keep);
 
+/// Frames of "A:B" or "A:B:STEP", of which there are 100001 at most.
+[[nodiscard]] Result<std::vector<double>> parseFrames(const std::string& text);
+
+/// Refuses frames that the clip does not have. `clip` < 0: nothing moves, and any frame shows the same.
+[[nodiscard]] Status checkFrames(const app::Document& document, int clip, const std::vector<double>& frames);
+
+/// The name of one picture of a series: "punch-0012.png".
+[[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& path, double frame);
+
 /// `share` is told before each picture, 0 to 1; the work ends with an error where it answers false.
 using FilmProgress = std::function<bool(double share)>;
 
-/// Writes it as a video (.mp4, .webm, .gif), or as numbered pictures (.png): "punch-0012.png".
+/// Writes it as a video (.mp4, .webm, .gif), or as numbered pictures (.png): "punch-0012.png". Where it fails
+/// or is stopped nothing is left.
 [[nodiscard]] Status writeFilm(const Film& film, const PictureOptions& options,
                                const std::filesystem::path& path, const FilmProgress& progress);
 

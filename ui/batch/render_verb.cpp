@@ -20,6 +20,7 @@
 #include "app/sequence/open_any.h"
 #include "core/anim/frames.h"
 #include "core/base/file.h"
+#include "core/base/file_series.h"
 #include "core/gltf/json/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/film.h"
@@ -94,33 +95,6 @@ Result<ViewDirection> parseView(const std::string& text) {
   return Error{"there is no view '" + text + "'", "--view", "give front, side, top, three-quarter or best"};
 }
 
-// "A:B" or "A:B:STEP".
-Result<std::vector<double>> parseFrames(const std::string& text) {
-  const std::size_t first = text.find(':');
-  const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
-  const Result<Vec2> range = app::parseRange(text.substr(0, second), "--frames");
-  if (!range) {
-    return range.error();
-  }
-  const Result<double> step = second == std::string::npos
-                                  ? Result<double>(1.0)
-                                  : app::parseNumber(text.substr(second + 1), "--frames");
-  if (!step || *step <= 0.0) {
-    return Error{"the step has to be above 0", "--frames", "give A:B:STEP, such as 0:60:5"};
-  }
-  constexpr double mostPictures = 100000.0;
-  const double count = std::floor((range->y - range->x) / *step + 1e-9);
-  if (count > mostPictures) {
-    return Error{fmt::format("{:.0f} pictures are too many", count + 1.0), "--frames",
-                 "give a larger step: 100000 pictures at most"};
-  }
-  std::vector<double> frames;
-  for (double i = 0.0; i <= count; i += 1.0) {
-    frames.push_back(range->x + i * *step);
-  }
-  return frames;
-}
-
 /// `lastFrame` of what is drawn; < 0: nothing moves.
 Result<std::vector<double>> framesOf(const RenderArguments& arguments, double lastFrame) {
   if (!arguments.frames.empty()) {
@@ -171,6 +145,11 @@ Status draw(const RenderArguments& arguments, const Film& film, const PictureOpt
     return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
   }
   if (!arguments.video.empty()) {
+    if (std::filesystem::path(arguments.video).extension() != ".gif" &&
+        (options.widthPixels % 2 != 0 || options.heightPixels % 2 != 0)) {
+      fmt::print(stderr, "warning: a video is of even sizes: a line of pixels is added to {}x{}\n",
+                 options.widthPixels, options.heightPixels);
+    }
     return writeFilm(film, options, arguments.video, app::terminalProgress("drawing"));
   }
   if (film.frames.size() == 1 && arguments.frames.empty()) {
@@ -454,6 +433,9 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!frames) {
     return frames.error();
   }
+  if (Status there = checkFrames(*document, clip, *frames); !there) {
+    return there;
+  }
   const Result<CharacterLook> look = lookOf(arguments, *document, clip, frames->size());
   if (!look) {
     return look.error();
@@ -485,6 +467,24 @@ Status renderCharacter(const RenderArguments& arguments) {
   return draw(arguments, film, *options);
 }
 
+/// Whether what is to be written can be, before anything is drawn.
+Status checkPlaces(const RenderArguments& arguments) {
+  if (const Result<PictureOptions> options = optionsOf(arguments); !options) {
+    return options.error();
+  }
+  const std::filesystem::path target = arguments.video.empty() ? arguments.output : arguments.video;
+  Status free = checkPlace(target);
+  if (arguments.frames.empty() || arguments.sheet || arguments.stages || !arguments.video.empty()) {
+    return free;
+  }
+  const Result<std::vector<double>> frames = parseFrames(arguments.frames);
+  free = frames ? Status(Success{}) : Status(frames.error());
+  for (std::size_t i = 0; free && i < frames->size(); ++i) {
+    free = checkPlace(numberedName(target, (*frames)[i]));
+  }
+  return free;
+}
+
 /// What no option can say by itself.
 Status checkTogether(const RenderArguments& arguments) {
   if (arguments.sheet && (!arguments.video.empty() || !arguments.beside.empty())) {
@@ -497,8 +497,10 @@ Status checkTogether(const RenderArguments& arguments) {
 }
 
 Status runRender(RenderArguments arguments) {
-  if (Status sound = checkTogether(arguments); !sound) {
-    return sound;
+  for (const auto check : {checkTogether, checkPlaces}) {
+    if (Status sound = check(arguments); !sound) {
+      return sound;
+    }
   }
   if (app::namesSequence({arguments.files.begin(), arguments.files.end()}) || asksForSequence(arguments)) {
     return renderSequence(arguments);
@@ -549,7 +551,7 @@ app::Verb renderVerb() {
             line.requireOne(output, video);
             app::addClipArguments(line, arguments->input);
             const app::DeclaredOption frame =
-                line.option("--frame", arguments->frame, "One frame; default: 0");
+                line.option("--frame", arguments->frame, "One frame; default: 0").excludes(video);
             line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
             line.option("--beside", arguments->beside,
                         "Another file with the clip, such as the source, drawn on the left");
