@@ -11,6 +11,7 @@
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/base/file.h"
+#include "core/base/file_series.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
 #include "skinning/body/given_skeleton.h"
@@ -90,7 +91,7 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
   const skinning::FrameStream open = skinning::streamOf(skinned, quantise, skinning::StreamCourses::all);
   const skinning::FrameStream& stream = arguments.openStream ? open : changing;
   std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
+  std::filesystem::create_directory(folder, problem);
   if (problem) {
     return Error{"the folder cannot be made", arguments.stream, problem.message()};
   }
@@ -107,7 +108,25 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
   return Success{};
 }
 
-/// No file that is written is one that is read, or another one that is written.
+/// The folder of a stream is made, the one that it is to stand in is not.
+Status checkStream(const std::string& folder, const std::vector<std::string>& read) {
+  std::error_code missing;
+  if (folder.empty() || !std::filesystem::exists(folder, missing)) {
+    return folder.empty() ? Status(Success{}) : checkPlace(folder);
+  }
+  if (!std::filesystem::is_directory(folder, missing)) {
+    return Error{"the folder cannot be made", folder, "there is a file of that name: choose another"};
+  }
+  for (const char* const name : {"base.glb", "frames.bin"}) {
+    const std::string file = (std::filesystem::path(folder) / name).string();
+    if (Status apart = checkOutput({file, false, {}}, read); !apart) {
+      return apart;
+    }
+  }
+  return Success{};
+}
+
+/// No file that is written is one that is read, or another one that is written, and all of them can be.
 Status checkPlaces(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
@@ -116,7 +135,10 @@ Status checkPlaces(const CompressArguments& arguments) {
     return apart;
   }
   read.push_back(arguments.output.path);
-  return checkOutput({arguments.table}, read);
+  if (Status apart = checkOutput({arguments.table, false, {}}, read); !apart) {
+    return apart;
+  }
+  return checkStream(arguments.stream, read);
 }
 
 Status compressSequence(const CompressArguments& arguments, const skinning::CompressSettings& settings,
@@ -261,7 +283,7 @@ Verb compressVerb() {
         line.options("SEQUENCE", arguments->sequence, std::string("A mesh sequence: ") + sequenceWords)
             .required()
             .takes(1, 2);
-        addOutputFile(line, arguments->output, "The .glb to write");
+        addOutputFile(line, arguments->output, "The .glb or .gltf to write");
         addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
         addSettingOptions(line, clipSchema(), arguments->encoding, "Clip");
         line.option("--skeleton", arguments->skeleton,

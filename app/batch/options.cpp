@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "app/edits/body/limb_edits.h"
@@ -17,10 +18,13 @@
 #include "app/sequence/open_any.h"
 #include "core/anim/frames.h"
 #include "core/base/file.h"
+#include "core/base/file_series.h"
+#include "core/base/lower_case.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
 #include "rig/body/locators/locator_plans.h"
 #include "rig/plan/body_plan.h"
+#include "skinning/sequence/mesh_file.h"
 
 namespace stretch::app {
 
@@ -88,12 +92,26 @@ void addOutputFile(CommandLine& line, OutputFile& output, const std::string& hel
 Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs) {
   std::error_code missing; // a file that is not there yet is none of the others
   const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-    return std::filesystem::equivalent(input, output.path, missing);
+    return (!input.empty() && input == output.path) ||
+           std::filesystem::equivalent(input, output.path, missing);
   });
   if (isRead && !output.inPlace) {
     return Error{"is read and would be written over", output.path, "name another file, or add --in-place"};
   }
-  return Success{};
+  if (output.path.empty()) {
+    return Success{};
+  }
+  const auto endingOf = [](const std::string& path) {
+    return lowerCase(std::filesystem::path(path).extension().string());
+  };
+  const std::string ending = endingOf(output.path);
+  const bool staysAvatar =
+      (ending == ".vrm" || ending == ".vrma") && !inputs.empty() && endingOf(inputs.front()) == ending;
+  if (!output.endings.empty() && !staysAvatar && std::ranges::count(output.endings, ending) == 0) {
+    return Error{fmt::format("an output has to end in {}", fmt::join(output.endings, " or ")), output.path,
+                 "give it such a name"};
+  }
+  return checkPlace(output.path);
 }
 
 void JsonOutput::print(const gltf::Json& report) const {
@@ -113,8 +131,13 @@ bool isSequence(const std::string& file) {
 
 Result<Document> openDocument(const FileArguments& arguments) {
   if (isSequence(arguments.file)) {
-    return Error{"is a sequence of meshes, no character with joints", arguments.file,
-                 "make a skinned clip of it by compress, and give that"};
+    const bool isMesh = skinning::isMeshFile(arguments.file);
+    return Error{
+        isMesh ? "is read as a frame of a sequence of meshes, and not as a character"
+               : "is a sequence of meshes, no character with joints",
+        arguments.file,
+        isMesh ? "save the mesh as .glb, or make a skinned clip of its sequence by compress, and give that"
+               : "make a skinned clip of it by compress, and give that"};
   }
   Result<Document> document =
       openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse,

@@ -81,7 +81,9 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
 }
 
 Status runRig(const RigArguments& arguments) {
-  if (Status apart = checkOutput(arguments.output, {arguments.input.file, arguments.locators}); !apart) {
+  OutputFile output = arguments.output;
+  output.endings = arguments.locatorsOnly ? std::vector<std::string>{".json"} : output.endings;
+  if (Status apart = checkOutput(output, {arguments.input.file, arguments.locators}); !apart) {
     return apart;
   }
   const Result<Document> document = openDocument(arguments.input);

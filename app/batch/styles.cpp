@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
@@ -20,7 +19,7 @@ struct StylesArguments {
   std::string style;
   FileArguments taken; ///< File whose clip a style is taken from; empty: none.
   std::string name;
-  OutputFile output;
+  OutputFile output{.endings = {".json"}};
   JsonOutput json;
 };
 
@@ -67,9 +66,6 @@ Status runStyles(const StylesArguments& arguments) {
   if (arguments.taken.file.empty() && !(arguments.name.empty() && arguments.taken.clip.empty())) {
     return Error{"says how a style is taken", arguments.name.empty() ? "--clip" : "--name",
                  "give --take as well"};
-  }
-  if (!arguments.output.path.empty() && std::filesystem::path(arguments.output.path).extension() != ".json") {
-    return Error{"is no name for a style", arguments.output.path, "let it end in .json"};
   }
   if (Status apart = checkOutput(arguments.output, {arguments.style, arguments.taken.file}); !apart) {
     return apart;

@@ -137,5 +137,5 @@ TEST_CASE("The verb of styles refuses what it cannot do together, and names that
   CHECK_THAT(refused({"--style", "Subtle", "--clip", "Punch"}),
              Catch::Contains("--clip: says how a style is taken; give --take as well"));
   CHECK_THAT(refused({"--style", "Subtle", "-o", "a.txt"}),
-             Catch::Contains("a.txt: is no name for a style; let it end in .json"));
+             Catch::Contains("a.txt: an output has to end in .json; give it such a name"));
 }

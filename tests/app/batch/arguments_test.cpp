@@ -157,7 +157,7 @@ std::vector<RefusedLine> refusedExaggerations(const std::string& out, const std:
       {{"exaggerate", dummy, "-o", out, "--auto", "--loops"}, "is found by --auto itself", 2},
       {{"styles", "--style", "Subtle", "--name", "Mine", "-o", styleOut},
        "--name: says how a style is taken"},
-      {{"styles", "--style", "Subtle", "-o", out}, "is no name for a style"},
+      {{"styles", "--style", "Subtle", "-o", out}, "an output has to end in .json"},
       {{"exaggerate", dummy, "-o", out, "--auto", "--style", "anime"}, "names no style, or several"},
       {{"exaggerate", dummy, "-o", out, "--auto", "--style-arm", "0.5"}, "do not rise"},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--influences", "4"},
@@ -392,6 +392,8 @@ std::vector<RefusedLine> refusedPoses(const std::string& out, const std::string&
       {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-range", "4:9"},
        "the range 4:9 does not hold frame 0"},
       {{"pose", dummy, "-o", out, "--pose", trails}, "is missing"},
+      {{"import-clip", dummy, "-o", out, "--from", std::string(dummy) + "#Guard", "--from-clip", "#0"},
+       "names a clip beside the one of --from"},
       {{"pose", dummy, "-o", out, "--recipe", trails}, "holds no adjustments, pins, grips or props"},
   };
 }
@@ -433,8 +435,8 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
       {{"bind", dummy, "-o", out}, "the file has a skeleton already; bind to it with --keep-joints"},
       {{"bind", dummy, "-o", out, "--keep-joints", "--locators", moduli}, "joints are either kept or made"},
       {{"compare", tube, tube, tube}, "two are compared, 3 were named"},
-      {{"compress", tube, "-o", out, "--bones", "3", "--stream", moduli + "/frames"},
-       "the folder cannot be made"},
+      {{"compare", tube, tube, "--clip", "#1"}, "neither of the two has clips to choose from"},
+      {{"compress", tube, "-o", out, "--bones", "3", "--stream", moduli}, "the folder cannot be made"},
       {{"compress", tube, "-o", out, "--moduli", moduli, "--tolerance", "1"},
        "it names segments of a number of bones that is not known"},
       {{"compress", tube, "-o", out, "--moduli", moduli, "--bones", "3"},

@@ -1,4 +1,4 @@
-// Every option of every verb does something: one command line with it and one without give another answer. A
+// Every option of every verb does something: a command line with it and one without give another answer. A
 // table has a row for each option that a verb's help lists; an option without a row fails.
 #include <algorithm>
 #include <filesystem>
@@ -216,8 +216,7 @@ void addSequences(const TemporaryFolder& inputs) {
   inputs.write("moduli.json", R"({"segments": [{"from": 0, "to": 0, "young": 5000}]})");
 }
 
-/// The rows that every verb has which reads a character and writes one. `own`: the words that it needs
-/// besides.
+/// Rows of every verb that reads a character and writes one. `own`: the words that it needs besides.
 std::vector<OptionRow> fileRows(const std::string& file, const std::string& copy, const std::string& own) {
   const std::string in = "IN/" + file + ' ' + own;
   const std::string onCopy = "IN/" + copy + " -o IN/" + copy + ' ' + own;
@@ -450,14 +449,16 @@ TEST_CASE("Every option of import-clip and resave changes the file that they wri
 TEST_CASE("Every option of rig changes what it writes") {
   const TemporaryFolder inputs;
   addPerson(inputs);
-  checkTable({"rig", "--json",
-              joinedRows(fileRows("person.gltf", "copy.gltf", "--locators IN/places.json"),
-                         rowsBehind("IN/person.gltf -o OUT/out.glb",
-                                    joinedRows({{"--locators", "", "--locators IN/places.json"},
-                                                {"--plan", "--plan worm", "--plan biped"},
-                                                {"--locators-only", "", "--locators-only"}},
-                                               rowsBehind("--locators IN/places.json", reportRows))))},
-             inputs);
+  checkTable(
+      {"rig", "--json",
+       joinedRows(fileRows("person.gltf", "copy.gltf", "--locators IN/places.json"),
+                  joinedRows({{"--locators-only", "IN/person.gltf -o OUT/out.glb",
+                               "IN/person.gltf -o OUT/out.json --locators-only"}},
+                             rowsBehind("IN/person.gltf -o OUT/out.glb",
+                                        joinedRows({{"--locators", "", "--locators IN/places.json"},
+                                                    {"--plan", "--plan worm", "--plan biped"}},
+                                                   rowsBehind("--locators IN/places.json", reportRows)))))},
+      inputs);
 }
 
 TEST_CASE("Every option of bind changes what it writes") {
@@ -540,9 +541,10 @@ TEST_CASE("Every option of compare and flatten changes what they tell") {
   const TemporaryFolder inputs;
   addSequences(inputs);
   const std::string pair = "IN/tube IN/free";
+  const std::string twice = fmt::format("{0} {0}", test::posedCharacter);
   checkTable(
       {"compare", "--json",
-       joinedRows({{"FILES", "IN/tube IN/tube", pair}},
+       joinedRows({{"FILES", "IN/tube IN/tube", pair}, {"--clip", twice, twice + " --clip Guard"}},
                   rowsBehind(pair, joinedRows({{"--flattening", "", "--flattening"},
                                                {"--gravity", "--flattening", "--flattening --gravity 0,-5,0"},
                                                {"--mass", "--flattening", "--flattening --mass 3"},
@@ -593,8 +595,6 @@ TEST_CASE("Every verb has a table of its options") {
                                      "exaggerate", "elastic", "pose",     "rig",     "import-clip",
                                      "resave",     "bind",    "compress", "compare", "flatten"};
   std::set<std::string> verbs;
-  for (const Verb& verb : batchVerbs()) {
-    verbs.insert(verb.name);
-  }
+  std::ranges::transform(batchVerbs(), std::inserter(verbs, verbs.end()), &Verb::name);
   CHECK(tables == verbs);
 }

@@ -97,3 +97,17 @@ TEST_CASE("check says of a file that the other verbs refuse that they do", "[che
   CHECK(jsonOf({"check", dummyFile})["refused"] == false);
   CHECK_THAT(runVerb({"check", dummyFile}).output, !Catch::Contains("refuse"));
 }
+
+TEST_CASE("A single mesh is told how a verb of characters takes it, and what a clip cannot follow",
+          "[bind]") {
+  const TemporaryFolder folder;
+  test::writeObjFrames(test::shorteningTube(1, 0.1, 0.2, 0.1), folder / "tube", "tube");
+  std::string mesh;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "tube")) {
+    mesh = entry.path().string();
+  }
+  const test::VerbAnswer answer = runVerb({"bind", mesh, "-o", (folder / "out.glb").string()});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains(mesh + ": is read as a frame of a sequence of meshes") &&
+                              Catch::Contains("save the mesh as .glb"));
+}
