@@ -5,8 +5,10 @@
 
 #include <fmt/core.h>
 
+#include "core/base/lower_case.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
+#include "core/gltf/read/read.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/problems.h"
 #include "core/gltf/source/uri.h"
@@ -66,6 +68,18 @@ std::vector<fs::path> referencesOf(const Source& source) {
     }
   }
   return files;
+}
+
+// Likewise of a file on the disk; none where there is no such file or it cannot be read.
+std::vector<fs::path> referencesOfFile(const fs::path& path) {
+  Problems ignored;
+  const std::string ending = lowerCase(path.extension().string());
+  if (ending != ".gltf" && ending != ".glb" && ending != ".vrm") { // no other names files, and it is read
+                                                                   // slowly
+    return {};
+  }
+  const std::optional<Source> source = readSource(path, ignored);
+  return source ? referencesOf(*source) : std::vector<fs::path>();
 }
 
 // The files of one save: the JSON gets its final form while buffers and images find their place.
@@ -169,19 +183,30 @@ private:
     return Success{};
   }
 
-  // "OUT.bin", or a numbered name where the source itself refers to a file of that name.
+  // "OUT.bin", or a numbered name where that is the file of another: named by the source, or there before and
+  // not named by the output that is written over.
   [[nodiscard]] fs::path freeName(std::size_t index) const {
     for (std::size_t number = index;; ++number) {
       fs::path name = path_;
       name.replace_extension();
       name += number == 0 ? ".bin" : fmt::format("_{}.bin", number);
-      const bool isTaken = refersTo(name) || std::ranges::any_of(files_, [&](const OutputFile& file) {
-                             return file.path == name;
-                           });
-      if (!isTaken) {
+      const bool isPlannedToo =
+          std::ranges::any_of(files_, [&](const OutputFile& file) { return file.path == name; });
+      std::error_code ignored;
+      if (!isPlannedToo && !refersTo(name) && (!fs::exists(name, ignored) || isOfOutputAlone(name))) {
         return name;
       }
     }
+  }
+
+  // Whether the file that is written over names it, and the source is that file or does not.
+  [[nodiscard]] bool isOfOutputAlone(const fs::path& name) const {
+    const auto isNamedBy = [&](const fs::path& file) {
+      return isSameFolder(file.parent_path(), name.parent_path()) &&
+             std::ranges::count(referencesOfFile(file), name.filename()) > 0;
+    };
+    std::error_code ignored;
+    return isNamedBy(path_) && (fs::equivalent(path_, source_.path, ignored) || !isNamedBy(source_.path));
   }
 
   [[nodiscard]] bool refersTo(const fs::path& file) const {
