@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <iterator>
 #include <memory>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -57,7 +56,7 @@ Result<std::vector<ClipMoments>> momentsOfFile(const MomentsArguments& arguments
   }
   const Result<int> chosen = clipOfArguments(input, *document);
   if (!chosen) {
-    return inFile(chosen.error(), file);
+    return Error{chosen.error().what, file + ": " + chosen.error().where, chosen.error().remedy};
   }
   const int first = arguments.allClips ? 0 : *chosen;
   const int last = arguments.allClips ? static_cast<int>(document->clips->size()) - 1 : *chosen;
@@ -110,14 +109,25 @@ void printClips(const std::vector<ClipMoments>& clips) {
   }
 }
 
-void printReport(const MomentsArguments& arguments, const std::vector<ClipMoments>& clips) {
+/// A file of a library that could not be read.
+struct LostFile {
+  std::string file;
+  Error problem;
+};
+
+void printReport(const MomentsArguments& arguments, const std::vector<ClipMoments>& clips,
+                 const std::vector<LostFile>& lost) {
   const bool isLibrary = arguments.files.size() > 1;
   if (arguments.json) {
     Json list = Json::array();
     for (const ClipMoments& clip : clips) {
       list.push_back(clipJson(clip));
     }
-    arguments.json.print(isLibrary ? oneList(clips) : arguments.allClips ? list : list.front());
+    Json library = isLibrary ? oneList(clips) : Json::array();
+    for (const LostFile& one : lost) {
+      library.push_back({{"file", one.file}, {"error", one.problem.line()}});
+    }
+    arguments.json.print(isLibrary ? library : arguments.allClips ? list : list.front());
   } else if (isLibrary) {
     for (const Json& entry : oneList(clips)) {
       fmt::print("{:8.2f}  {:<7}  {:<16} frames {:g} to {:g} of {} in {}\n", entry["strength"].get<double>(),
@@ -130,25 +140,26 @@ void printReport(const MomentsArguments& arguments, const std::vector<ClipMoment
   }
 }
 
-// A file of a library that cannot be read keeps nobody from the others: it is told, and counts in the end.
+// A file of a library that cannot be read keeps nobody from the others: it is told, in the list too, and
+// counts in the end.
 Status runMoments(const MomentsArguments& arguments) {
   std::vector<ClipMoments> clips;
-  std::optional<Error> problem;
+  std::vector<LostFile> lost;
   for (const std::string& file : arguments.files) {
     Result<std::vector<ClipMoments>> found = momentsOfFile(arguments, file);
     if (!found) {
-      if (problem) {
-        std::fputs(("stretch-engine: " + problem->line() + "\n").c_str(), stderr);
+      if (!lost.empty()) {
+        std::fputs(("stretch-engine: " + lost.back().problem.line() + "\n").c_str(), stderr);
       }
-      problem = found.error();
+      lost.push_back({file, found.error()});
       continue;
     }
     std::ranges::move(*found, std::back_inserter(clips));
   }
   if (!clips.empty()) {
-    printReport(arguments, clips);
+    printReport(arguments, clips, lost);
   }
-  return problem ? Status(*problem) : Status(Success{});
+  return lost.empty() ? Status(Success{}) : Status(lost.back().problem);
 }
 
 } // namespace
@@ -161,7 +172,8 @@ Verb momentsVerb() {
             const auto arguments = std::make_shared<MomentsArguments>();
             line.examples({"punch.glb", "knight.glb --all-clips --json", "library/*.glb --json-line"});
             line.options("FILE", arguments->files,
-                         "A .glb, .gltf or .vrm file; of several one list is made, sorted by strength")
+                         "A .glb, .gltf, .vrm, .fbx, .bvh or .dae file; of several one list is made, sorted "
+                         "by strength")
                 .required();
             addTolerant(line, arguments->input);
             addPlan(line, arguments->input);

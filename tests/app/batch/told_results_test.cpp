@@ -98,6 +98,17 @@ TEST_CASE("check says of a file that the other verbs refuse that they do", "[che
   CHECK_THAT(runVerb({"check", dummyFile}).output, !Catch::Contains("refuse"));
 }
 
+TEST_CASE("moments of several files name the one that was lost, and the one without the clip", "[moments]") {
+  const Json list = jsonOf({"moments", dummyFile, "missing.glb", swingFile}, 1);
+  REQUIRE(list.size() > 1);
+  CHECK(list.back()["file"] == "missing.glb");
+  CHECK_THAT(list.back()["error"].get<std::string>(), Catch::Contains("missing.glb"));
+  CHECK(list.front().contains("limb"));
+  const test::VerbAnswer answer = runVerb({"moments", dummyFile, swingFile, "--clip", "Guard"});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains(swingFile + ": --clip: there is no clip 'Guard'"));
+}
+
 TEST_CASE("A single mesh is told how a verb of characters takes it, and what a clip cannot follow",
           "[bind]") {
   const TemporaryFolder folder;
