@@ -48,6 +48,11 @@ const DeclaredOption& DeclaredOption::excludes(const DeclaredOption& other) cons
   return *this;
 }
 
+const DeclaredOption& DeclaredOption::needs(const DeclaredOption& other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
 const DeclaredOption& DeclaredOption::showDefault() const {
   option_->capture_default_str();
   return *this;

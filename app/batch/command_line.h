@@ -30,6 +30,8 @@ public:
   const DeclaredOption& between(int least, int most) const;
   const DeclaredOption& oneOf(const std::vector<std::string>& choices) const;
   const DeclaredOption& excludes(const DeclaredOption& other) const;
+  /// A wrong argument where the other is not given.
+  const DeclaredOption& needs(const DeclaredOption& other) const;
   /// Shows the value that the variable holds now as the default.
   const DeclaredOption& showDefault() const;
   /// The heading in the help under which the option stands.

@@ -98,6 +98,9 @@ Status runImport(const ImportArguments& arguments) {
       !apart) {
     return apart;
   }
+  if (!arguments.fromClip.empty() && request.clip != arguments.fromClip) {
+    return Error{"names a clip beside the one of --from", "--from-clip", "give one of the two"};
+  }
   const Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();

@@ -26,12 +26,16 @@ Result<std::optional<Vec2>> rangeOf(const PoseRequest& request) {
 } // namespace
 
 void addPoseRequest(CommandLine& line, PoseRequest& request) {
-  line.option("--pose", request.pose, "A pose of the library, by its name or its file, that the clip takes");
-  line.option("--pose-frame", request.frame, "Frame at which it does").showDefault();
+  const DeclaredOption pose = line.option(
+      "--pose", request.pose, "A pose of the library, by its name or its file, that the clip takes");
+  line.option("--pose-frame", request.frame, "Frame at which it does").showDefault().needs(pose);
   line.option("--pose-range", request.range,
-              "First and last frame, A:B, between which the clip gives way to it; default: the whole clip");
-  line.option("--pose-amount", request.amount, "How far it is taken: 0 not at all, 1 wholly").showDefault();
-  line.flag("--pose-mirrored", request.isMirrored, "Exchanges left and right");
+              "First and last frame, A:B, between which the clip gives way to it; default: the whole clip")
+      .needs(pose);
+  line.option("--pose-amount", request.amount, "How far it is taken: 0 not at all, 1 wholly")
+      .showDefault()
+      .needs(pose);
+  line.flag("--pose-mirrored", request.isMirrored, "Exchanges left and right").needs(pose);
 }
 
 Result<TakenPose> withPose(const Document& document, int clip, const PoseRequest& request) {

@@ -208,18 +208,24 @@ Verb poseVerb() {
         addPlan(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
-        line.option("--offsets", arguments->offsets,
-                    "A table of offset keys, CSV or JSON, one key a row; beside a recipe or alone");
+        const DeclaredOption offsets =
+            line.option("--offsets", arguments->offsets,
+                        "A table of offset keys, CSV or JSON, one key a row; beside a recipe or alone");
         line.option("--units", arguments->units, "What the table counts moves in")
             .oneOf({"limb_lengths", "metres"})
-            .showDefault();
+            .showDefault()
+            .needs(offsets);
         line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
-        line.option("--prop", arguments->prop,
-                    "A file with a thing that is put into a hand, and added to the output");
+        const DeclaredOption prop =
+            line.option("--prop", arguments->prop,
+                        "A file with a thing that is put into a hand, and added to the output");
         line.option("--prop-hand", arguments->hand, "The arm whose hand takes it")
             .oneOf({"left-arm", "right-arm", "both"})
-            .showDefault();
-        line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it").showDefault();
+            .showDefault()
+            .needs(prop);
+        line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it")
+            .showDefault()
+            .needs(prop);
         addPoseRequest(line, arguments->library);
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);

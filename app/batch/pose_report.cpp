@@ -12,8 +12,10 @@
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/pops.h"
 #include "app/evaluate/prop_flips.h"
+#include "app/named.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json/json.h"
+#include "core/math/rotation.h"
 #include "rig/adjust/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
@@ -75,7 +77,65 @@ void warnOfMiss(const std::string& controller, const Json& place, double height,
   }
 }
 
+// The joint that a controller turns; none where it is on no joint, or is an attribute.
+NodeIndex turnedNode(const Document& document, const std::string& id) {
+  const rig::ControllerList list = controllersOf(document);
+  std::vector<rig::Controller> all = jointControllersOf(document);
+  all.insert(all.end(), list.controllers.begin(), list.controllers.end());
+  const auto own = std::ranges::find(all, id, &rig::Controller::id);
+  return own == all.end() || !own->turns ? NodeIndex::none : own->node;
+}
+
+// Degrees by which a key asks its controller to turn, and by which its joint turns more than without.
+Json turnAt(const Document& document, const rig::MotionState& motion, const rig::Adjustment& adjustment,
+            const rig::OffsetKey& key, NodeIndex node) {
+  const Clip& clip = clipOf(document, motion.clip);
+  rig::Adjustment unturned = adjustment;
+  for (rig::OffsetKey& other : unturned.keys) {
+    other.turn = other.turnSlope = Vec3(0.0);
+  }
+  rig::SolvedAdjustments without = motion.adjustments;
+  without.curves[adjustment.controller] = {rig::OffsetCurve(unturned, 0.0, clip.framesPerSecond)};
+  const auto rotationIn = [&](const rig::SolvedAdjustments& adjustments) {
+    FrameState state = rig::sampledFrame(*document.scene, clip, key.frame / clip.framesPerSecond);
+    rig::applyAdjustments(*document.scene, adjustments, state);
+    return rotationOf(state.worlds[at(node)]);
+  };
+  constexpr double degrees = 180.0 / pi;
+  return {{"asked_degrees", degrees * glm::length(key.turn)},
+          {"reached_degrees", degrees * angleBetween(rotationIn(without), rotationIn(motion.adjustments))}};
+}
+
+// What a key asks for and what it reached: the value of an attribute, or place and turn of a controller.
+Json keyJson(const Document& document, const rig::MotionState& motion, const rig::Adjustment& adjustment,
+             const rig::OffsetKey& key) {
+  const rig::ControllerList list = controllersOf(document);
+  if (const rig::Attribute* const attribute = list.attribute(adjustment.controller)) {
+    return {{"frame", key.frame},
+            {"asked", key.value},
+            {"reached", std::clamp(key.value, attribute->minimum, attribute->maximum)}};
+  }
+  Json json =
+      placesAt(document, motion, adjustment.controller, key.frame).value_or(Json{{"frame", key.frame}});
+  const NodeIndex node = turnedNode(document, adjustment.controller);
+  if (node.exists() && key.turn != Vec3(0.0)) {
+    json["turn"] = turnAt(document, motion, adjustment, key, node);
+  }
+  return json;
+}
+
+void warnOfValue(const std::string& attribute, const Json& key, Json& warnings) {
+  if (key["asked"] != key["reached"]) {
+    warnings.push_back(fmt::format("{} is asked for {:g} at frame {:g}, and goes to {:g} at most", attribute,
+                                   key["asked"].get<double>(), key["frame"].get<double>(),
+                                   key["reached"].get<double>()));
+  }
+}
+
 std::string placeText(const Json& place) {
+  if (place.is_number()) {
+    return fmt::format("{:g}", place.get<double>());
+  }
   return fmt::format("{:.4f} {:.4f} {:.4f}", place[0].get<double>(), place[1].get<double>(),
                      place[2].get<double>());
 }
@@ -96,10 +156,12 @@ void addPoseReport(const Document& document, int clip, const std::vector<rig::Ad
   for (const rig::Adjustment& adjustment : adjustments) {
     Json keys = Json::array();
     for (const rig::OffsetKey& key : adjustment.keys) {
-      const std::optional<Json> place = placesAt(document, motion, adjustment.controller, key.frame);
-      keys.push_back(place.value_or(Json{{"frame", key.frame}}));
-      if (place) {
-        warnOfMiss(adjustment.controller, *place, document.body.height, report["warnings"]);
+      keys.push_back(keyJson(document, motion, adjustment, key));
+      const Json& told = keys.back();
+      if (told.contains("missed_by")) {
+        warnOfMiss(adjustment.controller, told, document.body.height, report["warnings"]);
+      } else if (told.contains("asked")) {
+        warnOfValue(adjustment.controller, told, report["warnings"]);
       }
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
@@ -110,10 +172,15 @@ void addPoseReport(const Document& document, int clip, const std::vector<rig::Ad
 void printPoseReport(const Json& report) {
   for (const Json& controller : report["controllers"]) {
     for (const Json& key : controller["keys"]) {
-      const std::string place =
+      std::string place =
           key.contains("asked")
               ? fmt::format("asked for {}, reached {}", placeText(key["asked"]), placeText(key["reached"]))
-              : std::string("set");
+              : std::string(key.contains("turn") ? "" : "set");
+      if (key.contains("turn")) {
+        place += fmt::format("{}asked to turn {:.4g} degrees, turned {:.4g}", place.empty() ? "" : "; ",
+                             key["turn"]["asked_degrees"].get<double>(),
+                             key["turn"]["reached_degrees"].get<double>());
+      }
       fmt::print("{}: frame {:g}: {}\n", controller["controller"].get<std::string>(),
                  key["frame"].get<double>(), place);
     }

@@ -109,6 +109,59 @@ TEST_CASE("moments of several files name the one that was lost, and the one with
   CHECK_THAT(answer.told, Catch::Contains(swingFile + ": --clip: there is no clip 'Guard'"));
 }
 
+TEST_CASE("pose tells of attributes and turns what was asked and what came of it", "[pose]") {
+  const TemporaryFolder folder;
+  const Json recipe = Json::parse(R"({"version": 1, "adjustments": [
+      {"attribute": "left-hand.curl", "keys": [{"frame": 0, "value": 99}]},
+      {"attribute": "right-hand.curl", "keys": [{"frame": 4, "value": 0.5}]},
+      {"controller": "hips", "keys": [{"frame": 12, "turn": [0, 20, 0]}]},
+      {"controller": "head", "keys": [{"frame": 12, "turn": [0, 0, 30]}]}]})");
+  const test::Posed posed = test::pose(folder, recipe, {"--json"});
+  REQUIRE(posed.answer.exitCode == 0);
+  const Json report = Json::parse(posed.answer.output);
+  const Json& controllers = report["controllers"];
+  CHECK(controllers[0]["keys"][0] == Json{{"frame", 0.0}, {"asked", 99.0}, {"reached", 1.0}});
+  CHECK(controllers[1]["keys"][0] == Json{{"frame", 4.0}, {"asked", 0.5}, {"reached", 0.5}});
+  for (const auto& [index, degrees] : {std::pair(2, 20.0), std::pair(3, 30.0)}) {
+    const Json& turn = controllers[static_cast<std::size_t>(index)]["keys"][0]["turn"];
+    CHECK(turn["asked_degrees"].get<double>() == Approx(degrees));
+    CHECK(turn["reached_degrees"].get<double>() == Approx(degrees).margin(0.1));
+  }
+  CHECK_THAT(report["warnings"].dump(),
+             Catch::Contains("left-hand.curl is asked for 99 at frame 0, and goes to 1 at most") &&
+                 !Catch::Contains("right-hand.curl"));
+  const std::string file = folder.write("recipe.json", recipe.dump()).string();
+  const test::VerbAnswer told =
+      runVerb({"pose", dummyFile, "-o", (folder / "told.glb").string(), "--recipe", file});
+  CHECK_THAT(told.output, Catch::Contains("left-hand.curl: frame 0: asked for 99, reached 1\n") &&
+                              Catch::Contains("asked to turn 30 degrees, turned 30"));
+}
+
+TEST_CASE("Options that say how something else is done are refused without it", "[arguments]") {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const std::string table = folder.write("table.csv", "controller,frame,move_y\nhips,12,-0.1\n").string();
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--pose-amount", "0.5"},
+                                               {"--pose-frame", "3"},
+                                               {"--pose-range", "1:9"},
+                                               {"--pose-mirrored"},
+                                               {"--prop-hand", "both"},
+                                               {"--prop-frame", "3"}}) {
+    std::vector<std::string> words{"pose", dummyFile, "-o", out, "--offsets", table};
+    words.insert(words.end(), more.begin(), more.end());
+    const test::VerbAnswer answer = runVerb(words);
+    INFO(more.front());
+    CHECK(answer.exitCode == 2);
+    CHECK_THAT(answer.told, Catch::Contains(more.front() + " requires --p"));
+  }
+  CHECK(runVerb({"pose", dummyFile, "-o", out, "--pin-feet", "--units", "metres"}).exitCode == 2);
+  const test::VerbAnswer clips = runVerb(
+      {"import-clip", dummyFile, "-o", out, "--from", dummyFile + "#Guard", "--from-clip", "One-two punch"});
+  CHECK(clips.exitCode == 1);
+  CHECK_THAT(clips.told, Catch::Contains("--from-clip: names a clip beside the one of --from"));
+  CHECK_FALSE(std::filesystem::exists(out));
+}
+
 TEST_CASE("A single mesh is told how a verb of characters takes it, and what a clip cannot follow",
           "[bind]") {
   const TemporaryFolder folder;
