@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "app/batch/verb.h"
@@ -40,8 +42,13 @@ bool startsEditor(const std::vector<Verb>& verbs, const std::vector<std::string_
   }
   const bool verb =
       std::any_of(verbs.begin(), verbs.end(), [&](const Verb& known) { return known.name == words.front(); });
+  // A word without an ending that no file has is a verb gone wrong.
+  std::error_code ignored;
+  const std::filesystem::path path(words.front());
+  const bool isPath =
+      path.has_extension() || path.has_parent_path() || std::filesystem::exists(path, ignored);
   const bool fewEnough = words.size() == 1 || (words.size() == 2 && isMeshAndCache(words));
-  return !verb && words.front().substr(0, 1) != "-" && fewEnough;
+  return !verb && isPath && words.front().substr(0, 1) != "-" && fewEnough;
 }
 
 EditorStart editorStart(const std::vector<std::string_view>& words) {
@@ -81,6 +88,12 @@ int main(int argumentCount, char** arguments) {
                                             arguments + argumentCount);
   if (startsEditor(verbs, words)) {
     const EditorStart start = editorStart(words);
+    for (const std::filesystem::path& file : start.files) {
+      if (std::error_code ignored; !std::filesystem::exists(file, ignored)) {
+        fmt::print(stderr, "stretch-engine: {}: there is no such file; check the path\n", file.string());
+        return 1;
+      }
+    }
     return stretch::ui::runEditor(start.files, start.options);
   }
   return stretch::app::runVerbs(verbs, "stretch-engine " + std::string(stretch::app::buildName()),

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -104,6 +105,20 @@ std::string unknownVerb(const std::vector<Verb>& verbs, int argumentCount, const
                      meant.empty() ? "" : "did you mean '" + meant + "'? ", names);
 }
 
+// An option that the chosen verb does not have, which explains what else is missing; nothing where all are
+// known.
+std::optional<std::string> unknownOption(const CLI::App& program) {
+  for (const CLI::App* const verb : program.get_subcommands()) {
+    const std::vector<std::string> left = verb->remaining();
+    const auto option =
+        std::ranges::find_if(left, [](const std::string& word) { return word.starts_with('-'); });
+    if (option != left.end()) {
+      return fmt::format("there is no option '{}': see {} --help", *option, verb->get_name());
+    }
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 std::vector<Verb> batchVerbs() {
@@ -137,7 +152,7 @@ int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int arg
     if (problem.get_exit_code() == 0) {
       return program.exit(problem); // prints the help that was asked for
     }
-    tell(problem.what());
+    tell(unknownOption(program).value_or(problem.what()));
     return wrongArguments;
   }
   Status done = runWithinMemory(chosen);

@@ -162,6 +162,15 @@ TEST_CASE("Options that say how something else is done are refused without it", 
   CHECK_FALSE(std::filesystem::exists(out));
 }
 
+TEST_CASE("An option that no verb has is named, and not what is missing because of it", "[arguments]") {
+  for (const char* const word : {"--bogus", "-d.glb"}) {
+    const test::VerbAnswer answer = runVerb({"info", word});
+    CHECK(answer.exitCode == 2);
+    CHECK_THAT(answer.told, Catch::Contains("there is no option '" + std::string(word) + "'"));
+  }
+  CHECK_THAT(runVerb({"info"}).told, Catch::Contains("FILE is required"));
+}
+
 TEST_CASE("A single mesh is told how a verb of characters takes it, and what a clip cannot follow",
           "[bind]") {
   const TemporaryFolder folder;
