@@ -230,7 +230,9 @@ Json infoOf(const Document& document) {
 std::string jointNames(const Json& limb) {
   std::string names;
   for (const Json& joint : limb["joints"]) {
-    names += (names.empty() ? "" : " > ") + joint["name"].get<std::string>();
+    const auto name = joint["name"].get<std::string>();
+    names +=
+        (names.empty() ? "" : " > ") + (name.empty() ? fmt::format("#{}", joint["node"].get<int>()) : name);
   }
   return limb["end"] == "estimated" ? names + " > (end estimated)" : names;
 }

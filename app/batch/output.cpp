@@ -34,6 +34,9 @@ Result<SaveOptions> saveOptionsOf(const OutputArguments& arguments) {
 
 Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
   Json json = {{"form", findSetting(formSchema(), "form")->read(options.form)}};
+  if (options.form.form == StretchForm::translation) {
+    json["keeps_thickness"] = true;
+  }
   if (options.form.form == StretchForm::volume) {
     json["influences"] = options.form.influences;
     json["joints"] = fit.joints;
@@ -102,10 +105,16 @@ void printSaved(const Json& report) {
     fmt::print("keys   on whole frames: between them the motion is at most {:.3f} % of the height off\n",
                report["whole_frames"]["miss_percent_of_height"].get<double>());
   }
-  if (!report.contains("form") || !report["form"].contains("vertices")) {
+  if (!report.contains("form")) {
     return;
   }
   const Json& form = report["form"];
+  if (form.contains("keeps_thickness")) {
+    fmt::print("form   translation: limbs keep their thickness, and no volume of a trail is written\n");
+  }
+  if (!form.contains("vertices")) {
+    return;
+  }
   const Json& miss = form["miss_percent_of_height"];
   fmt::print("form   volume: {} corners of {} joints move {} vertices; ", form["corners"].get<int>(),
              form["joints"].get<int>(), form["vertices"].get<int>());

@@ -1,9 +1,11 @@
 #include <memory>
 
 #include "app/batch/options.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/files/save.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 
@@ -22,6 +24,7 @@ Status runResave(const ResaveArguments& arguments) {
   if (!document) {
     return document.error();
   }
+  printWarnings(documentWarnings(*document));
   Document sourceAlone; // the scene goes before the file as it will be stands beside it
   sourceAlone.source = document->source;
   const gltf::Edits edits = editsOf(*document, {}).edits;

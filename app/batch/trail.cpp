@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/trail/place_trails.h"
 #include "app/evaluate/clip_moments.h"
@@ -37,6 +38,7 @@ Json trailJson(const rig::MotionState& motion) {
     json["base"].push_back(vectorToJson(sample.base));
   }
   json["control_frames"] = solved.controlFrames;
+  json["warnings"] = solved.warnings;
   return json;
 }
 
@@ -86,6 +88,7 @@ Status runTrail(const TrailArguments& arguments) {
     fmt::print("frame {:8.3f}  {:10.5f} {:10.5f} {:10.5f}\n", json["frames"][i].get<double>(),
                point[0].get<double>(), point[1].get<double>(), point[2].get<double>());
   }
+  printWarnings(json["warnings"]);
   return Success{};
 }
 

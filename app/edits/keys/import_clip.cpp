@@ -95,14 +95,17 @@ bool isCopied(const Donor& donor, const Clip& clip, const rig::CopiedTracks& cop
 
 Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Document& document,
                    const std::string& file) {
-  const std::string names = fmt::format("{} of its {} animated joints have names of this character",
-                                        copied.joints, animatedNodes(copied));
+  const std::string names =
+      fmt::format("{} of the {} animated joints of the clip have names of this character", copied.joints,
+                  animatedNodes(copied));
   if (donor.document.scene->skins.empty() && donor.document.body.limbs.empty() && copied.joints == 0) {
     return {"the file holds no skeleton that this character could follow", file,
             "give a clip of a biped, or of joints with the same names"};
   }
   const char* const who = !donor.skeleton ? "its body is no biped" : "this character is no biped";
-  return {fmt::format("the clip cannot be brought to this character: {}, and {}", who, names), file,
+  const bool isOfCharacter = donor.skeleton && document.source != nullptr;
+  return {fmt::format("the clip cannot be brought to this character: {}, and {}", who, names),
+          isOfCharacter ? document.source->path.string() : file,
           document.body.isBiped ? "give a clip of a biped, or of joints with the same names"
                                 : "give a clip of joints with the same names"};
 }

@@ -171,6 +171,59 @@ TEST_CASE("An option that no verb has is named, and not what is missing because 
   CHECK_THAT(runVerb({"info"}).told, Catch::Contains("FILE is required"));
 }
 
+TEST_CASE("resave tells what was left out of a foreign file, as info does", "[resave]") {
+  const TemporaryFolder folder;
+  const std::string marching = STRETCH_SOURCE_DIR "/tests/ui/files/marching.bvh";
+  const Json warnings = jsonOf({"info", marching})["warnings"];
+  REQUIRE_FALSE(warnings.empty());
+  const test::VerbAnswer answer = runVerb({"resave", marching, "-o", (folder / "march.glb").string()});
+  REQUIRE(answer.exitCode == 0);
+  for (const Json& warning : warnings) {
+    CHECK_THAT(answer.told, Catch::Contains("warning: " + warning.get<std::string>() + "\n"));
+  }
+}
+
+TEST_CASE("trail and elastic tell a range that the clip cuts", "[arguments]") {
+  const TemporaryFolder folder;
+  const char* const cut = "the range is cut to the frames 0 to 10, which the clip has";
+  CHECK_THAT(runVerb({"trail", dummyFile, "--limb", "left-arm", "--range", "-5:10"}).told,
+             Catch::Contains(cut));
+  CHECK_THAT(jsonOf({"trail", dummyFile, "--limb", "left-arm", "--range", "-5:10"})["warnings"].dump(),
+             Catch::Contains(cut));
+  CHECK_THAT(jsonOf({"trail", dummyFile, "--limb", "left-arm", "--range", "1:10"})["warnings"].dump(),
+             !Catch::Contains("cut"));
+  CHECK_THAT(runVerb({"elastic", dummyFile, "-o", (folder / "out.glb").string(), "--range", "-5:10"}).told,
+             Catch::Contains(cut));
+}
+
+TEST_CASE("A limb of joints without names is shown by their numbers", "[info]") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "dummy.gltf").string();
+  REQUIRE(runVerb({"resave", dummyFile, "-o", file}).exitCode == 0);
+  const Json limb = jsonOf({"info", file})["limbs"][0];
+  std::string chain;
+  Json json = Json::parse(readText(file).value());
+  for (const Json& joint : limb["joints"]) {
+    const auto node = joint["node"].get<std::size_t>();
+    json["nodes"][node].erase("name");
+    chain += (chain.empty() ? "#" : " > #") + std::to_string(node);
+  }
+  const std::string nameless = folder.write("nameless.gltf", json.dump()).string();
+  CHECK_THAT(runVerb({"info", nameless}).output, Catch::Contains(chain));
+}
+
+TEST_CASE("Limbs that keep their thickness are told, whatever volume their trails have", "[output]") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{"exaggerate", dummyFile,  "-o",      (folder / "out.glb").string(),
+                                       "--limb",     "left-arm", "--scale", "2",
+                                       "--volume",   "1"};
+  CHECK_THAT(runVerb(words).output, !Catch::Contains("thickness"));
+  std::vector<std::string> translated = words;
+  translated.emplace_back("--keep-skeleton");
+  CHECK_THAT(runVerb(translated).output,
+             Catch::Contains("limbs keep their thickness, and no volume of a trail is written"));
+}
+
 TEST_CASE("A single mesh is told how a verb of characters takes it, and what a clip cannot follow",
           "[bind]") {
   const TemporaryFolder folder;
