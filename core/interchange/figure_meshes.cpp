@@ -140,6 +140,7 @@ private:
   std::size_t addChild(std::size_t parent, const std::string& name) {
     nodes_.emplace_back(Json{{"name", name}});
     (*nodes_[parent])["children"].push_back(nodes_.size() - 1);
+    parentsOfAdded_.push_back(static_cast<int>(parent));
     return nodes_.size() - 1;
   }
 
@@ -366,6 +367,18 @@ private:
     if (known != skins_.end()) {
       return known->second;
     }
+    const auto parentOf = [&](std::size_t node) {
+      return node < figure_.nodes.size() ? figure_.nodes[node].parent
+                                         : parentsOfAdded_[node - figure_.nodes.size()];
+    };
+    const auto rootOf = [&](std::size_t node) {
+      while (parentOf(node) >= 0) {
+        node = static_cast<std::size_t>(parentOf(node));
+      }
+      return node;
+    };
+    notes_.spansRoots |=
+        std::ranges::any_of(list, [&](std::size_t joint) { return rootOf(joint) != rootOf(list.front()); });
     const std::size_t skin =
         parts_.add("skins", {{"joints", list}, {"inverseBindMatrices", parts_.addFloats(matrices, "MAT4")}});
     skins_[{list, matrices}] = skin;
@@ -375,7 +388,8 @@ private:
   const aiScene& scene_;
   const Figure& figure_;
   const std::vector<int>& materials_;
-  std::vector<gltf::JsonDocument>& nodes_;
+  std::vector<gltf::JsonDocument>& nodes_; // Those of the figure, then those that are added.
+  std::vector<int> parentsOfAdded_;
   GlbParts& parts_;
   MeshNotes notes_;
   std::map<std::pair<std::vector<unsigned>, double>, std::size_t> meshes_; // Without skins, as they are

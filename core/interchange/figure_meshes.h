@@ -13,7 +13,8 @@ namespace stretch::interchange {
 /// What became of the meshes of a scene.
 struct MeshNotes {
   std::vector<int> nodeOfMesh; ///< For each mesh of the scene the first node that shows it, -1 without.
-  std::size_t lostBones = 0;   ///< Bones of skins that no node stands for.
+  bool spansRoots = false;   ///< Joints of one skin hang under several roots, and glTF asks for a common one.
+  std::size_t lostBones = 0; ///< Bones of skins that no node stands for.
   std::size_t unweightedVertices = 0; ///< Vertices of skinned meshes that no bone moves: they stay where they
                                       ///< are.
 };

@@ -179,7 +179,9 @@ std::size_t shearedNodes(const Figure& figure) {
   }));
 }
 
-void addNodes(std::vector<gltf::JsonDocument>& nodes, const Figure& figure, GlbParts& parts) {
+// `sharesRoot`: the roots get a parent, at rest where the scene is.
+void addNodes(std::vector<gltf::JsonDocument>& nodes, const Figure& figure, bool sharesRoot,
+              GlbParts& parts) {
   Json roots = Json::array();
   for (std::size_t i = 0; i < figure.nodes.size(); ++i) {
     if (figure.nodes[i].parent < 0) {
@@ -190,6 +192,9 @@ void addNodes(std::vector<gltf::JsonDocument>& nodes, const Figure& figure, GlbP
   }
   for (const gltf::JsonDocument& node : nodes) {
     parts.add("nodes", node);
+  }
+  if (sharesRoot) {
+    roots = Json::array({parts.add("nodes", {{"name", "Common root"}, {"children", std::move(roots)}})});
   }
   parts.add("scenes", {{"nodes", std::move(roots)}});
 }
@@ -239,7 +244,7 @@ Result<Converted> convertedScene(const aiScene& scene, const std::filesystem::pa
   const std::vector<int> materials = addMaterials(scene, file, parts, made.warnings);
   const MeshNotes meshes = addMeshes(scene, figure, materials, nodes, parts);
   const ClipNotes clips = addClips(scene, figure, meshes.nodeOfMesh, file.stem().string(), parts);
-  addNodes(nodes, figure, parts);
+  addNodes(nodes, figure, meshes.spansRoots, parts);
   for (std::string& told : warningsOfBytes(names.bytes, format, clips, head)) {
     made.warnings.push_back(std::move(told));
   }

@@ -298,6 +298,16 @@ TEST_CASE("Vertices of a skin that no bone moves stay with their mesh") {
   const gltf::Loaded loaded = loadedText("bones.fbx", text);
   CHECK(tells(loaded, "1 vertices of skinned meshes follow no bone"));
   CHECK(loaded.scene->skins.at(0).joints.size() == 3);
+  // glTF asks for one node above all joints of a skin; where there is one, none is added.
+  const auto rootsOf = [](const gltf::Loaded& file) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(file.scene->skins.at(0).joints, [&](NodeIndex joint) {
+          return !file.scene->nodes[at(joint)].parent.exists();
+        }));
+  };
+  CHECK(rootsOf(loaded) == 0);
+  CHECK(loaded.scene->nodes.back().name == "Common root");
+  CHECK(loadedText("bones.fbx", test::twoBonesFbx()).scene->nodes.back().name != "Common root");
 }
 
 TEST_CASE("Collada opens in metres and Y up, and plays") {
