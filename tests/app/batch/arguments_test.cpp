@@ -406,7 +406,7 @@ std::vector<RefusedLine> refusedAppending(const std::string& out, const std::str
        "the bones are those of the stream that is there"},
       {{"compress", tube, "-o", out, "--append", tube, "--open-stream"},
        "the bones are those of the stream that is there"},
-      {{"compress", tube, "-o", out, "--append", tube, "--skeleton", out},
+      {{"compress", tube, "-o", out, "--append", tube, "--skeleton", dummy},
        "the bones are those of the stream that is there"},
       {{"compress", tube, "-o", out, "--append", tube, "--moduli", moduli},
        "the bones are those of the stream that is there"},
