@@ -124,7 +124,7 @@ TEST_CASE("A buffer's file that another file names, or nobody knows, is not writ
   fs::rename(folder / "x.gltf", folder / "source.gltf");
   const Bytes buffer = readFile(folder / "x.bin").value();
   punched((folder / "source.gltf").string(), "x.gltf");
-  CHECK(readFile(folder / "x.bin").value() == buffer);
+  CHECK((readFile(folder / "x.bin").value() == buffer));
   // A file of that name which no glTF speaks of.
   folder.write("keep.bin", "precious");
   punched(test::posedCharacter, "keep.gltf");
