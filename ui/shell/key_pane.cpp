@@ -7,6 +7,7 @@
 
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/tables.h"
 #include "ui/panels/rows/timeline_model.h"
 
 namespace stretch::ui {
@@ -61,6 +62,29 @@ Status askForFit(Shell& shell, bool picked) {
   return Success{};
 }
 
+/// Shows a tab of the bottom pane.
+PaneCommand tabCommand(const char* id, const char* label, const char* help, const char* key, BottomTab tab) {
+  PaneCommand command = paneCommand(id, label, help, showsClip, "open a character with an animation first",
+                                    app::doing([tab](Shell& shell) {
+                                      shell.ui.time.tab = tab;
+                                      shell.panes.bottomOpen = true;
+                                    }));
+  command.keys = {key};
+  return command;
+}
+
+PaneCommand clipChoice() {
+  PaneCommand command =
+      paneCommand(command::clipChoose, "Choose a clip", "Lists the clips of the character, to be searched.",
+                  showsClip, "open a character with an animation first", app::doing([](Shell& shell) {
+                    shell.ui.dialogs.palette = {};
+                    shell.ui.dialogs.palette.open = true;
+                    shell.ui.dialogs.palette.clipsOnly = true;
+                  }));
+  command.keys = {"F4"};
+  return command;
+}
+
 } // namespace
 
 std::vector<PaneCommand> keyPaneCommands() {
@@ -95,6 +119,15 @@ std::vector<PaneCommand> keyPaneCommands() {
                   }),
   };
   commands.back().checked = [](const Shell& shell) { return shell.ui.time.graph.isolated; };
+  commands.push_back(tabCommand(command::showTimeline, "Timeline",
+                                "Shows the keys of the selection and trails over time.", "F5",
+                                BottomTab::timeline));
+  commands.push_back(tabCommand(command::showGraph, "Graph",
+                                "Shows the curves of the selection, whose keys are edited there.", "F6",
+                                BottomTab::graph));
+  commands.push_back(tabCommand(command::showDopeSheet, "Dope sheet",
+                                "Shows the keys of every limb and controller.", "F7", BottomTab::dopeSheet));
+  commands.push_back(clipChoice());
   return commands;
 }
 

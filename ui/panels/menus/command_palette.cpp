@@ -1,6 +1,11 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "app/commands/keys/clips.h"
 #include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/rows/clip_name.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/fuzzy.h"
 #include "ui/widgets/icons.h"
@@ -10,32 +15,71 @@ namespace stretch::ui {
 
 namespace {
 
-struct Match {
-  const CommandInfo* command;
-  int score;
+/// A command, or a clip or a style that is chosen by its name.
+struct Entry {
+  CommandInfo shown;
+  int clip = -1;  ///< To be viewed; -1: none.
+  int style = -1; ///< Into TrailPanels::styles, to be looked at on the clip; -1: none.
 };
 
-/// Commands that answer what was typed, the best first and those that are off last; a match in the help
+struct Match {
+  Entry entry;
+  int score = 0;
+};
+
+/// The commands, and where something was typed the clips and the styles; or the clips alone.
+std::vector<Entry> entriesOf(const PanelContext& context) {
+  const PaletteState& palette = context.ui.dialogs.palette;
+  std::vector<Entry> entries;
+  for (const CommandInfo& command : context.commands) {
+    if (!palette.clipsOnly) {
+      entries.push_back({command});
+    }
+  }
+  if (!hasViewedClip(context) || (palette.typed.empty() && !palette.clipsOnly)) {
+    return entries;
+  }
+  const std::vector<Clip>& clips = *context.character().document().clips;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const int clip = static_cast<int>(i);
+    const std::string name = clipName(clips[i], i);
+    const std::string help = fmt::format("{:.2f} s", clips[i].endSeconds);
+    entries.push_back(
+        {{"clip-" + std::to_string(i), palette.clipsOnly ? name : "Clip: " + name, help, ""}, clip});
+  }
+  const std::vector<rig::Style>& styles = context.ui.trails.styles;
+  for (std::size_t i = 0; i < (palette.clipsOnly ? 0 : styles.size()); ++i) {
+    entries.push_back({{"style-" + styles[i].name, "Style: " + styles[i].name,
+                        "Shows the clip exaggerated in this style, to be kept or not.", ""},
+                       -1,
+                       static_cast<int>(i)});
+  }
+  return entries;
+}
+
+/// Entries that answer what was typed, the best first and those that are off last; a match in the help
 /// counts less than one in the label.
 std::vector<Match> matchesOf(const PanelContext& context) {
   const std::string& typed = context.ui.dialogs.palette.typed;
   std::vector<Match> matches;
-  for (const CommandInfo& command : context.commands) {
+  for (Entry& entry : entriesOf(context)) {
     if (typed.empty()) {
-      matches.push_back({&command, 0}); // In the order of the menus.
+      matches.push_back({std::move(entry)}); // In the order of the menus.
       continue;
     }
+    const CommandInfo& command = entry.shown;
     const std::optional<int> label = wordScore(typed, command.label);
     const bool both = !label && typed.size() >= 3; // words of the label and words of the help
     const std::optional<int> help =
         both ? wordScore(typed, command.label + " " + command.help, false) : std::nullopt;
     if (label || help) {
       constexpr int farBehind = 200;
-      matches.push_back({&command, label ? *label : *help - farBehind});
+      matches.push_back({std::move(entry), label ? *label : *help - farBehind});
     }
   }
   std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
-    return a.command->enabled == b.command->enabled ? a.score > b.score : a.command->enabled;
+    const bool isOn = a.entry.shown.enabled;
+    return isOn == b.entry.shown.enabled ? a.score > b.score : isOn;
   });
   return matches;
 }
@@ -70,13 +114,20 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
   return row.clicked;
 }
 
-void runAndClose(PanelContext& context, const CommandInfo& command) {
-  request(context, command.id);
+void runAndClose(PanelContext& context, const Entry& entry) {
+  if (entry.clip >= 0) {
+    app::showClip(context.character(), entry.clip);
+  } else if (entry.style >= 0) {
+    context.ui.trails.clipStyle.style = entry.style;
+    request(context, command::clipExaggerate);
+  } else {
+    request(context, entry.shown.id);
+  }
   context.ui.dialogs.palette.open = false;
   ImGui::CloseCurrentPopup();
 }
 
-void results(PanelContext& context) {
+void results(PanelContext& context, bool opening) {
   PaletteState& palette = context.ui.dialogs.palette;
   const std::vector<Match> matches = matchesOf(context);
   moveHighlight(palette.highlighted, static_cast<int>(matches.size()));
@@ -84,19 +135,22 @@ void results(PanelContext& context) {
   ImGui::BeginChild("palette/list", {0.0F, ImGui::GetContentRegionAvail().y});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const CommandInfo& command = *matches[i].command;
+    const CommandInfo& command = matches[i].entry.shown;
     const bool highlighted = static_cast<int>(i) == palette.highlighted;
     if (commandRow(context, command, highlighted) || (highlighted && entered && command.enabled)) {
-      runAndClose(context, command);
+      runAndClose(context, matches[i].entry);
     }
-    if (highlighted && (keyPressed(ImGuiKey_DownArrow, true) || keyPressed(ImGuiKey_UpArrow, true))) {
+    if (highlighted &&
+        (opening || keyPressed(ImGuiKey_DownArrow, true) || keyPressed(ImGuiKey_UpArrow, true))) {
       ImGui::SetScrollHereY(0.5F);
     }
   }
   ImGui::PopStyleVar();
   if (matches.empty()) {
-    emptyState(widgetsOf(context), icon::search, "No command is called that",
-               R"(Try another word: "trail", "view", "save".)");
+    const bool clipsOnly = palette.clipsOnly;
+    emptyState(widgetsOf(context), icon::search,
+               clipsOnly ? "No clip is called that" : "No command, clip or style is called that",
+               clipsOnly ? "Try a part of its name." : R"(Try another word: "trail", "view", "save".)");
   }
   ImGui::EndChild();
 }
@@ -108,19 +162,23 @@ void drawCommandPalette(PanelContext& context) {
   const bool opening = palette.open && !palette.wasOpen;
   palette.wasOpen = palette.open;
   if (opening) {
-    palette.highlighted = 0;
+    palette.highlighted = palette.clipsOnly ? context.character().view().clip : 0;
   }
-  if (!beginDialog(
-          context,
-          {.id = "palette", .icon = icon::search, .title = "Commands", .width = 620.0F, .height = 420.0F},
-          palette.open)) {
+  if (!beginDialog(context,
+                   {.id = "palette",
+                    .icon = icon::search,
+                    .title = palette.clipsOnly ? "Clips" : "Commands",
+                    .width = 620.0F,
+                    .height = 420.0F},
+                   palette.open)) {
     return;
   }
-  if (textField(widgetsOf(context), "palette/typed", "What do you want to do?", palette.typed, 0.0F,
-                opening || ImGui::IsWindowAppearing())) {
+  const bool appears = opening || ImGui::IsWindowAppearing();
+  const char* const hint = palette.clipsOnly ? "Search a clip" : "What do you want to do?";
+  if (textField(widgetsOf(context), "palette/typed", hint, palette.typed, 0.0F, appears)) {
     palette.highlighted = 0;
   }
-  results(context);
+  results(context, appears);
   endDialog();
 }
 

@@ -268,11 +268,36 @@ void drawKeysMenu(PanelContext& context) {
 void viewMenu(PanelContext& context) {
   using namespace command;
   drawMenu(context,
-           {"View", {viewFrameSelection, viewFrameAll, viewBest,        "",           viewFront,
-                     viewSide,           viewTop,      viewPerspective, viewCamera,   viewSafeFrame,
-                     reference,          "",           viewControllers, viewSkeleton, viewWire,
-                     viewJointNames,     viewWeights,  viewHeatMap,     viewShadeAs,  viewGhosts,
-                     viewFrameNumbers,   viewGrid,     viewReference,   viewCube,     viewSideBySide}},
+           {"View",
+            {viewFrameSelection,
+             viewFrameAll,
+             viewBest,
+             "",
+             viewFront,
+             viewSide,
+             viewTop,
+             viewPerspective,
+             viewCamera,
+             viewSafeFrame,
+             reference,
+             "",
+             viewControllers,
+             viewSkeleton,
+             viewWire,
+             viewJointNames,
+             viewWeights,
+             viewHeatMap,
+             viewShadeAs,
+             viewGhosts,
+             viewFrameNumbers,
+             viewGrid,
+             viewReference,
+             viewCube,
+             viewSideBySide,
+             "",
+             showTimeline,
+             showGraph,
+             showDopeSheet}},
            false);
 }
 
@@ -297,10 +322,11 @@ void drawMenuBar(PanelContext& context) {
   drawKeysMenu(context);
   drawMenu(
       context,
-      {"Time", {timePlay,     timeBack,       timeForward, timeFarBack,    timeFarForward, timePreviousKey,
-                timeNextKey,  momentPrevious, momentNext,  timeStart,      timeEnd,        "",
-                rangeStart,   rangeEnd,       "",          timeEveryFrame, timeOnTwos,     "",
-                clipPrevious, clipNext,       clipRate24,  clipRate25,     clipRate30,     clipRateOwn}},
+      {"Time", {timePlay,    timeBack,       timeForward, timeFarBack,    timeFarForward, timePreviousKey,
+                timeNextKey, momentPrevious, momentNext,  timeStart,      timeEnd,        "",
+                rangeStart,  rangeEnd,       "",          timeEveryFrame, timeOnTwos,     "",
+                clipChoose,  clipPrevious,   clipNext,    clipRate24,     clipRate25,     clipRate30,
+                clipRateOwn}},
       false);
   viewMenu(context);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);

@@ -22,7 +22,8 @@ struct PaletteState {
   bool open = false;
   std::string typed;
   int highlighted = 0;
-  bool wasOpen = false; ///< In the frame before.
+  bool clipsOnly = false; ///< It lists the clips of the character, and no commands.
+  bool wasOpen = false;   ///< In the frame before.
 };
 
 struct KeysOverviewState {

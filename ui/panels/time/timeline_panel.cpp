@@ -235,9 +235,13 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
 void tabs(PanelContext& context) {
   ImGui::BeginChild("bottom/tabs", {context.theme.px(288.0F), context.theme.rowHeight()});
   const std::vector<Choice> choices{
-      {"Timeline", {"Timeline", "Keys of the selection and trails over time.", {}}},
-      {"Graph", {"Graph", "Curves of the selection, whose keys are edited here.", {}}},
-      {"Dope sheet", {"Dope sheet", "Keys of every limb and controller: pick, move, scale, copy.", {}}}};
+      {"Timeline",
+       {"Timeline", "Keys of the selection and trails over time.", keyOf(context, command::showTimeline)}},
+      {"Graph",
+       {"Graph", "Curves of the selection, whose keys are edited here.", keyOf(context, command::showGraph)}},
+      {"Dope sheet",
+       {"Dope sheet", "Keys of every limb and controller: pick, move, scale, copy.",
+        keyOf(context, command::showDopeSheet)}}};
   const int chosen =
       segmented(widgetsOf(context), "bottom/tab", choices, static_cast<int>(context.ui.time.tab));
   ImGui::EndChild();

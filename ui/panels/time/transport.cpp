@@ -11,6 +11,7 @@
 #include "app/edits/keys/rate_edits.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/row_parts.h"
+#include "ui/panels/rows/clip_name.h"
 #include "ui/panels/rows/timeline_model.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
@@ -193,10 +194,6 @@ void timeText(PanelContext& context, const ShownTime& time) {
       takePlace(widgets, "timeline/text", {std::max(1.0F, width), context.theme.rowHeight()}, false);
   drawText(widgets, context.theme.fonts.label, place.box, context.theme.colours.quietText, text, 1.0F);
   tooltip(widgets, rangeHelp(context));
-}
-
-std::string clipName(const Clip& clip, std::size_t index) {
-  return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
 }
 
 /// ", 2 trails": the work in a clip; empty without any.
