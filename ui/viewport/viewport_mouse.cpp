@@ -199,12 +199,17 @@ void beginGesture(ViewportContext& context) {
   }
 }
 
-/// A right click opens the menu of what lies under the mouse; what is selected with it stays selected.
+/// A right click opens the menu of what lies under the mouse, on a handle of what it belongs to; what is
+/// selected with it stays selected.
 void clickRight(ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();
   MenuTarget target = MenuTarget::viewport;
-  if (!viewport.hoveredController.empty()) {
+  if (viewport.hoveredHandle && !session.view().selection.controllers().empty()) {
+    target = MenuTarget::controller;
+  } else if (viewport.hoveredAxis || viewport.hoveredTangent) {
+    target = MenuTarget::sphere;
+  } else if (!viewport.hoveredController.empty()) {
     if (!app::isControllerSelected(session, viewport.hoveredController)) {
       app::selectController(session, viewport.hoveredController, false);
     }

@@ -235,8 +235,9 @@ DiagramClick limbDiagram(const WidgetContext& context, const std::string& id, co
     ImGui::SetMouseCursor(part.found ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_NotAllowed);
     tooltipNow(context, part.help);
   }
-  return control.clicked ? DiagramClick{under, held == nullptr ? "" : held->id, under}
-                         : DiagramClick{{}, {}, under};
+  const std::string controller = held == nullptr ? "" : held->id;
+  return control.clicked ? DiagramClick{under, controller, under, controller}
+                         : DiagramClick{{}, {}, under, controller};
 }
 
 } // namespace stretch::ui

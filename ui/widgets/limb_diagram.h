@@ -53,7 +53,8 @@ struct DiagramFigure {
 struct DiagramClick {
   std::optional<std::size_t> part;
   std::string controller;             ///< Empty: none.
-  std::optional<std::size_t> hovered; ///< Part under the mouse.
+  std::optional<std::size_t> hovered; ///< Part under the mouse,
+  std::string hoveredController;      ///< or the controller that lies over it.
 };
 
 /// The figure, as wide as available. What was clicked; controllers lie over the parts.

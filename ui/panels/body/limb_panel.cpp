@@ -163,13 +163,14 @@ std::vector<DiagramController> diagramControllers(const PanelContext& context) {
       ids.push_back(attribute.id);
     }
     const bool selected = app::isControllerSelected(session, controller.id);
-    controllers.push_back({controller.id,
-                           *place,
-                           selected,
-                           keyMarkOf(session, ids),
-                           {capitalised(app::controllerTitle(document, controller.id)),
-                            "A controller: click selects it, Shift+click adds it.",
-                            {}}});
+    controllers.push_back(
+        {controller.id,
+         *place,
+         selected,
+         keyMarkOf(session, ids),
+         {capitalised(app::controllerTitle(document, controller.id)),
+          "A controller: click selects it, Shift+click adds it, a right click opens its menu.",
+          {}}});
   }
   return controllers;
 }
@@ -273,11 +274,18 @@ std::string limbSelectionText(const app::Session& session) {
   return capitalised(text);
 }
 
-void menuOfDiagram(PanelContext& context, const Rect& box, const std::vector<DiagramPart>& parts) {
-  const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
-  const std::optional<std::size_t> under = partAt(box, parts, ImGui::GetIO().MousePos);
-  if (asked && under && parts[*under].found) {
-    selectForMenu(context, parts[*under].id);
+void menuOfDiagram(PanelContext& context, const DiagramClick& under, const std::vector<DiagramPart>& parts) {
+  if (!ImGui::IsItemHovered() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+    return;
+  }
+  app::Session& session = context.character();
+  if (!under.hoveredController.empty()) {
+    if (!app::isControllerSelected(session, under.hoveredController)) {
+      app::selectController(session, under.hoveredController, false);
+    }
+    askForMenu(context.ui, MenuTarget::controller);
+  } else if (under.hovered && parts[*under.hovered].found) {
+    selectForMenu(context, parts[*under.hovered].id);
   }
 }
 
@@ -307,7 +315,7 @@ void diagram(PanelContext& context) {
     context.ui.body.jointPick.open = true;
     context.ui.body.jointPick.limbId = figure.parts[*clicked.part].id;
   }
-  menuOfDiagram(context, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, figure.parts);
+  menuOfDiagram(context, clicked, figure.parts);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "ui/panels/body/controller_panel.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
+#include "ui/panels/trails/trail_sections.h"
 #include "ui/widgets/layout.h"
 
 namespace stretch::ui {
@@ -20,6 +21,7 @@ void characterRight(PanelContext& context) {
     verticalSpace(widgetsOf(context), 8.0F);
     separator(widgetsOf(context));
     drawTrailsPanel(context);
+    holdSection(context);
     return;
   }
   drawTrailsPanel(context);

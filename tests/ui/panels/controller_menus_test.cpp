@@ -1,0 +1,60 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "tests/support/ui/panel_driver.h"
+
+using namespace stretch;
+using test::PanelDriver;
+
+namespace {
+
+void clickRight(PanelDriver& driver, const std::string& widget) {
+  driver.moveTo(widget);
+  ImGui::GetIO().MouseDown[1] = true;
+  driver.frame();
+  ImGui::GetIO().MouseDown[1] = false;
+  driver.frames(3);
+}
+
+} // namespace
+
+TEST_CASE(
+    "A right click on a controller in the diagram opens its menu, and keeps or selects the controller") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  app::Session& session = *driver.open.character();
+  const bool isSelected = GENERATE(true, false);
+  if (isSelected) {
+    app::selectControllers(session, {"right-foot", "left-foot"});
+  } else {
+    app::selectLimb(session, "left-leg", false);
+  }
+  driver.frames(2);
+  clickRight(driver, "limb/left-foot");
+  CHECK(driver.ui.menu.target == ui::MenuTarget::controller);
+  CHECK(session.view().selection.controllers() == (isSelected
+                                                       ? std::vector<std::string>{"right-foot", "left-foot"}
+                                                       : std::vector<std::string>{"left-foot"}));
+}
+
+TEST_CASE("A right click on a limb in the diagram still opens the limb's menu") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.frames(2);
+  clickRight(driver, "limb/left-leg");
+  CHECK(driver.ui.menu.target == ui::MenuTarget::limb);
+}
+
+TEST_CASE("A selected foot is pinned from its own menu and from the panel") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  app::selectController(*driver.open.character(), "left-foot", false);
+  driver.frames(2);
+  REQUIRE(driver.find(app::command::holdPin) != nullptr);
+  driver.click(app::command::holdPin);
+  CHECK(driver.requested == std::vector<std::string>{app::command::holdPin});
+  driver.requested.clear();
+  clickRight(driver, "limb/left-foot");
+  const std::string entry = std::string("context/") + app::command::holdPin;
+  REQUIRE(driver.find(entry) != nullptr);
+  driver.click(entry);
+  CHECK(driver.requested == std::vector<std::string>{app::command::holdPin});
+}
