@@ -267,38 +267,13 @@ void drawKeysMenu(PanelContext& context) {
 
 void viewMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context,
-           {"View",
-            {viewFrameSelection,
-             viewFrameAll,
-             viewBest,
-             "",
-             viewFront,
-             viewSide,
-             viewTop,
-             viewPerspective,
-             viewCamera,
-             viewSafeFrame,
-             reference,
-             "",
-             viewControllers,
-             viewSkeleton,
-             viewWire,
-             viewJointNames,
-             viewWeights,
-             viewHeatMap,
-             viewShadeAs,
-             viewGhosts,
-             viewFrameNumbers,
-             viewGrid,
-             viewReference,
-             viewCube,
-             viewSideBySide,
-             "",
-             showTimeline,
-             showGraph,
-             showDopeSheet}},
-           false);
+  Menu menu{"View", {viewFrameSelection, viewFrameAll, viewBest,        "",           viewFront,
+                     viewSide,           viewTop,      viewPerspective, viewCamera,   viewSafeFrame,
+                     reference,          "",           viewControllers, viewSkeleton, viewWire,
+                     viewJointNames,     viewWeights,  viewHeatMap,     viewShadeAs,  viewGhosts,
+                     viewFrameNumbers,   viewGrid,     viewReference,   viewCube,     viewSideBySide}};
+  menu.commands.insert(menu.commands.end(), {"", showTimeline, showGraph, showDopeSheet});
+  drawMenu(context, menu, false);
 }
 
 } // namespace
