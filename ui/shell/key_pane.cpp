@@ -131,21 +131,36 @@ std::vector<PaneCommand> keyPaneCommands() {
   return commands;
 }
 
+namespace {
+
+/// Commands whose keys mean another command over graph and dope sheet, and that command.
+constexpr std::array<std::pair<std::string_view, const char*>, 13> meanings{
+    {{command::editDelete, command::keysDelete},
+     {command::poseDeleteKey, command::keysDelete},
+     {command::copyTrail, command::keysCopy},
+     {command::poseCopy, command::keysCopy},
+     {command::pasteTrail, command::keysPaste},
+     {command::posePaste, command::keysPaste},
+     {command::sphereAll, command::keysAll},
+     {command::controllersAll, command::keysAll},
+     {command::sphereGrab, command::keysGrab},
+     {command::poseKey, command::keysScale},
+     {command::viewFrameSelection, command::graphFit},
+     {command::viewFrameAll, command::graphFitAll},
+     {command::sphereAdd, command::keysInsert}}};
+
+} // namespace
+
+std::vector<app::Chord> chordsOverKeys(const Shell& shell, std::string_view commandId) {
+  for (const auto& [there, here] : meanings) {
+    if (std::vector<app::Chord> chords = shell.keymap.chordsOf(there); here == commandId && !chords.empty()) {
+      return chords;
+    }
+  }
+  return {};
+}
+
 std::string commandUnderMouse(const Shell& shell, const app::Chord& chord, const std::string& elsewhere) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 13> meanings{
-      {{command::editDelete, command::keysDelete},
-       {command::poseDeleteKey, command::keysDelete},
-       {command::copyTrail, command::keysCopy},
-       {command::poseCopy, command::keysCopy},
-       {command::pasteTrail, command::keysPaste},
-       {command::posePaste, command::keysPaste},
-       {command::sphereAll, command::keysAll},
-       {command::controllersAll, command::keysAll},
-       {command::sphereGrab, command::keysGrab},
-       {command::poseKey, command::keysScale},
-       {command::viewFrameSelection, command::graphFit},
-       {command::viewFrameAll, command::graphFitAll},
-       {command::sphereAdd, command::keysInsert}}};
   if (!shell.ui.time.keys.hovered || shell.open.character() == nullptr) {
     return elsewhere;
   }

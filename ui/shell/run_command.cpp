@@ -15,6 +15,7 @@
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/applied.h"
 #include "core/anim/frames.h"
+#include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
@@ -217,6 +218,9 @@ void runCommand(Shell& shell, std::string_view commandId) {
   const Status done = command->run(shell);
   tellProblem(shell, done);
   tellShorterClip(shell, commandId, endBefore);
+  if (done && !undone.empty() && shell.open.character() != nullptr) {
+    bringBackPicks(shell.ui.time, *shell.open.character());
+  }
   if (done && !undone.empty()) {
     tellUndone(shell, commandId, undone);
   }
@@ -232,9 +236,11 @@ void runCommand(Shell& shell, std::string_view commandId) {
 
 namespace {
 
-/// The first key of a command, else the one that runs it while another command is off.
+/// The first key of a command, else the one that runs it over graph and dope sheet, or while another command
+/// is off.
 std::string keyTextOf(const Shell& shell, const app::Command<Shell>& command) {
   std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
+  chords = chords.empty() ? chordsOverKeys(shell, command.id) : chords;
   for (const app::Command<Shell>& other : shell.commands) {
     if (chords.empty() && other.otherwise == command.id) {
       chords = shell.keymap.chordsOf(other.id);

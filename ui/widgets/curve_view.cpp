@@ -534,6 +534,11 @@ CurveViewOutcome curveView(const WidgetContext& context, const std::string& id, 
   if (control.hovered) {
     navigate(plot, model, mouse, outcome);
     outcome.fitAsked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    outcome.menuAsked = model.editable && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+    const CurveHit key = outcome.menuAsked ? keyHit(context.theme, plot, model, mouse) : CurveHit{};
+    outcome.menuKey =
+        key.part == CurveGesture::Part::keys ? std::optional<CurveKeyHit>(key.key) : std::nullopt;
+    outcome.menuOnPick = key.picked;
   }
   outcome.hovered = control.hovered;
   outcome.mouse = valueAt(plot, mouse);

@@ -84,7 +84,10 @@ struct CurveViewOutcome {
   bool tangentAlone = false;      ///< Alt: the other side stays.
   std::optional<double> insertAt; ///< A click with Ctrl, at a frame.
   bool gestureEnded = false;
-  bool hovered = false; ///< The mouse is over the curves, here:
+  bool menuAsked = false;             ///< A right click:
+  std::optional<CurveKeyHit> menuKey; ///< on this key,
+  bool menuOnPick = false;            ///< which is picked; none: beside the keys.
+  bool hovered = false;               ///< The mouse is over the curves, here:
   Vec2 mouse{0.0};
 };
 

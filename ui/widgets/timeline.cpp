@@ -262,6 +262,7 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
       nearest = distance;
       outcome.menuOnKey = true;
       outcome.menuFrame = snapped(model, frame);
+      outcome.menuKeys = {row, row, {frame, frame}};
     }
   }
 }

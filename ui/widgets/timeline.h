@@ -125,6 +125,7 @@ struct TimelineOutcome {
   Rect menuRow{};           ///< whose row is here, else
   double menuFrame = 0.0;   ///< at this frame,
   bool menuOnKey = false;   ///< where a key is,
+  KeyBox menuKeys{};        ///< this one,
   bool menuOnRange = false; ///< or an end of the working range.
   int doubleClickedBar = 0;
   std::optional<KeyBox> keysPicked; ///< By a press on a key or a box around some.

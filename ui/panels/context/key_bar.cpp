@@ -11,6 +11,7 @@
 #include "app/commands/table/past_end.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/keys/retime.h"
+#include "app/named.h"
 #include "ui/panels/context/dialog_frame.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/widgets/dropdown.h"
@@ -43,6 +44,40 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
               });
   if (phase.changed && !picked.empty()) {
     app::pickKeys(session, picked, false);
+  }
+}
+
+namespace {
+
+bool selectsTheSame(const KeptPicks& a, const KeptPicks& b) {
+  return a.clip == b.clip && a.limbs == b.limbs && a.controllers == b.controllers;
+}
+
+KeptPicks picksNow(const app::Session& session) {
+  const app::ViewState& view = session.view();
+  return {app::pickedKeys(session), view.clip, view.selection.limbs(), view.selection.controllers()};
+}
+
+} // namespace
+
+void followPicks(TimePanes& time, app::Session& session) {
+  KeptPicks now = picksNow(session);
+  const bool isOther = time.picks != nullptr && !selectsTheSame(now, *time.picks);
+  if (isOther && !now.keys.empty() && now.keys == time.picks->keys && !session.isDragging()) {
+    app::pickKeys(session, {}, false);
+    now.keys.clear();
+  }
+  if (time.picks == nullptr || isOther || now.keys != time.picks->keys) {
+    time.picks = std::make_shared<const KeptPicks>(std::move(now));
+  }
+  time.picksAt[session.history().position()] = time.picks;
+}
+
+void bringBackPicks(const TimePanes& time, app::Session& session) {
+  const auto kept = time.picksAt.find(session.history().position());
+  if (kept != time.picksAt.end() && selectsTheSame(*kept->second, picksNow(session))) {
+    app::pickKeys(session, app::stillThere(session.document(), session.view().clip, kept->second->keys),
+                  false);
   }
 }
 
@@ -166,6 +201,17 @@ void framesSlider(PanelContext& context, const char* id, const char* label, cons
                            frame));
 }
 
+/// The limb that is selected, or whose controller is; empty for none.
+std::string limbOfRetime(const app::Session& session) {
+  const app::Selection& selection = session.view().selection;
+  if (!selection.limbs().empty() || selection.controllers().empty()) {
+    return selection.limbs().empty() ? std::string() : selection.limbs().front();
+  }
+  const rig::ControllerList list = app::controllersOf(session.document());
+  const rig::Controller* const controller = list.controller(selection.controllers().front());
+  return controller == nullptr ? std::string() : controller->limb;
+}
+
 void retimeRows(PanelContext& context) {
   RetimeState& state = context.ui.time.retime;
   framesSlider(context, "retime/first", "From frame ", "The first frame of what is made slower or faster.",
@@ -178,7 +224,7 @@ void retimeRows(PanelContext& context) {
   const EditPhase sped = slider(widgetsOf(context),
                                 {.id = "retime/speed",
                                  .minimum = 10.0,
-                                 .maximum = 400.0,
+                                 .maximum = 190.0,
                                  .step = 5.0,
                                  .decimals = 0,
                                  .prefix = "Speed ",
@@ -202,11 +248,13 @@ void retimeRows(PanelContext& context) {
              {"What comes after", "Off: it stays, and gives way where the range reaches it.", {}})) {
     state.movesAfter = !state.movesAfter;
   }
-  const std::vector<std::string>& limbs = context.character().view().selection.limbs();
-  const std::string limb = limbs.empty() ? std::string() : limbs.front();
+  const std::string limb = limbOfRetime(context.character());
   const std::string name = limb.empty() ? "a limb" : app::limbTitle(context.character().document(), limb);
   if (toggle(widgetsOf(context), "retime/limb", "Only " + name, !state.limb.empty(),
-             {"Only the selected limb", "Off: the whole body, with trails and controllers.", {}},
+             {"Only the selected limb",
+              limb.empty() ? "Select a limb or one of its controllers first."
+                           : "Off: the whole body, with trails and controllers.",
+              {}},
              !limb.empty())) {
     state.limb = state.limb.empty() ? limb : std::string();
   }

@@ -19,6 +19,14 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
 /// unless `keysAlone`, retiming.
 void drawKeyBar(PanelContext& context, bool keysAlone);
 
+/// Keeps in mind which keys are picked at this place of the history, and lets go of them when something else
+/// has been selected: once a frame.
+void followPicks(TimePanes& time, app::Session& session);
+
+/// Picks what was picked when the document was last as it is now, where the same was selected: after undo and
+/// redo.
+void bringBackPicks(const TimePanes& time, app::Session& session);
+
 void drawRetimeDialog(PanelContext& context);
 
 } // namespace stretch::ui

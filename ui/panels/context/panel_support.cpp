@@ -12,6 +12,7 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "rig/limb.h"
+#include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panels.h"
 
 namespace stretch::ui {
@@ -74,6 +75,9 @@ void request(PanelContext& context, std::string_view commandId) {
 
 void beginPanels(PanelContext& context) {
   context.items.clear();
+  if (context.open.character() != nullptr) {
+    followPicks(context.ui.time, context.character());
+  }
   if (!context.ui.panelDrag) {
     return;
   }

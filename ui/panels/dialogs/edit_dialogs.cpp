@@ -4,6 +4,7 @@
 #include "app/edits/pose/selection_set_edits.h"
 #include "app/edits/trail/name_edits.h"
 #include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/context/key_bar.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -155,6 +156,9 @@ void drawHistoryDialog(PanelContext& context) {
   });
   if (jumped) {
     context.ui.panelDrag = false;
+    if (context.open.character() != nullptr) {
+      bringBackPicks(context.ui.time, context.character());
+    }
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();

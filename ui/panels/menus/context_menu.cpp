@@ -79,6 +79,17 @@ constexpr CommandIds viewportEntries{command::viewFrameAll,
                                      "",
                                      command::viewNavigation};
 
+/// What is done with the picked keys of graph and dope sheet, and at a frame beside them: above what a key
+/// and a frame have everywhere.
+constexpr CommandIds pickedEntries{command::keysDelete, command::keysCopy,
+                                   command::keysPaste,  "",
+                                   command::keysGrab,   command::keysScale,
+                                   command::keysSnap,   "",
+                                   command::keysAuto,   command::keysFlat,
+                                   command::keysLinear, command::keysStepped,
+                                   command::keysFree,   ""};
+constexpr CommandIds besideKeysEntries{command::keysInsert, command::keysPaste, command::keysAll, ""};
+
 /// After what is done with the one hold.
 constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
                                   "", command::rangeStart, command::rangeEnd,    command::rangeDefault};
@@ -145,8 +156,9 @@ bool isOfTime(MenuTarget target) {
 /// Entries that act at the playhead.
 bool actsAtPlayhead(std::string_view id) {
   using namespace command;
-  constexpr std::array<std::string_view, 7> atPlayhead{
-      rangeStart, rangeEnd, timePreviousKey, timeNextKey, trailExaggerate, trailToggle, sphereAdd};
+  constexpr std::array<std::string_view, 9> atPlayhead{rangeStart,  rangeEnd,        timePreviousKey,
+                                                       timeNextKey, trailExaggerate, trailToggle,
+                                                       sphereAdd,   keysInsert,      keysPaste};
   return std::find(atPlayhead.begin(), atPlayhead.end(), id) != atPlayhead.end();
 }
 
@@ -275,7 +287,13 @@ void entries(PanelContext& context) {
   if (target == MenuTarget::hold) {
     holdEntries(context);
   }
-  for (const char* id : entriesOf(target)) {
+  const bool editsKeys = isOfTime(target) && context.ui.time.tab != BottomTab::timeline;
+  std::vector<const char*> ids;
+  if (editsKeys) {
+    ids = target == MenuTarget::key ? pickedEntries : besideKeysEntries;
+  }
+  ids.insert(ids.end(), entriesOf(target).begin(), entriesOf(target).end());
+  for (const char* id : ids) {
     if (id[0] == '\0') {
       ImGui::Separator();
     } else if (commandEntry(context, "context/", id) && isOfTime(target) && actsAtPlayhead(id)) {

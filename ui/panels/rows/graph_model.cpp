@@ -414,13 +414,15 @@ void updateCurves(PanelContext& context, const GraphSubject& subject, const Grap
   const Clip& shown = app::clipOf(document, key.clip);
   const rig::Limb* const limb = key.lengthOf.empty() ? nullptr : app::findLimb(document, key.lengthOf);
   std::vector<app::KeyRow> rows = limb != nullptr ? std::vector<app::KeyRow>{} : graphRows(context, subject);
-  const bool isNew = !graph.madeFrom || !hasSameRows(*graph.madeFrom, key) || rows != graph.rows;
+  const bool isOther = !graph.madeFrom || !hasSameRows(*graph.madeFrom, key);
+  const bool isNew = isOther || rows != graph.rows;
   const double share = mostPoints / std::max(1.0, 3.0 * static_cast<double>(rows.size()));
   const std::vector<double> samples = sampleFrames({key.firstFrame, key.lastFrame}, endInFrames(shown),
                                                    std::clamp(share, fewestSamples, mostSamples));
   if (isNew) {
     startRows(context, std::move(rows));
     graph.shownPicks.reset();
+    graph.fitPending = graph.fitPending || isOther; // Other curves have other values.
   }
   if (limb != nullptr) {
     graph.curves = lengthCurve(context, *limb, samples);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -115,6 +116,14 @@ struct KeyRowsState {
   std::optional<app::KeySelection> shownPicks = {}; ///< Picks as the rows mark them.
 };
 
+/// Keys that were picked, and what was selected then.
+struct KeptPicks {
+  app::KeySelection keys = {};
+  int clip = 0;
+  std::vector<std::string> limbs = {};
+  std::vector<std::string> controllers = {};
+};
+
 /// The sound of the clip's reference.
 struct ShownSound {
   std::shared_ptr<const app::Sound> sound = {}; ///< Null: none, or not read yet.
@@ -129,6 +138,8 @@ struct TimePanes {
   ShownSound sound;
   KeyPane keys;
   KeyRowsState rows;
+  std::shared_ptr<const KeptPicks> picks = {};                          ///< In the last frame,
+  std::map<std::size_t, std::shared_ptr<const KeptPicks>> picksAt = {}; ///< and at places of the history.
   RetimeState retime;
   BottomTab tab = BottomTab::timeline;
   TimelineGesture gesture;

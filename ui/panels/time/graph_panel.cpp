@@ -7,6 +7,7 @@
 #include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
+#include "ui/panels/menus/context_menu.h"
 #include "ui/panels/rows/graph_model.h"
 #include "ui/panels/rows/timeline_model.h"
 #include "ui/widgets/curve_view.h"
@@ -171,6 +172,27 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
   }
 }
 
+/// A right click: a key that lies there is picked, and its menu opens; beside the keys that of the frame.
+void applyMenu(PanelContext& context, const CurveViewOutcome& outcome) {
+  if (!outcome.menuAsked) {
+    return;
+  }
+  app::Session& session = context.character();
+  const GraphState& graph = context.ui.time.graph;
+  const double last = app::lastFrame(session.document(), session.view().clip);
+  double frame = std::clamp(std::round(outcome.mouse.x), 0.0, last);
+  if (outcome.menuKey) {
+    const std::vector<CurveKey>& keys = graph.curves[outcome.menuKey->curve].keys;
+    const auto key = std::ranges::find(keys, outcome.menuKey->key, &CurveKey::key);
+    frame = key == keys.end() ? frame : key->at.x;
+    if (!outcome.menuOnPick) {
+      app::pickKeys(session, keyOf(graph, *outcome.menuKey), false);
+    }
+  }
+  context.ui.menu.frame = frame;
+  askForMenu(context.ui, outcome.menuKey ? MenuTarget::key : MenuTarget::time);
+}
+
 /// One frame of a drag of keys or of a tangent.
 void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
@@ -260,6 +282,7 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
     return;
   }
   applyPicks(context, outcome);
+  applyMenu(context, outcome);
   applyDrags(context, outcome);
 }
 

@@ -125,7 +125,30 @@ void applyView(PanelContext& context, const TimelineOutcome& outcome) {
   }
 }
 
-/// A right click: the trail that lies there is selected; the playhead stays until an entry is chosen.
+/// The keys of the dope sheet that a box is around.
+app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
+  const app::Session& session = context.character();
+  app::KeySelection selection;
+  const auto& keyed = context.ui.time.rows.keyed;
+  for (std::size_t row = box.firstRow; row <= box.lastRow && row < keyed.size(); ++row) {
+    selection = app::joined(selection, app::keysBetween(session.document(), session.view().clip, keyed[row],
+                                                        box.frames.start, box.frames.end));
+  }
+  return selection;
+}
+
+/// Picks the keys that a menu is about, where they can be edited and are not among the picked ones.
+void pickForMenu(PanelContext& context, const KeyBox& box) {
+  app::Session& session = context.character();
+  const app::KeySelection under = keysIn(context, box);
+  if (context.ui.time.tab == BottomTab::dopeSheet &&
+      app::joined(app::pickedKeys(session), under) != app::pickedKeys(session)) {
+    app::pickKeys(session, under, false);
+  }
+}
+
+/// A right click: the trail or the key that lies there is selected; the playhead stays until an entry is
+/// chosen.
 void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.menuBar != 0) {
@@ -135,6 +158,9 @@ void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
                MenuPlace{ImGui::GetIO().MousePos.x, outcome.menuRow.min.y, outcome.menuRow.max.y});
   } else if (outcome.menuAsked) {
     context.ui.menu.frame = outcome.menuFrame;
+    if (outcome.menuOnKey && !outcome.menuOnRange) {
+      pickForMenu(context, outcome.menuKeys);
+    }
     askForMenu(context.ui, outcome.menuOnRange ? MenuTarget::range
                            : outcome.menuOnKey ? MenuTarget::key
                                                : MenuTarget::time);
@@ -162,18 +188,6 @@ void followClip(PanelContext& context) {
       context.ui.time.graph.fitPending || time.seenClip != clip || time.seenRate != rate;
   time.seenClip = clip;
   time.seenRate = rate;
-}
-
-/// The keys of the dope sheet that a box is around.
-app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
-  const app::Session& session = context.character();
-  app::KeySelection selection;
-  const auto& keyed = context.ui.time.rows.keyed;
-  for (std::size_t row = box.firstRow; row <= box.lastRow && row < keyed.size(); ++row) {
-    selection = app::joined(selection, app::keysBetween(session.document(), session.view().clip, keyed[row],
-                                                        box.frames.start, box.frames.end));
-  }
-  return selection;
 }
 
 /// Picking and dragging keys in the dope sheet.
