@@ -274,7 +274,19 @@ std::string lengthsText(const TipLengths& lengths) {
   return text;
 }
 
-void tell(UiState& ui, ToastKind kind, const std::string& text) {
+namespace {
+
+/// A line that begins with the path of a file, with the file's name alone.
+std::string withoutFolders(const std::string& text) {
+  const std::size_t end = std::min(text.find(": "), text.size());
+  const std::size_t slash = text.rfind('/', end);
+  return text.starts_with('/') && slash + 1 < end ? text.substr(slash + 1) : text;
+}
+
+} // namespace
+
+void tell(UiState& ui, ToastKind kind, const std::string& whole) {
+  const std::string text = withoutFolders(whole);
   const float seconds = kind == ToastKind::error ? 8.0F : 5.0F;
   const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
   if (same != ui.toasts.end()) {

@@ -64,7 +64,7 @@ ToastStyle toastStyle(const Theme& theme, const Rect& picture) {
 struct ToastPlace {
   Rect box;
   std::vector<std::string_view> lines;
-  bool isCut = false; ///< The last line holds more than is drawn of it.
+  bool isLong = false; ///< It takes much of the picture's height.
 };
 
 /// A place for all messages: a part of the window, and at which of its edges they stand.
@@ -114,13 +114,10 @@ std::vector<StackPlace> placesByDialog(const Rect& picture, const Rect& dialog) 
 ToastPlace placeToast(const ToastStyle& style, const Rect& room, const Toast& message, float top) {
   ToastPlace place;
   place.lines = wrapped(style.font, message.text, style.widest);
-  place.isCut = place.lines.size() > style.mostLines;
-  float textWidth = place.isCut ? style.widest : 0.0F;
+  place.isLong = place.lines.size() > style.mostLines;
+  float textWidth = 0.0F;
   for (const std::string_view line : place.lines) {
     textWidth = std::max(textWidth, textSize(style.font, line).x);
-  }
-  if (place.isCut) {
-    place.lines = wrapped(style.font, message.text, style.widest, style.mostLines);
   }
   const float width = textWidth + style.iconColumn + 2.0F * style.padding.x;
   const float height = static_cast<float>(place.lines.size()) * style.font->FontSize + 2.0F * style.padding.y;
@@ -203,8 +200,8 @@ bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std:
   });
 }
 
-/// In the place of the frame before, else in the first one that is free of what is spared as well, else in
-/// the first that is free of what is kept, else in the first.
+/// In the place of the frame before, else in the first one that is free of what is spared as well and wide
+/// enough for a long message, else in the first that is free of what is kept, else in the first.
 std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style,
                                      const std::vector<Toast*>& shown, const std::vector<StackPlace>& places,
                                      const MessageRoom& room, std::size_t& at) {
@@ -213,8 +210,10 @@ std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style
     for (std::size_t tried = 0; tried <= places.size(); ++tried) {
       const std::size_t index = tried == 0 ? at : tried - 1;
       std::vector<PlacedToast> placed = placeToasts(theme, style, shown, places[index]);
+      const bool isShort =
+          std::ranges::none_of(placed, [](const PlacedToast& toast) { return toast.place.isLong; });
       if (isFree(placed, places[index].room, room.kept) &&
-          (!sparing || isFree(placed, places[index].room, room.spared))) {
+          (!sparing || (isShort && isFree(placed, places[index].room, room.spared)))) {
         at = index;
         return placed;
       }
@@ -224,14 +223,11 @@ std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style
   return placeToasts(theme, style, shown, places.front());
 }
 
-/// Draws a message and takes its seconds, which wait while the mouse reads the whole of one that is cut.
+/// Draws a message and takes its seconds, which wait while the mouse is on a long one.
 void showToast(PanelContext& context, const ToastStyle& style, const PlacedToast& toast, bool canBeRead,
                ImDrawList& list) {
   drawToast(context.theme, style, *toast.message, toast.place, list);
-  const bool isRead = canBeRead && toast.place.isCut && toast.place.box.contains(ImGui::GetMousePos());
-  if (isRead) {
-    tooltipNow(widgetsOf(context), {.text = toast.message->text});
-  }
+  const bool isRead = canBeRead && toast.place.isLong && toast.place.box.contains(ImGui::GetMousePos());
   toast.message->secondsLeft -= isRead ? 0.0F : ImGui::GetIO().DeltaTime;
 }
 
