@@ -303,7 +303,7 @@ void drawFrame(Editor& editor) {
   const double began = clockSeconds();
   updateTheme(editor);
   describeCommands(shell);
-  editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
+  editor.gui.beginFrame(editor.window.input(), editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
   updateReference(shell, began);
   updateTour(shell);

@@ -47,9 +47,10 @@ Theme Gui::setTheme(ThemeKind kind, float scale) {
   return theme;
 }
 
-void Gui::beginFrame(const DrivenMouse* mouse) {
+void Gui::beginFrame(InputQueue& input, const DrivenMouse* mouse) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  playButtons(input, ImGui::GetIO());
   if (mouse != nullptr) {
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = 1.0F / 60.0F;

@@ -25,9 +25,9 @@ public:
   /// Loads fonts and style anew.
   [[nodiscard]] Theme setTheme(ThemeKind kind, float scale);
 
-  /// `mouse` replaces the window's mouse, and time then runs in steps of a sixtieth of a second; null for a
-  /// user.
-  void beginFrame(const DrivenMouse* mouse);
+  /// `input`: of the window, whose mouse buttons are played. `mouse` replaces them, and time then runs in
+  /// steps of a sixtieth of a second; null for a user.
+  void beginFrame(InputQueue& input, const DrivenMouse* mouse);
   /// Draws the widgets into the window.
   void endFrame(const Theme& theme, const WindowSize& size);
 

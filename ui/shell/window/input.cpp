@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cfloat>
+#include <iterator>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 namespace stretch::ui {
 
@@ -64,7 +67,11 @@ void onCharacter(GLFWwindow* window, unsigned int codepoint) {
 }
 
 void onMouseButton(GLFWwindow* window, int button, int action, int mods) {
-  queueOf(window).anything = true;
+  InputQueue& queue = queueOf(window);
+  queue.anything = true;
+  if (button >= 0 && button < static_cast<int>(queue.heldButtons.size())) {
+    queue.buttons.push_back({static_cast<std::size_t>(button), action == GLFW_PRESS, glfwGetTime()});
+  }
   ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
 }
 
@@ -162,6 +169,25 @@ void releaseTappedKeys(InputQueue& queue, GLFWwindow* window) {
   queue.anything = queue.anything || !queue.lateReleases.empty();
   queue.lateReleases.clear();
   queue.pressedKeys.clear();
+}
+
+void playButtons(InputQueue& queue, ImGuiIO& io) {
+  constexpr double usualSeconds = 0.3;
+  constexpr float slowSeconds = 0.1F;
+  std::array<bool, 3> isPlayed{};
+  while (!queue.buttons.empty() && !isPlayed.at(queue.buttons.front().button)) {
+    const ButtonEvent event = queue.buttons.front();
+    queue.buttons.pop_front();
+    isPlayed.at(event.button) = true;
+    queue.heldButtons.at(event.button) = event.down;
+    if (event.down) {
+      const double frame = io.DeltaTime > slowSeconds ? double(io.DeltaTime) : 0.0;
+      const double last = std::exchange(queue.pressedAt.at(event.button), event.seconds);
+      io.MouseDoubleClickTime = event.seconds - last < usualSeconds + frame ? FLT_MAX : 0.0F;
+    }
+  }
+  std::ranges::copy(queue.heldButtons, std::begin(io.MouseDown));
+  queue.anything = queue.anything || !queue.buttons.empty();
 }
 
 void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepoint) {
