@@ -244,22 +244,32 @@ TimelineBar barOf(const app::Session& session, const ShownHold& hold, const Them
   return bar;
 }
 
-// Those of one limb share a row. The dope sheet has them above its many rows of keys, where they are seen.
+// Those of one limb share a row. The dope sheet has the first above its many rows of keys, where they are
+// seen, and the others below: the keys are what it is for. Below are all that last the whole clip, as things
+// in a file's hands do.
 void addHolds(PanelContext& context, bool above, TimelineModel& model) {
+  constexpr std::size_t mostAbove = 2;
   const app::Session& session = context.character();
+  std::vector<ShownHold> holds = shownHolds(session.document(), session.view().clip);
+  const auto isTimed = [&](const ShownHold& hold) {
+    return hold.time.rangeFrames != Vec2(model.clip.start, model.clip.end);
+  };
+  std::ranges::stable_partition(holds, isTimed);
   std::size_t rows = above ? 0 : model.bars.size();
-  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+  for (const ShownHold& hold : holds) {
     TimelineBar bar = barOf(session, hold, context.theme.colours);
     const auto same = std::find_if(model.bars.begin(), model.bars.end(), [&](const TimelineBar& other) {
       return other.id < 0 && other.label == bar.label;
     });
     bar.row = same != model.bars.end() ? same->row : rows++;
+    model.rowsAbove = above && isTimed(hold) ? std::min(rows, mostAbove) : model.rowsAbove;
     model.bars.push_back(std::move(bar));
   }
   if (above) {
-    model.rowsAbove = rows;
+    const auto trails = static_cast<std::size_t>(
+        std::ranges::count_if(model.bars, [](const TimelineBar& bar) { return bar.id > 0; }));
     for (TimelineBar& bar : model.bars) {
-      bar.row += bar.id > 0 ? rows : 0;
+      bar.row += bar.id > 0 ? model.rowsAbove : bar.row >= model.rowsAbove ? trails : 0;
     }
   }
 }
