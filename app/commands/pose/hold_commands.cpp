@@ -133,6 +133,12 @@ bool hasGrip(const Session& session) {
   return hasHeldTargets(session) && presentGrip(session).has_value();
 }
 
+std::string matchLabel(const Session& session) {
+  const std::vector<std::string> targets = heldTargets(session);
+  const rig::Limb* const limb = targets.empty() ? nullptr : findLimb(session.document(), targets.front());
+  return limb != nullptr && isLeg(*limb) ? "Match the other foot" : "Match the other hand";
+}
+
 Status matchOtherHand(Session& session) {
   if (const std::optional<std::size_t> present = presentGrip(session)) {
     return finish(session, removeHold(session.document(), {rig::HoldKind::grip, *present}),
@@ -324,10 +330,13 @@ std::vector<DocumentCommand> holdCommands() {
             "Finds where each foot stands, in the working range or the whole clip, and pins it there.",
             {"Alt+P"}, {hasClipAndLegs, "open a character with legs and a clip"}, pinPlantedFeet),
       ticked(
-          entry(command::holdMatch, "Match the other hand",
-                "Lets the other hand or foot keep its relation to the selected one over the range that the "
-                "timeline shows, or lets it go again.",
-                {"M"}, heldTargetNeeded(), matchOtherHand),
+          labelled(
+              entry(
+                  command::holdMatch, "Match the other hand",
+                  "Lets the other hand or foot keep its relation to the selected one over the range that the "
+                  "timeline shows, or lets it go again.",
+                  {"M"}, heldTargetNeeded(), matchOtherHand),
+              matchLabel),
           hasGrip),
       entry(command::holdProp, "Hold the nearest prop",
             "Puts the nearest thing into the selected hand, or into both: what the clip moves as it is there "

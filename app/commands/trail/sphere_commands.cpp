@@ -31,7 +31,35 @@ Error noSphere() {
   return {"no control sphere is selected", "", "press Tab to select one, or click it"};
 }
 
+/// Of the last selected limb's trails the one that is nearest to the playhead; 0 for none.
+int trailOfLimb(const Session& session) {
+  const ViewState& view = session.view();
+  int nearest = 0;
+  double least = 0.0;
+  for (const rig::Trail& trail : session.document().trails) {
+    const double frame = std::clamp(view.frame, trail.settings.startFrame, trail.settings.endFrame);
+    const double away = std::abs(frame - view.frame);
+    if (!view.selection.limbs().empty() && trail.limb == view.selection.limbs().back() &&
+        trail.clip == view.clip && (nearest == 0 || away < least)) {
+      nearest = trail.id;
+      least = away;
+    }
+  }
+  return nearest;
+}
+
+Need trailToStepNeeded() {
+  return {[](const Session& session) {
+            return hasSelectedTrail(session) ||
+                   (session.view().selection.controllers().empty() && trailOfLimb(session) != 0);
+          },
+          selectedTrailNeeded().text};
+}
+
 Status stepSphere(Session& session, bool forward) {
+  if (!hasSelectedTrail(session)) {
+    selectTrail(session, trailOfLimb(session));
+  }
   const std::vector<double> frames = sphereFrames(session);
   if (frames.empty()) {
     return Error{"no trail with control spheres is selected", "", "select a limb and press T or E"};
@@ -159,18 +187,19 @@ Status nudgeAlong(Session& session, double direction) {
 
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
-      orElse(entry(command::sphereNext, "Next sphere",
-                   "Selects the next control sphere; the playhead jumps there. Without a trail the next "
-                   "controller.",
-                   {"Tab"}, selectedTrailNeeded(),
-                   [](Session& session) { return stepSphere(session, true); }),
-             command::controllerNext),
-      orElse(entry(command::spherePrevious, "Previous sphere",
-                   "Selects the control sphere before; the playhead jumps there. Without a trail the "
-                   "controller before.",
-                   {"Shift+Tab"}, selectedTrailNeeded(),
-                   [](Session& session) { return stepSphere(session, false); }),
-             command::controllerPrevious),
+      orElse(
+          entry(command::sphereNext, "Next sphere",
+                "Selects the next control sphere of the selected limb; the playhead jumps there. Without a "
+                "trail the next controller.",
+                {"Tab"}, trailToStepNeeded(), [](Session& session) { return stepSphere(session, true); }),
+          command::controllerNext),
+      orElse(
+          entry(command::spherePrevious, "Previous sphere",
+                "Selects the control sphere before of the selected limb; the playhead jumps there. Without "
+                "a trail the controller before.",
+                {"Shift+Tab"}, trailToStepNeeded(),
+                [](Session& session) { return stepSphere(session, false); }),
+          command::controllerPrevious),
       orElse(entry(command::sphereAll, "All spheres",
                    "Selects every control sphere of the trail; without one every controller.", {"Ctrl+A"},
                    selectedTrailNeeded(), selectAll),

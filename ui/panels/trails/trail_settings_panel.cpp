@@ -89,8 +89,10 @@ std::string noTrailNote(const PanelContext& context, const std::string& limbId) 
   }
   return frames.empty()
              ? "Make a trail to see its range, scale, axes and transition."
-             : fmt::format("Its trails lie at frames {}: click one, or press {} for the stroke here.", frames,
-                           keyOf(context, command::trailExaggerate));
+             : fmt::format(
+                   "Its trails lie at frames {}: click one, or press {} to go there, {} for the stroke "
+                   "here.",
+                   frames, keyOf(context, command::sphereNext), keyOf(context, command::trailExaggerate));
 }
 
 // Without a trail there is still the weight of the selected limb.
