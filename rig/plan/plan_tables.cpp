@@ -111,9 +111,9 @@ BodyPlan birdPlan() {
   BodyPlan plan{"bird", "a bird or a two-legged dinosaur", 2, {}, {}, FigureView::above};
   const Bones arm{{18, 84, 6, 34, 72, 5}, {34, 72, 5, 34, 58, 4}};
   const Bones leg{{14, 136, 10, 30, 150, 7}, {30, 150, 7, 32, 172, 5}, {32, 176, 5, 34, 164, 4}};
-  addPair(plan.limbs, {"", {LimbKind::arm}, false, arm, {34, 58}, {46, 66}}, "left-arm", "right-arm",
+  addPair(plan.limbs, {"", {LimbKind::arm}, false, arm, {34, 58}, {52, 68}}, "left-arm", "right-arm",
           plan.view);
-  addPair(plan.limbs, {"", {LimbKind::leg}, true, leg, {33, 174}, {48, 168}}, "left-leg", "right-leg",
+  addPair(plan.limbs, {"", {LimbKind::leg}, true, leg, {33, 174}, {54, 168}}, "left-leg", "right-leg",
           plan.view);
   plan.limbs.push_back(
       {"spine", biped::spine, true, {{0, 86, 14, 0, 120, 16}, {0, 120, 16, 0, 140, 12}}, {0, 82}, {0, 103}});
@@ -147,7 +147,7 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
             {"", {LimbKind::leg, left, row}, true, leg, {78, foot}, {60, 0.5F * (knee + foot) + 12.0F}},
             "left-leg" + number, "right-leg" + number, plan.view);
   }
-  plan.limbs.push_back({"spine", biped::spine, true, {{0, 62, 12, 0, 118, 11}}, {0, 62}, {0, 76}});
+  plan.limbs.push_back({"spine", biped::spine, true, {{0, 62, 12, 0, 118, 11}}, {0, 62}, {0, 90}});
   plan.limbs.push_back({"neck", biped::neck, false, {{0, 35, 9, 0, 39, 10}}, {0, 35}, {22, 38}});
   plan.limbs.push_back({"tail",
                         {LimbKind::tail, middle},
@@ -156,10 +156,10 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
                         {0, 198},
                         {0, 164}});
   const Bones feeler{{5, 32, 2.5F, 14, 16, 2}, {14, 16, 2, 28, 8, 1.5F}};
-  addPair(plan.limbs, {"", {LimbKind::feeler}, false, feeler, {28, 8}, {40, 14}}, "left-feeler",
+  addPair(plan.limbs, {"", {LimbKind::feeler}, false, feeler, {28, 8}, {47, 15}}, "left-feeler",
           "right-feeler", plan.view);
   const Bones wing{{16, 130, 4, 32, 168, 7}, {32, 168, 7, 42, 206, 5}};
-  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {42, 206}, {58, 206}}, "left-wing", "right-wing",
+  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {42, 206}, {63, 206}}, "left-wing", "right-wing",
           plan.view);
   return plan;
 }
@@ -179,9 +179,9 @@ BodyPlan serpentPlan() {
   plan.limbs.push_back({"neck", biped::neck, false, {{0, 12, 8, 0, 20, 9}}, {0, 12}, {24, 18}});
   const Bones front{{22, 66, 5, 48, 84, 4}, {48, 84, 4, 54, 96, 2.5F}};
   const Bones hind{{14, 136, 4, 36, 152, 3}, {36, 152, 3, 40, 160, 2}};
-  addPair(plan.limbs, {"", {LimbKind::fin, left, 0}, false, front, {54, 96}, {64, 82}}, "left-fin",
+  addPair(plan.limbs, {"", {LimbKind::fin, left, 0}, false, front, {54, 96}, {68, 79}}, "left-fin",
           "right-fin", plan.view);
-  addPair(plan.limbs, {"", {LimbKind::fin, left, 2}, false, hind, {40, 160}, {52, 150}}, "left-fin-2",
+  addPair(plan.limbs, {"", {LimbKind::fin, left, 2}, false, hind, {40, 160}, {57, 148}}, "left-fin-2",
           "right-fin-2", plan.view);
   return plan;
 }

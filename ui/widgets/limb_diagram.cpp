@@ -178,7 +178,8 @@ void drawSides(const WidgetContext& context, const Rect& box, bool leftIsOnTheRi
   const float row = theme.px(18.0F);
   const ImU32 colour = faded(theme.colours.quietText, 0.8F);
   const Rect line{box.min, {box.max.x, box.min.y + row}};
-  drawText(context, theme.fonts.label, line, colour, leftIsOnTheRight ? "R" : "L");
+  drawText(context, theme.fonts.label, line, colour,
+           leftIsOnTheRight ? "R  \xC2\xB7  front" : "L  \xC2\xB7  above");
   drawText(context, theme.fonts.label, line, colour, leftIsOnTheRight ? "L" : "R", 1.0F);
 }
 
