@@ -163,7 +163,8 @@ void endClip(Shell& shell, bool keeps) {
     session.commit();
     shell.ui.trails.takenStyle = {session.document().scene, state.trails, state.style};
     for (const int id : state.trails) {
-      shell.beside.styling.kept.push_back(*app::findTrail(session.document(), id));
+      shell.ui.trails.takenStyle.made.push_back(*app::findTrail(session.document(), id));
+      shell.beside.styling.kept.push_back(shell.ui.trails.takenStyle.made.back());
     }
     const auto done = std::ranges::count_if(state.made, [](const auto& one) { return one.trailId > 0; });
     tell(shell, ToastKind::success,

@@ -25,32 +25,40 @@ struct LegendRow {
   ImU32 colour;
   LegendMark mark;
   const char* text;
+  std::vector<ImU32> others = {}; ///< Further colours of such lines in the picture.
 };
 
-/// The trail that the legend is about: the selected one, else any that is drawn.
-const ShownTrail* explainedTrail(const ViewportContext& context) {
+/// The trails that are drawn: the selected one first.
+std::vector<const ShownTrail*> explainedTrails(const ViewportContext& context) {
   const app::Session& session = *context.open.character();
-  const ShownTrail* lit = nullptr;
+  std::vector<const ShownTrail*> drawn;
   for (const ShownTrail& trail : context.viewport.shown.trails) {
     const rig::Trail* const source = app::findTrail(session.document(), trail.id);
-    const bool drawn =
-        source != nullptr && isDrawn(*source, session.view().selection.limbs(), context.ui.overlays);
-    const bool selected = trail.id == session.view().selection.trail();
-    lit = drawn && (lit == nullptr || selected) ? &trail : lit;
+    if (source != nullptr && isDrawn(*source, session.view().selection.limbs(), context.ui.overlays)) {
+      const bool isSelected = trail.id == session.view().selection.trail();
+      drawn.insert(isSelected ? drawn.begin() : drawn.end(), &trail);
+    }
   }
-  return lit;
+  return drawn;
 }
 
 /// What the lines and ghosts are that stand in the picture.
 std::vector<LegendRow> legendRows(const ViewportContext& context) {
   std::vector<LegendRow> rows;
-  const ShownTrail* const lit = explainedTrail(context);
-  if (lit != nullptr) {
+  const std::vector<const ShownTrail*> trails = explainedTrails(context);
+  if (!trails.empty()) {
     rows.push_back({originalColour(context.theme.kind), LegendMark::dashes, "original path"});
   }
-  if (lit != nullptr && lit->exaggerated) {
-    rows.push_back({trailColour(lit->colour, context.theme.kind), LegendMark::line,
-                    lit->applied ? "applied" : "exaggerated"});
+  if (!trails.empty() && trails.front()->exaggerated) {
+    rows.push_back({trailColour(trails.front()->colour, context.theme.kind), LegendMark::line,
+                    trails.front()->applied ? "applied" : "exaggerated"});
+    for (const ShownTrail* const other : trails) {
+      const ImU32 colour = trailColour(other->colour, context.theme.kind);
+      const bool isNew = colour != rows.back().colour && std::ranges::count(rows.back().others, colour) == 0;
+      if (other->exaggerated && isNew) {
+        rows.back().others.push_back(colour);
+      }
+    }
   }
   const Palette palette = paletteOf(context.theme.kind);
   if (context.ui.overlays.ghosts) {
@@ -75,9 +83,15 @@ void drawMark(ImDrawList& draw, const Theme& theme, const ImVec2& left, const Le
   const float half = theme.px(1.5F);
   const float width = theme.px(20.0F);
   switch (row.mark) {
-  case LegendMark::line:
+  case LegendMark::line: {
+    const float share = width / static_cast<float>(row.others.size() + 1);
     draw.AddRectFilled({left.x, left.y - half}, {left.x + width, left.y + half}, row.colour);
+    for (std::size_t i = 0; i < row.others.size(); ++i) {
+      const float from = left.x + share * static_cast<float>(i + 1);
+      draw.AddRectFilled({from, left.y - half}, {from + share, left.y + half}, row.others[i]);
+    }
     break;
+  }
   case LegendMark::dashes:
     for (const float from : {0.0F, 12.0F}) {
       draw.AddRectFilled({left.x + theme.px(from), left.y - half},

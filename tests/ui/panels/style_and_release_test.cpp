@@ -72,3 +72,26 @@ TEST_CASE("A style that was taken is named until its settings are changed, and n
   panels.takenStyle.trails = {4, 1};
   CHECK(ui::shownStyle(panels, *styled, trails).index == 1);
 }
+
+TEST_CASE(
+    "A style whose trails were made for the whole clip is named, whatever scales they got, until one is "
+    "changed") {
+  app::Document made = LoopPanels::document(2.0);
+  ui::TrailPanels panels;
+  made.trails.front().settings.scale = 1.37;
+  panels.takenStyle = {made.scene, {1}, 1, made.trails};
+  CHECK(ui::shownStyle(panels, made, {1}).index == 1);
+  made.trails.front().settings.scale = 1.4;
+  CHECK(ui::shownStyle(panels, made, {1}).index == -1);
+  CHECK(ui::shownStyle(panels, made, {1}).otherwise == panels.styles[1].name + ", changed");
+}
+
+TEST_CASE("Each style of the list says whose it is") {
+  const std::vector<rig::Style> styles = rig::builtInStyles();
+  const std::vector<ui::Choice> choices = ui::styleChoices(styles);
+  REQUIRE(choices.size() == styles.size());
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    INFO(styles[i].name);
+    CHECK(choices[i].note.starts_with(styles[i].origin == rig::StyleOrigin::measured ? "measured" : "ours"));
+  }
+}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,12 +46,20 @@ struct TakenStyle {
   std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
   std::vector<int> trails = {};            ///< Ids.
   int style = 0;                           ///< Into TrailPanels::styles.
+  std::vector<rig::Trail> made = {}; ///< Those that were made in it for the whole clip, each with its own
+                                     ///< scale.
 
   /// Whether it was taken for all of these; never where there are none.
   [[nodiscard]] bool isFor(const std::shared_ptr<const Scene>& shown, const std::vector<int>& asked) const {
     return scene != nullptr && scene == shown && !asked.empty() &&
            std::ranges::all_of(asked, [&](int id) { return std::ranges::find(trails, id) != trails.end(); });
   }
+};
+
+/// Why trails that are exaggerated leave their limbs as long as they were at the tip, as last looked for.
+struct IdleTrails {
+  std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
+  std::map<int, std::string> why = {}; ///< Reasons of those that do, by id; an empty one is not known.
 };
 
 /// The whole clip exaggerated in one style, while it is looked at before it is kept.
@@ -79,6 +88,7 @@ struct TrailPanels {
   ClipStyleState clipStyle;
   LookState look;
   SeenState seen;
+  IdleTrails idle;
   TakenStyle takenStyle;
   RenameState rename;
   bool allWarnings = false; ///< Every warning of the trail is listed, not the first alone.

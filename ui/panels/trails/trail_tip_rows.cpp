@@ -241,7 +241,11 @@ std::vector<Choice> styleChoices(const std::vector<rig::Style>& styles) {
                    origin + ": arms " + times(style.arm) + ", body " + times(style.torso) + ", legs " +
                        times(style.leg),
                    {}};
-    choice.note = times(style.arm) + " arms  " + times(style.leg) + " legs  " + times(style.torso) + " torso";
+    const char* const whose = style.origin == rig::StyleOrigin::measured ? "measured"
+                              : style.origin == rig::StyleOrigin::ours   ? "ours"
+                                                                         : "yours";
+    choice.note = fmt::format("{}  {} arms  {} legs  {} torso", whose, times(style.arm), times(style.leg),
+                              times(style.torso));
     choices.push_back(std::move(choice));
   }
   return choices;
@@ -254,7 +258,12 @@ ShownStyle shownStyle(const TrailPanels& panels, const app::Document& document,
     return {};
   }
   const rig::Style& style = panels.styles[static_cast<std::size_t>(taken.style)];
-  return {app::hasStyle(document, trails, style) ? taken.style : -1, style.name + ", changed"};
+  const bool areAsMade = std::ranges::all_of(trails, [&](int id) {
+    const auto made = std::ranges::find(taken.made, id, &rig::Trail::id);
+    const rig::Trail* const now = app::findTrail(document, id);
+    return made != taken.made.end() && now != nullptr && made->settings == now->settings;
+  });
+  return {areAsMade || app::hasStyle(document, trails, style) ? taken.style : -1, style.name + ", changed"};
 }
 
 void rangeRow(PanelContext& context, const rig::Trail& trail) {

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/group_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/evaluate/stopped.h"
 #include "ui/panels/context/dialog_frame.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
@@ -25,11 +28,48 @@ std::string stateText(const rig::Trail& trail) {
   return trail.connected ? "connected" : trail.exaggerated ? "disconnected" : "path only";
 }
 
-std::string detailText(const rig::Trail& trail) {
+/// Why the limb is as long at the tip as it was, where that is so: empty where the reason is not known.
+std::optional<std::string> whyIdle(app::Session& session, const rig::SolvedTrail& solved) {
+  constexpr double noticed = 0.005;
+  const TipLengths lengths = tipLengths(session, solved);
+  const bool isAsLong = std::abs(lengths.after - lengths.before) <= noticed * lengths.before;
+  const rig::TrailSettings& settings = solved.trail.settings;
+  if (!solved.active || !isAsLong || settings.scale == 1.0 || !settings.spheres.empty()) {
+    return std::nullopt;
+  }
+  const bool isStopped = app::isStoppedAtTip(session.document(), session.motion(), solved);
+  return solved.tip.outcome == rig::TipOutcome::nothingToScale             ? "it does not move along its axes"
+         : isStopped && settings.stopAt && settings.stopAt->normal.y < 0.0 ? "the floor is in its way"
+         : isStopped                                                       ? "a plane is in its way"
+                     : app::keptFromLength(session.document(), session.motion(), solved);
+}
+
+/// The reasons of the trails that do nothing; during a drag those of before.
+const std::map<int, std::string>& idleTrails(PanelContext& context) {
+  app::Session& session = context.character();
+  IdleTrails& idle = context.ui.trails.idle;
+  if (idle.motion == session.sharedMotion() || session.isDragging()) {
+    return idle.why;
+  }
+  idle = {session.sharedMotion(), {}};
+  for (const rig::SolvedTrail& solved : session.motion().trails) {
+    if (const std::optional<std::string> why = whyIdle(session, solved)) {
+      idle.why[solved.trail.id] = *why;
+    }
+  }
+  return idle.why;
+}
+
+std::string detailText(PanelContext& context, const rig::Trail& trail) {
   const rig::TrailSettings& s = trail.settings;
   const std::string range = shortNumber(s.startFrame, 1) + "\xE2\x80\x93" + shortNumber(s.endFrame, 1);
   const std::string scale = trail.exaggerated ? ", \xC3\x97" + shortNumber(s.scale) : std::string();
-  return range + scale + ", " + stateText(trail);
+  const auto& idle = idleTrails(context);
+  const auto found = idle.find(trail.id);
+  return range + scale + ", " +
+         (found == idle.end()     ? stateText(trail)
+          : found->second.empty() ? "no longer than before"
+                                  : "no longer: " + found->second);
 }
 
 /// The next thing to do with the selected trail: its button carries the accent.
@@ -122,16 +162,17 @@ void trailText(PanelContext& context, const rig::Trail& trail) {
   app::Session& session = context.character();
   const std::string title = trailHeading(session.document(), trail);
   const std::string limb = trail.name.empty() ? "" : limbHeading(session.document(), trail.limb) + ", ";
+  const std::string detail = detailText(context, trail);
   const RowClicks mouse =
       rowText(context,
               {.id = "trails/" + std::to_string(trail.id),
                .title = title,
-               .detail = detailText(trail),
+               .detail = detail,
                .colour = session.view().selection.trail() == trail.id ? theme.colours.accent
                          : trail.visible                              ? theme.colours.text
                                                                       : theme.colours.quietText,
                .help = {.title = title,
-                        .text = limb + detailText(trail) +
+                        .text = limb + detail +
                                 ". Click selects this trail, Ctrl+click adds it, a double click renames it, "
                                 "a right click opens its menu."}},
               3);
