@@ -152,12 +152,13 @@ constexpr std::array<std::pair<std::string_view, const char*>, 13> meanings{
 } // namespace
 
 std::vector<app::Chord> chordsOverKeys(const Shell& shell, std::string_view commandId) {
+  std::vector<app::Chord> chords;
   for (const auto& [there, here] : meanings) {
-    if (std::vector<app::Chord> chords = shell.keymap.chordsOf(there); here == commandId && !chords.empty()) {
-      return chords;
+    if (here == commandId && chords.empty()) {
+      chords = shell.keymap.chordsOf(there);
     }
   }
-  return {};
+  return chords;
 }
 
 std::string commandUnderMouse(const Shell& shell, const app::Chord& chord, const std::string& elsewhere) {
