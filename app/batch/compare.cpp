@@ -75,7 +75,7 @@ gltf::Json warningsOf(const std::pair<Words, Words>& sides, const MeshSequence& 
   for (const auto& [side, sequence] :
        {std::pair(&sides.first, &reference), std::pair(&sides.second, &other)}) {
     for (const std::string& warning : sequence->warnings) {
-      warnings.push_back(side->front() + ": " + warning);
+      warnings.push_back(std::filesystem::path(side->front()).filename().string() + ": " + warning);
     }
   }
   return warnings;
