@@ -534,11 +534,11 @@ CurveViewOutcome curveView(const WidgetContext& context, const std::string& id, 
   if (control.hovered) {
     navigate(plot, model, mouse, outcome);
     outcome.fitAsked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    outcome.menuAsked = model.editable && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
-    const CurveHit key = outcome.menuAsked ? keyHit(context.theme, plot, model, mouse) : CurveHit{};
-    outcome.menuKey =
-        key.part == CurveGesture::Part::keys ? std::optional<CurveKeyHit>(key.key) : std::nullopt;
-    outcome.menuOnPick = key.picked;
+    if (model.editable && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+      const CurveHit hit = keyHit(context.theme, plot, model, mouse);
+      const bool isOnKey = hit.part == CurveGesture::Part::keys;
+      outcome.menu = {isOnKey ? std::optional<CurveKeyHit>(hit.key) : std::nullopt, hit.picked};
+    }
   }
   outcome.hovered = control.hovered;
   outcome.mouse = valueAt(plot, mouse);

@@ -62,6 +62,12 @@ struct CurveKeyHit {
   int key = 0;
 };
 
+/// Right click in a view of curves.
+struct CurveMenu {
+  std::optional<CurveKeyHit> key; ///< That it is on; none: beside the keys.
+  bool onPick = false;            ///< The key is picked.
+};
+
 struct CurveViewOutcome {
   bool framesChanged = false;
   Span frames;
@@ -84,10 +90,8 @@ struct CurveViewOutcome {
   bool tangentAlone = false;      ///< Alt: the other side stays.
   std::optional<double> insertAt; ///< A click with Ctrl, at a frame.
   bool gestureEnded = false;
-  bool menuAsked = false;             ///< A right click:
-  std::optional<CurveKeyHit> menuKey; ///< on this key,
-  bool menuOnPick = false;            ///< which is picked; none: beside the keys.
-  bool hovered = false;               ///< The mouse is over the curves, here:
+  std::optional<CurveMenu> menu; ///< A right click.
+  bool hovered = false;          ///< The mouse is over the curves, here:
   Vec2 mouse{0.0};
 };
 

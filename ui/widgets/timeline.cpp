@@ -243,15 +243,15 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right) || !layout.track.contains(mouse)) {
     return;
   }
-  outcome.menuAsked = true;
-  outcome.menuBar = hit.bar;
+  outcome.menu.asked = true;
+  outcome.menu.bar = hit.bar;
   for (const TimelineBar& bar : model.bars) {
-    outcome.menuRow = bar.id == hit.bar ? barBox(theme, layout, model, bar, {0.0, 0.0}) : outcome.menuRow;
+    outcome.menu.row = bar.id == hit.bar ? barBox(theme, layout, model, bar, {0.0, 0.0}) : outcome.menu.row;
   }
-  outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
+  outcome.menu.frame = snapped(model, layout.frames.toValue(mouse.x));
   if (hit.part == TimelinePart::rangeStart || hit.part == TimelinePart::rangeEnd) {
-    outcome.menuOnRange = true;
-    outcome.menuFrame = hit.part == TimelinePart::rangeStart ? model.range.start : model.range.end;
+    outcome.menu.onRange = true;
+    outcome.menu.frame = hit.part == TimelinePart::rangeStart ? model.range.start : model.range.end;
     return;
   }
   const std::size_t row = keyRowAt(theme, layout, model, mouse.y);
@@ -260,9 +260,9 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
     const float distance = std::abs(layout.frames.toPixel(frame) - mouse.x);
     if (distance <= nearest) {
       nearest = distance;
-      outcome.menuOnKey = true;
-      outcome.menuFrame = snapped(model, frame);
-      outcome.menuKeys = {row, row, {frame, frame}};
+      outcome.menu.onKey = true;
+      outcome.menu.frame = snapped(model, frame);
+      outcome.menu.keys = {row, row, {frame, frame}};
     }
   }
 }

@@ -104,6 +104,17 @@ struct KeyBox {
   bool add = false; ///< Beside those that are picked.
 };
 
+/// A right click, and what it was on.
+struct TimelineMenu {
+  bool asked = false;
+  int bar = 0;          ///< On this bar,
+  Rect row{};           ///< whose row is here, else
+  double frame = 0.0;   ///< at this frame,
+  bool onKey = false;   ///< where a key is,
+  KeyBox keys{};        ///< this one,
+  bool onRange = false; ///< or an end of the working range.
+};
+
 /// Requests of the user in this frame; spans are complete, ready to be set.
 struct TimelineOutcome {
   bool playheadMoved = false;
@@ -120,13 +131,7 @@ struct TimelineOutcome {
   bool gestureEnded = false;
   bool viewChanged = false;
   Span view;
-  bool menuAsked = false;   ///< A right click:
-  int menuBar = 0;          ///< on a bar,
-  Rect menuRow{};           ///< whose row is here, else
-  double menuFrame = 0.0;   ///< at this frame,
-  bool menuOnKey = false;   ///< where a key is,
-  KeyBox menuKeys{};        ///< this one,
-  bool menuOnRange = false; ///< or an end of the working range.
+  TimelineMenu menu;
   int doubleClickedBar = 0;
   std::optional<KeyBox> keysPicked; ///< By a press on a key or a box around some.
   bool clickedBesideKeys = false;

@@ -219,21 +219,21 @@ TEST_CASE(
     "A right click says what it is on: a bar with its row, the nearest key, an end of the range, a frame") {
   const Strip strip;
   const TimelineOutcome bar = strip.rightClicked(strip.onBar(1, 45.0));
-  CHECK(bar.menuAsked);
-  CHECK(bar.menuBar == 2);
-  CHECK(bar.menuRow.centre().y == Approx(strip.onBar(1, 45.0).y));
+  CHECK(bar.menu.asked);
+  CHECK(bar.menu.bar == 2);
+  CHECK(bar.menu.row.centre().y == Approx(strip.onBar(1, 45.0).y));
   const TimelineOutcome key = strip.rightClicked(strip.onRow(0, 12.55));
-  CHECK(key.menuOnKey);
-  CHECK(key.menuFrame == 13.0);
+  CHECK(key.menu.onKey);
+  CHECK(key.menu.frame == 13.0);
   const TimelineOutcome none = strip.rightClicked(strip.onRow(0, 20.7));
-  CHECK_FALSE(none.menuOnKey);
-  CHECK(none.menuFrame == 21.0);
-  CHECK(none.menuBar == 0);
+  CHECK_FALSE(none.menu.onKey);
+  CHECK(none.menu.frame == 21.0);
+  CHECK(none.menu.bar == 0);
   const TimelineOutcome start = strip.rightClicked(strip.onRangeEdge(10.3));
-  CHECK(start.menuOnRange);
-  CHECK(start.menuFrame == 10.0);
-  CHECK(strip.rightClicked(strip.onRangeEdge(19.7)).menuFrame == 20.0);
-  CHECK_FALSE(strip.rightClicked({50.0F, 60.0F}).menuAsked);
+  CHECK(start.menu.onRange);
+  CHECK(start.menu.frame == 10.0);
+  CHECK(strip.rightClicked(strip.onRangeEdge(19.7)).menu.frame == 20.0);
+  CHECK_FALSE(strip.rightClicked({50.0F, 60.0F}).menu.asked);
 }
 
 TEST_CASE("Moments lie in a lane below the ruler, the keys and bars below it, and none takes no room") {

@@ -174,23 +174,24 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
 
 /// A right click: a key that lies there is picked, and its menu opens; beside the keys that of the frame.
 void applyMenu(PanelContext& context, const CurveViewOutcome& outcome) {
-  if (!outcome.menuAsked) {
+  if (!outcome.menu) {
     return;
   }
+  const std::optional<CurveKeyHit>& hit = outcome.menu->key;
   app::Session& session = context.character();
   const GraphState& graph = context.ui.time.graph;
   const double last = app::lastFrame(session.document(), session.view().clip);
   double frame = std::clamp(std::round(outcome.mouse.x), 0.0, last);
-  if (outcome.menuKey) {
-    const std::vector<CurveKey>& keys = graph.curves[outcome.menuKey->curve].keys;
-    const auto key = std::ranges::find(keys, outcome.menuKey->key, &CurveKey::key);
+  if (hit) {
+    const std::vector<CurveKey>& keys = graph.curves[hit->curve].keys;
+    const auto key = std::ranges::find(keys, hit->key, &CurveKey::key);
     frame = key == keys.end() ? frame : key->at.x;
-    if (!outcome.menuOnPick) {
-      app::pickKeys(session, keyOf(graph, *outcome.menuKey), false);
+    if (!outcome.menu->onPick) {
+      app::pickKeys(session, keyOf(graph, *hit), false);
     }
   }
   context.ui.menu.frame = frame;
-  askForMenu(context.ui, outcome.menuKey ? MenuTarget::key : MenuTarget::time);
+  askForMenu(context.ui, hit ? MenuTarget::key : MenuTarget::time);
 }
 
 /// One frame of a drag of keys or of a tangent.

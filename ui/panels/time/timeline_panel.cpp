@@ -151,19 +151,19 @@ void pickForMenu(PanelContext& context, const KeyBox& box) {
 /// chosen.
 void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
-  if (outcome.menuBar != 0) {
-    selectBar(session, outcome.menuBar);
-    context.ui.menu.hold = outcome.menuBar;
-    askForMenu(context.ui, outcome.menuBar < 0 ? MenuTarget::hold : MenuTarget::trail,
-               MenuPlace{ImGui::GetIO().MousePos.x, outcome.menuRow.min.y, outcome.menuRow.max.y});
-  } else if (outcome.menuAsked) {
-    context.ui.menu.frame = outcome.menuFrame;
-    if (outcome.menuOnKey && !outcome.menuOnRange) {
-      pickForMenu(context, outcome.menuKeys);
+  if (outcome.menu.bar != 0) {
+    selectBar(session, outcome.menu.bar);
+    context.ui.menu.hold = outcome.menu.bar;
+    askForMenu(context.ui, outcome.menu.bar < 0 ? MenuTarget::hold : MenuTarget::trail,
+               MenuPlace{ImGui::GetIO().MousePos.x, outcome.menu.row.min.y, outcome.menu.row.max.y});
+  } else if (outcome.menu.asked) {
+    context.ui.menu.frame = outcome.menu.frame;
+    if (outcome.menu.onKey && !outcome.menu.onRange) {
+      pickForMenu(context, outcome.menu.keys);
     }
-    askForMenu(context.ui, outcome.menuOnRange ? MenuTarget::range
-                           : outcome.menuOnKey ? MenuTarget::key
-                                               : MenuTarget::time);
+    askForMenu(context.ui, outcome.menu.onRange ? MenuTarget::range
+                           : outcome.menu.onKey ? MenuTarget::key
+                                                : MenuTarget::time);
   }
   if (outcome.doubleClickedBar > 0) {
     app::selectTrail(session, outcome.doubleClickedBar);

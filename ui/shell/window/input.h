@@ -26,7 +26,7 @@ struct KeyInput {
 struct ButtonEvent {
   std::size_t button = 0; ///< 0 left, 1 right, 2 middle.
   bool down = false;
-  double seconds = 0.0; ///< Of the window's clock.
+  double seconds = 0.0; ///< By the window's clock.
 };
 
 /// Events that the window told since the last frame. Its callbacks and scripts fill it through the same
