@@ -152,10 +152,9 @@ TEST_CASE("The graph shows whole the curves that come into view with another sel
   const ui::GraphState& graph = stage.shell.ui.time.graph;
   REQUIRE_FALSE(graph.curves.empty());
   for (const ui::Curve& curve : graph.curves) {
-    for (const Vec2& point : curve.points) {
-      CHECK(point.y >= graph.valueMin);
-      CHECK(point.y <= graph.valueMax);
-    }
+    CHECK(std::ranges::all_of(curve.points, [&](const Vec2& point) {
+      return point.y >= graph.valueMin && point.y <= graph.valueMax;
+    }));
   }
 }
 
