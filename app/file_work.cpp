@@ -175,12 +175,21 @@ void FileWork::start(FileUser& user, const Paths& paths, std::optional<fs::path>
   opening_->restoreFrom = std::move(restoreFrom);
   opening_->stamp = stampOf(paths.back());
   opening_->share = std::make_shared<std::atomic<float>>(-1.0F);
-  if (hasUnsavedWork(user.open())) {
-    opening_->given = user.open().character()->history().current();
-  }
+  give(user);
   opening_->work = std::async(std::launch::async, [load = loader_, paths, share = opening_->share] {
     return load(paths, [&share](double done) { *share = static_cast<float>(done); });
   });
+}
+
+// What is open now may be lost: the user was asked.
+void FileWork::give(FileUser& user) {
+  const Session* const open = user.open().character();
+  if (open != nullptr) {
+    opening_->givenPose = open->view().unkeyed;
+  }
+  if (hasUnsavedWork(user.open())) {
+    opening_->given = open->history().current();
+  }
 }
 
 void FileWork::takeRead(FileUser& user) {
@@ -200,7 +209,10 @@ void FileWork::takeRead(FileUser& user) {
 void FileWork::show(FileUser& user) {
   const bool given = opening_->given && hasUnsavedWork(user.open()) &&
                      sameDocument(*opening_->given, user.open().character()->history().current());
-  if (hasUnsavedWork(user.open()) && !given) {
+  const Session* const open = user.open().character();
+  const bool isNewPose =
+      open != nullptr && isPosedWithoutKey(open->view()) && open->view().unkeyed != opening_->givenPose;
+  if ((hasUnsavedWork(user.open()) && !given) || isNewPose) {
     state_ = AskingUnsaved{ShowRead{}};
     return;
   }
@@ -302,9 +314,7 @@ void FileWork::goOn(FileUser& user, const Next& next) {
   std::visit(Match{[](const Nothing&) {}, [&](const Quit&) { user.quit(); },
                    [&](const OpenPaths& wanted) { start(user, wanted.paths, std::nullopt); },
                    [&](const ShowRead&) {
-                     if (hasUnsavedWork(user.open())) {
-                       opening_->given = user.open().character()->history().current();
-                     }
+                     give(user);
                      show(user);
                    }},
              next);

@@ -124,7 +124,8 @@ private:
   struct Opening {
     Paths paths;
     std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up then.
-    std::optional<Document> given;                    ///< Unsaved work that the user gave up for it.
+    std::optional<Document> given;                    ///< Unsaved work that the user gave up for it,
+    UnkeyedPose givenPose;                            ///< and what was posed without a key.
     std::optional<FileStamp> stamp;                   ///< Stamp of the file, before it is read.
     std::shared_ptr<std::atomic<float>> share;
     std::future<Result<Opened>> work;
@@ -138,6 +139,7 @@ private:
 
   void start(FileUser& user, const Paths& paths, std::optional<std::filesystem::path> restoreFrom);
   void takeRead(FileUser& user);
+  void give(FileUser& user);
   void show(FileUser& user);
   void saveThen(FileUser& user, Next next);
   void write(FileUser& user, const std::filesystem::path& path, Next next);

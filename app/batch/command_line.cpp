@@ -80,9 +80,9 @@ void CommandLine::requireOne(const DeclaredOption& one, const DeclaredOption& ot
   });
 }
 
-void CommandLine::checkTogether(const std::function<Status()>& problem) {
-  checks_->emplace_back([problem] {
-    if (const Status right = problem(); !right) {
+void CommandLine::checkTogether(const std::function<Status(const CommandLine&)>& problem) {
+  checks_->emplace_back([problem, verb = verb_] { // which owns the check: no shared pointer back to it
+    if (const Status right = problem(CommandLine(verb, nullptr)); !right) {
       throw CLI::ValidationError(right.error().line());
     }
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -64,7 +65,7 @@ public:
 
   /// Says what is wrong with all arguments together, once they are read: then they are wrong arguments, and
   /// the verb does not run.
-  void checkTogether(const std::function<Status()>& problem);
+  void checkTogether(const std::function<Status(const CommandLine&)>& problem);
 
   /// An option or a flag that is read by inOrder() only: it may be repeated, and its place among the others
   /// counts.
@@ -78,6 +79,9 @@ public:
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> inOrder() const;
 
 private:
+  /// To read what was given alone: what it declares is asked by nobody.
+  CommandLine(CLI::App* verb, std::nullptr_t) : verb_(verb) {}
+
   CLI::App* verb_;
   std::shared_ptr<std::vector<std::function<void()>>> checks_; ///< Each throws what is wrong.
 };

@@ -112,7 +112,9 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
 Status checkStream(const std::string& folder, const std::vector<std::string>& read) {
   std::error_code missing;
   if (folder.empty() || !std::filesystem::exists(folder, missing)) {
-    return folder.empty() ? Status(Success{}) : checkPlace(folder);
+    const std::filesystem::path path(folder);
+    const std::string name = (path.has_filename() ? path : path.parent_path()).string();
+    return folder.empty() ? Status(Success{}) : checkPlace(name);
   }
   if (!std::filesystem::is_directory(folder, missing)) {
     return Error{"the folder cannot be made", folder, "there is a file of that name: choose another"};
@@ -133,6 +135,9 @@ Status checkPlaces(const CompressArguments& arguments) {
   read.push_back(arguments.skeleton);
   if (Status apart = checkOutput(arguments.output, read); !apart) {
     return apart;
+  }
+  if (!arguments.table.empty() && arguments.table == arguments.output.path) {
+    return Error{"is written twice", arguments.table, "name another file for the table"};
   }
   read.push_back(arguments.output.path);
   if (Status apart = checkOutput({arguments.table, false, {}}, read); !apart) {

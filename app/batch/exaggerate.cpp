@@ -248,7 +248,8 @@ Verb exaggerateVerb() {
             addAutoOptions(line, arguments->every);
             addTrailOptions(line);
             addJson(line, arguments->json);
-            line.checkTogether([arguments, line] { return checkWays(*arguments, line); });
+            line.checkTogether(
+                [arguments](const CommandLine& given) { return checkWays(*arguments, given); });
             return [arguments, line] {
               return runExaggerate(*arguments, requestsOf(line), lastOf(line, "--camera"));
             };

@@ -156,7 +156,7 @@ Status runMoments(const MomentsArguments& arguments) {
     }
     std::ranges::move(*found, std::back_inserter(clips));
   }
-  if (!clips.empty()) {
+  if (!clips.empty() || (arguments.json && arguments.files.size() > 1)) {
     printReport(arguments, clips, lost);
   }
   return lost.empty() ? Status(Success{}) : Status(lost.back().problem);

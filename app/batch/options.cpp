@@ -92,8 +92,7 @@ void addOutputFile(CommandLine& line, OutputFile& output, const std::string& hel
 Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs) {
   std::error_code missing; // a file that is not there yet is none of the others
   const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-    return (!input.empty() && input == output.path) ||
-           std::filesystem::equivalent(input, output.path, missing);
+    return std::filesystem::equivalent(input, output.path, missing);
   });
   if (isRead && !output.inPlace) {
     return Error{"is read and would be written over", output.path, "name another file, or add --in-place"};

@@ -185,6 +185,9 @@ Result<Style> styleFromJson(const Json& json) {
   if (read && style.name.empty()) {
     read = readName(nullptr, style.name);
   }
+  // As a trail takes them: an older file may hold values beyond the half.
+  style.easeIn.value = std::min(style.easeIn.value, easeHalf);
+  style.easeOut.value = std::max(style.easeOut.value, easeHalf);
   if (read) {
     read = checkStyle(style);
   }

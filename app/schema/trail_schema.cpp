@@ -173,15 +173,14 @@ Schema<TrailSettings> sightSettings() {
 } // namespace
 
 Status checkEases(const rig::Ease& easeIn, const rig::Ease& easeOut) {
-  constexpr double half = 0.5;
   if (easeIn.percent + easeOut.percent >= 1.0) {
     return Error{"both eases together take the whole path", "ease_in", "give fractions whose sum is below 1"};
   }
-  if (easeIn.percent > 0.0 && easeIn.value > half) {
+  if (easeIn.percent > 0.0 && easeIn.value > easeHalf) {
     return Error{fmt::format("the value {:g} is beyond the half", easeIn.value), "ease_in",
                  "give a value from 0 to 0.5"};
   }
-  if (easeOut.percent > 0.0 && easeOut.value < half) {
+  if (easeOut.percent > 0.0 && easeOut.value < easeHalf) {
     return Error{fmt::format("the value {:g} is short of the half", easeOut.value), "ease_out",
                  "give a value from 0.5 to 1"};
   }

@@ -8,6 +8,8 @@ namespace stretch::app {
 /// All settings of a trail but range, spheres, stop plane and view axes, which have shapes of their own.
 [[nodiscard]] const Schema<rig::TrailSettings>& trailSchema();
 
+inline constexpr double easeHalf = 0.5; ///< An ease-in's value is at most this, an ease-out's at least.
+
 /// Whether both eases leave a piece of the path between them, and their values lie on their sides of the
 /// half: what crosses it would be a jump. An ease that is off may have any value.
 [[nodiscard]] Status checkEases(const rig::Ease& easeIn, const rig::Ease& easeOut);

@@ -37,7 +37,7 @@ fs::path folderOfFile(const fs::path& path) {
 // own may be as long as the system allows. Names are tried from number `first` on.
 template <typename Make>
 fs::path makeUnique(const fs::path& target, const char* beginning, std::size_t first, Make&& make) {
-  constexpr std::size_t mostTries = 10000;
+  constexpr std::size_t mostTries = 200000; // more than the longest series holds at once
   for (std::size_t i = first; i < first + mostTries; ++i) {
     fs::path name = folderOfFile(target) / fmt::format("{}{}-{}.tmp", beginning, ::getpid(), i);
     errno = 0;

@@ -447,6 +447,15 @@ TEST_CASE("A pose without a key is asked for before it is lost, and told when a 
     CHECK(work.path() == desk.file("b.glb"));
     CHECK_FALSE(wouldLoseWork(desk.document));
   }
+  SECTION("posed while another file is read, it is asked for before that is shown") {
+    session.view().unkeyed = {};
+    work.openFile(desk, {desk.file("b.glb")});
+    poseWithoutKey(session);
+    desk.waitWhileOpening(work);
+    REQUIRE(work.question().kind == Kind::unsaved);
+    work.answer(desk, FileAnswer::discard);
+    CHECK(work.path() == desk.file("b.glb"));
+  }
   SECTION("at another frame it is gone, and nothing is asked") {
     session.view().frame = 17.0;
     CHECK_FALSE(wouldLoseWork(desk.document));

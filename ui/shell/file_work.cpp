@@ -70,6 +70,8 @@ void forgetViewOfTime(UiState& ui) {
   ui.time.timeline.playing = false;
   ui.time.gesture = {};
   ui.time.graph.fitPending = true;
+  ui.time.picks.reset();
+  ui.time.picksAt.clear();
 }
 
 /// The window's user, for the file work.

@@ -5,11 +5,12 @@
 
 #include <fmt/core.h>
 
+#include "core/base/file.h"
 #include "core/base/lower_case.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
-#include "core/gltf/read/read.h"
 #include "core/gltf/source/fields.h"
+#include "core/gltf/source/json_text.h"
 #include "core/gltf/source/problems.h"
 #include "core/gltf/source/uri.h"
 
@@ -70,16 +71,19 @@ std::vector<fs::path> referencesOf(const Source& source) {
   return files;
 }
 
-// Likewise of a file on the disk; none where there is no such file or it cannot be read.
+// Likewise of a .gltf on the disk, whose buffers need not be read for that; none where there is no such file.
 std::vector<fs::path> referencesOfFile(const fs::path& path) {
-  Problems ignored;
-  const std::string ending = lowerCase(path.extension().string());
-  if (ending != ".gltf" && ending != ".glb" && ending != ".vrm") { // no other names files, and it is read
-                                                                   // slowly
+  if (lowerCase(path.extension().string()) != ".gltf") {
     return {};
   }
-  const std::optional<Source> source = readSource(path, ignored);
-  return source ? referencesOf(*source) : std::vector<fs::path>();
+  const Result<std::string> text = readText(path);
+  const Json json = text ? parseAnyJson(*text) : Json();
+  if (!json.is_object()) {
+    return {};
+  }
+  Source source;
+  source.json = json;
+  return referencesOf(source);
 }
 
 // The files of one save: the JSON gets its final form while buffers and images find their place.
@@ -201,7 +205,7 @@ private:
 
   // Whether the file that is written over names it, and the source is that file or does not.
   [[nodiscard]] bool isOfOutputAlone(const fs::path& name) const {
-    const auto isNamedBy = [&](const fs::path& file) {
+    const auto isNamedBy = [&](const fs::path& file) { // a source that is no .gltf is asked by refersTo
       return isSameFolder(file.parent_path(), name.parent_path()) &&
              std::ranges::count(referencesOfFile(file), name.filename()) > 0;
     };

@@ -445,6 +445,7 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
         "--curvature", (outputs / "table.csv").string(), "--stream", (outputs / "stream").string()},
        "the body has no centre line, so there is no curvature to write"},
       {{"compress", tube, "-o", out, "--open-stream"}, "there is no stream to write"},
+      {{"compress", tube, "-o", out, "--curvature", out}, "out.glb: is written twice"},
       {{"compress", tube, "-o", out, "--skip", "3"},
        "3 frames are skipped, and the sequence has 3; give at most 2"},
       {{"elastic", dummy, "-o", out, "--range", "60:70"},

@@ -95,11 +95,25 @@ TEST_CASE("A stream and a table of curvature are refused where they cannot be, a
   };
   CHECK_THAT(told("--stream", "missing/stream"), Catch::Contains("missing: there is no such folder"));
   CHECK_THAT(told("--curvature", "missing/table.csv"), Catch::Contains("missing: there is no such folder"));
-  CHECK_THAT(told("--curvature", "out.glb"), Catch::Contains("is read and would be written over"));
+  CHECK_THAT(told("--curvature", "out.glb"), Catch::Contains("out.glb: is written twice"));
   CHECK(folder.fileCount() == before);
   folder.write("stream", "a file");
   CHECK_THAT(told("--stream", "stream"), Catch::Contains("the folder cannot be made"));
   CHECK(folder.fileCount() == before + 1);
+  CHECK(writtenTo({"compress", (folder / "tube").string(), "--bones", "3", "--stream",
+                   (folder / "made").string() + "/"},
+                  folder / "out.glb")
+            .exitCode == 0); // as a shell completes a folder's name
+  CHECK(fs::exists(folder / "made/frames.bin"));
+}
+
+TEST_CASE("An input that is not there is told before it is said to be written over", "[output]") {
+  const TemporaryFolder folder;
+  const std::string typo = (folder / "typo.glb").string();
+  const test::VerbAnswer answer =
+      test::runVerb({"exaggerate", typo, "--limb", "left-arm", "--scale", "2", "-o", typo});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains("there is no such file"));
 }
 
 TEST_CASE("A file that stays the avatar that it is keeps its ending", "[output]") {

@@ -169,3 +169,43 @@ TEST_CASE("Retime offers the limb of the selected controller, whose speed stands
   stage.click("retime/limb");
   CHECK(stage.shell.ui.time.retime.limb == "left-leg");
 }
+
+TEST_CASE(
+    "Undo of keys that went past others picks those that were picked, and not the ones in their place") {
+  KeysOfBoxer stage("F6");
+  stage.click("graph-key/Z/2");
+  const app::KeySelection before = app::pickedKeys(stage.session());
+  REQUIRE(stage.picked() == 1);
+  for (const char* const key : {"G", "9", "Return"}) {
+    stage.press(key);
+    stage.frames(3);
+  }
+  REQUIRE(app::pickedKeys(stage.session()) != before); // it is another one in its row now
+  stage.press("Ctrl+Z");
+  stage.frames(2);
+  CHECK(app::pickedKeys(stage.session()) == before);
+}
+
+TEST_CASE("A right click while keys are moved opens no menu and picks nothing") {
+  KeysOfBoxer stage("F6");
+  stage.click("graph-key/Z/2");
+  stage.press("G");
+  stage.press("1");
+  stage.frames(2);
+  REQUIRE(stage.session().isDragging());
+  const app::KeySelection held = app::pickedKeys(stage.session());
+  stage.clickRight(stage.shell.items.find("graph-key/Z/3")->centre());
+  CHECK(app::pickedKeys(stage.session()) == held);
+  CHECK_FALSE(stage.offers(app::command::keysDelete));
+  stage.press("Escape");
+}
+
+TEST_CASE("What was picked in one file is forgotten in the next") {
+  KeysOfBoxer stage("F6");
+  stage.click("graph-key/Z/2");
+  stage.frames(2);
+  REQUIRE_FALSE(stage.shell.ui.time.picksAt.empty());
+  stage.openBoxer();
+  stage.frames(1);
+  CHECK(stage.shell.ui.time.picksAt.size() <= 1);
+}

@@ -101,6 +101,15 @@ TEST_CASE("Esc stops binding, and the mesh keeps its weights", "[jobs]") {
   CHECK(working.session().document().source == source);
 }
 
+TEST_CASE("The key that binds stops binding, too", "[jobs]") {
+  Working working(test::PanelDriver::bundledCharacter());
+  const auto source = working.session().document().source;
+  working.press("Ctrl+B");
+  working.press("Ctrl+B");
+  working.waitUntilDone();
+  CHECK(working.session().document().source == source);
+}
+
 TEST_CASE("Esc stops importing a clip, and no clip is added", "[jobs]") {
   Working working(test::PanelDriver::bundledCharacter());
   const std::size_t clips = working.session().document().clips->size();

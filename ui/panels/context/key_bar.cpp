@@ -55,7 +55,8 @@ bool selectsTheSame(const KeptPicks& a, const KeptPicks& b) {
 
 KeptPicks picksNow(const app::Session& session) {
   const app::ViewState& view = session.view();
-  return {app::pickedKeys(session), view.clip, view.selection.limbs(), view.selection.controllers()};
+  return {app::pickedKeys(session), view.clip, view.selection.limbs(), view.selection.controllers(),
+          session.document().clips};
 }
 
 } // namespace
@@ -67,15 +68,19 @@ void followPicks(TimePanes& time, app::Session& session) {
     app::pickKeys(session, {}, false);
     now.keys.clear();
   }
-  if (time.picks == nullptr || isOther || now.keys != time.picks->keys) {
+  const bool areOtherClips = time.picks == nullptr || now.clips.lock() != time.picks->clips.lock();
+  if (areOtherClips || isOther || now.keys != time.picks->keys) {
     time.picks = std::make_shared<const KeptPicks>(std::move(now));
   }
-  time.picksAt[session.history().position()] = time.picks;
+  if (!session.isDragging()) { // what is tried is no step yet, and its keys stand at other places
+    time.picksAt[session.history().position()] = time.picks;
+  }
 }
 
 void bringBackPicks(const TimePanes& time, app::Session& session) {
   const auto kept = time.picksAt.find(session.history().position());
-  if (kept != time.picksAt.end() && selectsTheSame(*kept->second, picksNow(session))) {
+  const bool isKept = kept != time.picksAt.end() && kept->second->clips.lock() == session.document().clips;
+  if (isKept && selectsTheSame(*kept->second, picksNow(session))) {
     app::pickKeys(session, app::stillThere(session.document(), session.view().clip, kept->second->keys),
                   false);
   }

@@ -61,10 +61,11 @@ struct AskedDialog {
 
 AskedDialog unsavedDialog(const app::OpenDocument& open) {
   const app::Session* const session = open.character();
-  std::string lost = app::hasUnsavedWork(open)
+  const bool hasPose = session != nullptr && app::isPosedWithoutKey(session->view());
+  std::string lost = app::hasUnsavedWork(open) || !hasPose
                          ? "There are changes that are not saved. They are lost if you go on without saving."
                          : "";
-  if (session != nullptr && app::isPosedWithoutKey(session->view())) {
+  if (hasPose) {
     lost +=
         (lost.empty() ? "" : " ") +
         fmt::format("The pose at frame {:g} has no key, and is lost if you go on, saved or not: cancel to "

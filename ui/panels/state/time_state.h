@@ -122,6 +122,8 @@ struct KeptPicks {
   int clip = 0;
   std::vector<std::string> limbs = {};
   std::vector<std::string> controllers = {};
+  std::weak_ptr<const std::vector<Clip>> clips = {}; ///< That they are of: places of keys say nothing of
+                                                     ///< others.
 };
 
 /// The sound of the clip's reference.

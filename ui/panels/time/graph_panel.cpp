@@ -174,8 +174,8 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
 
 /// A right click: a key that lies there is picked, and its menu opens; beside the keys that of the frame.
 void applyMenu(PanelContext& context, const CurveViewOutcome& outcome) {
-  if (!outcome.menu) {
-    return;
+  if (!outcome.menu || context.character().isDragging()) {
+    return; // a running tool has the keys
   }
   const std::optional<CurveKeyHit>& hit = outcome.menu->key;
   app::Session& session = context.character();

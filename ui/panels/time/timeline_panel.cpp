@@ -151,12 +151,13 @@ void pickForMenu(PanelContext& context, const KeyBox& box) {
 /// chosen.
 void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
-  if (outcome.menu.bar != 0) {
+  const bool mayAsk = !session.isDragging(); // else a running tool has the keys
+  if (mayAsk && outcome.menu.bar != 0) {
     selectBar(session, outcome.menu.bar);
     context.ui.menu.hold = outcome.menu.bar;
     askForMenu(context.ui, outcome.menu.bar < 0 ? MenuTarget::hold : MenuTarget::trail,
                MenuPlace{ImGui::GetIO().MousePos.x, outcome.menu.row.min.y, outcome.menu.row.max.y});
-  } else if (outcome.menu.asked) {
+  } else if (mayAsk && outcome.menu.asked) {
     context.ui.menu.frame = outcome.menu.frame;
     if (outcome.menu.onKey && !outcome.menu.onRange) {
       pickForMenu(context, outcome.menu.keys);
