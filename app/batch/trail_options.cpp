@@ -79,7 +79,8 @@ std::vector<TrailRequest> requestsOf(const CommandLine& line) {
 
 std::vector<std::string> trailOptionsOf(const CommandLine& line) {
   std::vector<std::string> options;
-  for (const auto& [name, text] : line.inOrder()) {
+  for (const auto& given : line.inOrder()) {
+    const std::string& name = given.first;
     const bool isSetting =
         std::ranges::any_of(trailSchema(), [&](const auto& setting) { return name == setting.option; });
     if (isSetting || name == "--limb" || name == "--range") {

@@ -37,7 +37,7 @@ std::string sameJointsIn(const Document& document, const T& thing, std::span<con
   if constexpr (isThing<T, rig::Trail> || isThing<T, WeightedLimb>) {
     const rig::Limb* const limb = findLimb(document, thing.limb);
     for (T other : list) {
-      const std::string name = std::exchange(other.limb, thing.limb);
+      std::string name = std::exchange(other.limb, thing.limb);
       const rig::Limb* const chain = findLimb(document, name);
       if (name != thing.limb && meets(other, thing) && limb != nullptr && chain != nullptr &&
           chain->joints == limb->joints) {

@@ -285,15 +285,15 @@ std::string withoutFolders(const std::string& text) {
 
 } // namespace
 
-void tell(UiState& ui, ToastKind kind, const std::string& whole) {
-  const std::string text = withoutFolders(whole);
+void tell(UiState& ui, ToastKind kind, const std::string& text) {
   const float seconds = kind == ToastKind::error ? 8.0F : 5.0F;
-  const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
+  const std::string shown = withoutFolders(text);
+  const auto same = std::ranges::find(ui.toasts, shown, &Toast::text);
   if (same != ui.toasts.end()) {
     same->secondsLeft = seconds;
     return;
   }
-  ui.toasts.push_back({kind, text, seconds});
+  ui.toasts.push_back({kind, shown, seconds});
   // They stand over the picture: of many the oldest that only inform make room.
   constexpr std::size_t atOnce = 3;
   const auto oldest = std::ranges::find(ui.toasts, ToastKind::info, &Toast::kind);

@@ -254,7 +254,7 @@ void addHolds(PanelContext& context, bool above, TimelineModel& model) {
   const auto isTimed = [&](const ShownHold& hold) {
     return hold.time.rangeFrames != Vec2(model.clip.start, model.clip.end);
   };
-  std::ranges::stable_partition(holds, isTimed);
+  std::stable_partition(holds.begin(), holds.end(), isTimed);
   std::size_t rows = above ? 0 : model.bars.size();
   for (const ShownHold& hold : holds) {
     TimelineBar bar = barOf(session, hold, context.theme.colours);
