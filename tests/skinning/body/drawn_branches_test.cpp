@@ -110,7 +110,7 @@ TEST_CASE("Two vertices are of one piece by whichever edge of a triangle they ar
       if (slice < slices && joined) {
         const std::uint32_t other = slice == 0 ? 2U : 0U;
         Triangle triangle{first, first + 1, other};
-        std::ranges::rotate(triangle, triangle.begin() + static_cast<std::ptrdiff_t>(turned));
+        std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(turned), triangle.end());
         surface.triangles.push_back(triangle);
       }
     }
@@ -132,7 +132,7 @@ TEST_CASE("A limb is found by whichever edge its vertices are joined, and where 
       const auto vertex = static_cast<std::uint32_t>(distances.size());
       distances.push_back(distances[before] + 0.5);
       Triangle triangle{before, vertex, 0U};
-      std::ranges::rotate(triangle, triangle.begin() + static_cast<std::ptrdiff_t>(turned));
+      std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(turned), triangle.end());
       triangles.push_back(triangle);
       return vertex;
     };

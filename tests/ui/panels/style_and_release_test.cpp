@@ -87,7 +87,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Each style of the list says whose it is") {
-  const std::vector<rig::Style> styles = rig::builtInStyles();
+  const std::vector<rig::Style>& styles = rig::builtInStyles();
   const std::vector<ui::Choice> choices = ui::styleChoices(styles);
   REQUIRE(choices.size() == styles.size());
   for (std::size_t i = 0; i < styles.size(); ++i) {
