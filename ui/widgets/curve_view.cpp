@@ -535,9 +535,9 @@ CurveViewOutcome curveView(const WidgetContext& context, const std::string& id, 
     navigate(plot, model, mouse, outcome);
     outcome.fitAsked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (model.editable && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
-      const CurveHit hit = keyHit(context.theme, plot, model, mouse);
-      const bool isOnKey = hit.part == CurveGesture::Part::keys;
-      outcome.menu = {isOnKey ? std::optional<CurveKeyHit>(hit.key) : std::nullopt, hit.picked};
+      const CurveHit below = keyHit(context.theme, plot, model, mouse);
+      const bool isOnKey = below.part == CurveGesture::Part::keys;
+      outcome.menu = {isOnKey ? std::optional<CurveKeyHit>(below.key) : std::nullopt, below.picked};
     }
   }
   outcome.hovered = control.hovered;

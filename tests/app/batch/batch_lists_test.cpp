@@ -235,10 +235,10 @@ TEST_CASE("What a log says is done is left out, and what failed or was cut off i
        {R"({"line":1,"command":"say one","exit":1})", R"({"line":1,"command":"say one"})",
         R"({"line":1,"command":3,"exit":0})", R"({"line":1,"exit":0})", R"(["say one",0])", "say one"}) {
     CAPTURE(answer);
-    const std::string lines = R"({"line":7,"command":"say seven","exit":0})" + std::string("\n") + answer;
-    const std::string other = folder.write("other", lines + "\n").string();
+    const std::string before = R"({"line":7,"command":"say seven","exit":0})" + std::string("\n") + answer;
+    const std::string other = folder.write("other", before + "\n").string();
     CHECK(batch({two, "--resume", other}).output == "done: say one\ndone: say two\n");
-    CHECK(textIn(other).starts_with(lines + "\n{")); // without an empty line between
+    CHECK(textIn(other).starts_with(before + "\n{")); // without an empty line between
   }
   const std::string done = folder.write("done", R"({"line":9,"command":"say one","exit":0})").string();
   CHECK(batch({two, "--resume", done}).output == "done: say two\n");
