@@ -250,6 +250,11 @@ Result<std::vector<rig::Adjustment>> adjustmentsOfRows(const std::vector<TableRo
              : Result<std::vector<rig::Adjustment>>(std::move(adjustments));
 }
 
+// JSON that is written with replacements comes back changed where the text is no UTF-8.
+bool isUtf8(const std::string& text) {
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)) == Json(text);
+}
+
 } // namespace
 
 Result<std::vector<rig::Adjustment>> loadOffsetTable(const std::filesystem::path& path, Document& document,
@@ -257,6 +262,9 @@ Result<std::vector<rig::Adjustment>> loadOffsetTable(const std::filesystem::path
   const Result<std::string> text = readText(path);
   if (!text) {
     return text.error();
+  }
+  if (!isUtf8(*text)) {
+    return Error{"is no UTF-8 text", path.string(), "save the table as UTF-8"};
   }
   const bool isJson = path.extension() == ".json";
   const Result<std::vector<TableRow>> rows = isJson ? rowsOfJson(*text) : rowsOfCsv(*text);

@@ -109,6 +109,7 @@ TEST_CASE("a row that cannot be taken is told by its number in one line, and not
       {"hips,0,0,0.1,0\n", "row 1: 'hips' is not a column"},
       {"frame,move_x\n0,1\n", "row 1: the table has no head"},
       {"controller,frame,first\nhips,3,0\n", "row 2: has only one end of a range"},
+      {"controller,frame,move_x,interpolation\nhips,3,0,\x80\x7F\n", "offsets.csv: is no UTF-8 text"},
       {head, "holds no keys"},
       {"", "holds no keys"}};
   for (const auto& [table, told] : cases) {
