@@ -9,11 +9,17 @@
 namespace stretch::gltf {
 
 const Json* find(const Json& object, std::string_view key) {
-  if (!object.is_object()) {
+  const auto* members = object.get_ptr<const Json::object_t*>();
+  if (members == nullptr) {
     return nullptr;
   }
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
+  // Opening a file asks this for each thing in it: most names differ in their length or their first letter already.
+  const auto isKey = [key](const auto& member) {
+    const std::string& name = member.first;
+    return name.size() == key.size() && (key.empty() || name.front() == key.front()) && name == key;
+  };
+  const auto found = std::ranges::find_if(*members, isKey);
+  return found == members->end() ? nullptr : &found->second;
 }
 
 const Json* findPath(const Json& object, std::initializer_list<std::string_view> keys) {
