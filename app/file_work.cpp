@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/pose/posing.h"
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
 
@@ -346,6 +347,11 @@ void FileWork::answerUnsaved(FileUser& user, const AskingUnsaved& asked, FileAns
   } else if (answer == FileAnswer::discard) {
     goOn(user, asked.next);
   } else if (answer == FileAnswer::save) {
+    if (const Status keyed = keyUnkeyedPose(*user.open().character()); !keyed) {
+      user.tell(Tone::error, keyed.error().line());
+      cancel();
+      return;
+    }
     saveThen(user, asked.next);
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/batch/verb.h"
 #include "app/bind/bind_mesh.h"
 #include "app/files/save.h"

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"

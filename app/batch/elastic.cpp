@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/output.h"
+#include "app/batch/output_file.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"

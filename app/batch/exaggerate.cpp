@@ -7,6 +7,7 @@
 #include "app/batch/auto_options.h"
 #include "app/batch/options.h"
 #include "app/batch/output.h"
+#include "app/batch/output_file.h"
 #include "app/batch/pose_report.h"
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"

@@ -7,6 +7,7 @@
 
 #include "app/batch/options.h"
 #include "app/batch/output.h"
+#include "app/batch/output_file.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/keys/import_clip.h"
@@ -84,9 +85,7 @@ void printReport(const Json& report) {
       fmt::print("       {}\n", line.get<std::string>());
     }
   }
-  for (const Json& warning : report["warnings"]) {
-    fmt::print("warning: {}\n", warning.get<std::string>());
-  }
+  printWarnings(report["warnings"]);
 }
 
 Status runImport(const ImportArguments& arguments) {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "app/edits/body/limb_edits.h"
@@ -18,8 +17,6 @@
 #include "app/sequence/open_any.h"
 #include "core/anim/frames.h"
 #include "core/base/file.h"
-#include "core/base/file_series.h"
-#include "core/base/lower_case.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
 #include "rig/body/locators/locator_plans.h"
@@ -82,35 +79,6 @@ void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string&
                : fmt::format("'{}' is not possible; give a number from {:g} to {:g}", text, slowestRate,
                              fastestRate);
   });
-}
-
-void addOutputFile(CommandLine& line, OutputFile& output, const std::string& help) {
-  line.option("-o,--output", output.path, help).required();
-  line.flag("--in-place", output.inPlace, "The file to write may be one that is read");
-}
-
-Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs) {
-  std::error_code missing; // a file that is not there yet is none of the others
-  const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-    return std::filesystem::equivalent(input, output.path, missing);
-  });
-  if (isRead && !output.inPlace) {
-    return Error{"is read and would be written over", output.path, "name another file, or add --in-place"};
-  }
-  if (output.path.empty()) {
-    return Success{};
-  }
-  const auto endingOf = [](const std::string& path) {
-    return lowerCase(std::filesystem::path(path).extension().string());
-  };
-  const std::string ending = endingOf(output.path);
-  const bool staysAvatar =
-      (ending == ".vrm" || ending == ".vrma") && !inputs.empty() && endingOf(inputs.front()) == ending;
-  if (!output.endings.empty() && !staysAvatar && std::ranges::count(output.endings, ending) == 0) {
-    return Error{fmt::format("an output has to end in {}", fmt::join(output.endings, " or ")), output.path,
-                 "give it such a name"};
-  }
-  return checkPlace(output.path);
 }
 
 void JsonOutput::print(const gltf::Json& report) const {

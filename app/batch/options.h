@@ -51,21 +51,6 @@ DeclaredOption addClipArguments(CommandLine& line, FileArguments& arguments);
 /// Declares --fps.
 void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help);
 
-/// File that a verb writes.
-struct OutputFile {
-  std::string path;
-  bool inPlace = false;                                 ///< It may be one of the files that the verb reads.
-  std::vector<std::string> endings = {".glb", ".gltf"}; ///< That its name may have; empty: any.
-};
-
-/// Declares -o and --in-place.
-void addOutputFile(CommandLine& line, OutputFile& output, const std::string& help);
-
-/// Refuses an output before there is any work: one of the files that are read, under whatever name, unless
-/// that was asked for; another ending, but that of a .vrm or .vrma that is read first and stays one; and a
-/// place where no file can be written. Nothing is wrong with one without a path.
-[[nodiscard]] Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs);
-
 /// The report of a verb as JSON, on standard output, which holds nothing else then.
 struct JsonOutput {
   bool wanted = false;

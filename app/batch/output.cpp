@@ -32,6 +32,21 @@ Result<SaveOptions> saveOptionsOf(const OutputArguments& arguments) {
   return options;
 }
 
+// The arguments that count together, whatever is saved.
+Status checkForm(const OutputArguments& arguments) {
+  const auto isGiven = [&](const char* setting) {
+    return textOf(arguments.form, *findSetting(formSchema(), setting)) != nullptr;
+  };
+  if (arguments.keepsSkeleton && isGiven("form")) {
+    return Error{"stands beside --form", "--keep-skeleton", "give one of the two"};
+  }
+  if (arguments.keysEveryFrame && isGiven("key_frames")) {
+    return Error{"stands beside --key-frames", "--key-every-frame", "give one of the two"};
+  }
+  const Result<SaveOptions> options = saveOptionsOf(arguments);
+  return options ? Status(Success{}) : Status(options.error());
+}
+
 Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
   Json json = {{"form", findSetting(formSchema(), "form")->read(options.form)}};
   if (options.form.form == StretchForm::translation) {
@@ -60,6 +75,7 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
   line.flag("--key-every-frame", arguments.keysEveryFrame, "Another word for --key-frames every")
       .group(heading);
   line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
+  line.checkTogether([&arguments](const CommandLine&) { return checkForm(arguments); });
 }
 
 Status saveReported(const Document& document, const OutputArguments& arguments, Json& report) {
@@ -69,15 +85,6 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
 
 Status saveReported(const Document& document, const OutputArguments& arguments, Json& report,
                     EvaluationCache& cache) {
-  const auto isGiven = [&](const char* setting) {
-    return textOf(arguments.form, *findSetting(formSchema(), setting)) != nullptr;
-  };
-  if (arguments.keepsSkeleton && isGiven("form")) {
-    return Error{"stands beside --form", "--keep-skeleton", "give one of the two"};
-  }
-  if (arguments.keysEveryFrame && isGiven("key_frames")) {
-    return Error{"stands beside --key-frames", "--key-every-frame", "give one of the two"};
-  }
   const Result<SaveOptions> options = saveOptionsOf(arguments);
   if (!options) {
     return options.error();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/files/save.h"
 
 namespace stretch::app {

@@ -9,6 +9,7 @@
 
 #include "app/batch/library_pose.h"
 #include "app/batch/output.h"
+#include "app/batch/output_file.h"
 #include "app/batch/pose_report.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -60,7 +61,7 @@ void printTakenPose(const Json& pose) {
   fmt::print("{}: frame {:g}: taken by {} controllers\n", pose["name"].get<std::string>(),
              pose["frame"].get<double>(), pose["controllers"].size());
   for (const Json& missed : pose["missed"]) {
-    fmt::print("warning: {} is held elsewhere\n", missed.get<std::string>());
+    fmt::print(stderr, "warning: {} is held elsewhere\n", missed.get<std::string>());
   }
 }
 
@@ -69,9 +70,7 @@ void printPose(const Json& report) {
     printTakenPose(report["pose"]);
   }
   printPoseReport(report);
-  for (const Json& warning : report["warnings"]) {
-    fmt::print("warning: {}\n", warning.get<std::string>());
-  }
+  printWarnings(report["warnings"]);
 }
 
 // What --pin-feet and --offsets without a recipe start from.
@@ -85,12 +84,19 @@ Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& docum
   return recipe;
 }
 
+bool asksBesideRecipe(const PoseArguments& arguments) {
+  return arguments.pinsFeet || !arguments.prop.empty() || !arguments.library.pose.empty();
+}
+
+Status checkAsked(const PoseArguments& arguments) {
+  const bool asks = !arguments.recipe.empty() || !arguments.offsets.empty() || asksBesideRecipe(arguments);
+  return asks ? Status(Success{})
+              : Status(Error{
+                    "nothing was asked for", "--recipe",
+                    "give a recipe, a table of offset keys by --offsets, --pose, --prop or --pin-feet"});
+}
+
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  const bool asksMore = arguments.pinsFeet || !arguments.prop.empty() || !arguments.library.pose.empty();
-  if (arguments.recipe.empty() && arguments.offsets.empty() && !asksMore) {
-    return Error{"nothing was asked for", "--recipe",
-                 "give a recipe, a table of offset keys by --offsets, --pose, --prop or --pin-feet"};
-  }
   Result<Recipe> recipe = arguments.recipe.empty() ? emptyRecipe(arguments, document)
                                                    : loadRecipe(arguments.recipe, arguments.input, document);
   if (recipe && !arguments.offsets.empty()) {
@@ -101,7 +107,7 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     }
     std::ranges::move(*table, std::back_inserter(recipe->adjustments));
   }
-  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !asksMore) {
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !asksBesideRecipe(arguments)) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
@@ -229,6 +235,7 @@ Verb poseVerb() {
         addPoseRequest(line, arguments->library);
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
+        line.checkTogether([arguments](const CommandLine&) { return checkAsked(*arguments); });
         return [arguments] { return runPose(*arguments); };
       }};
 }

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/batch/verb.h"
 #include "app/files/save.h"
 #include "app/locators/build_rig.h"
@@ -82,7 +83,7 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
 
 Status runRig(const RigArguments& arguments) {
   OutputFile output = arguments.output;
-  output.endings = arguments.locatorsOnly ? std::vector<std::string>{".json"} : output.endings;
+  output.endings = arguments.locatorsOnly ? std::vector<std::string>{".json"} : OutputFile().endings;
   if (Status apart = checkOutput(output, {arguments.input.file, arguments.locators}); !apart) {
     return apart;
   }
@@ -121,6 +122,7 @@ Verb rigVerb() {
         line.examples(
             {"statue.glb -o places.json --locators-only", "statue.glb -o rigged.glb --locators places.json"});
         addFileArguments(line, arguments->input);
+        arguments->output.endings.emplace_back(".json");
         addOutputFile(line, arguments->output,
                       "The .glb or .gltf to write, or the JSON file of --locators-only");
         line.option("--locators", arguments->locators,

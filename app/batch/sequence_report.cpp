@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/trail_report.h"
 #include "core/gltf/json/json.h"
 #include "skinning/export/read_back.h"
 #include "skinning/sequence/read_sequence.h"
@@ -237,9 +238,7 @@ void printCompression(const Json& report) {
   if (report.contains("chains")) {
     printChains(report["chains"]);
   }
-  for (const Json& warning : report["warnings"]) {
-    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
-  }
+  printWarnings(report["warnings"]);
 }
 
 std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStretch& model) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/batch/output_file.h"
 #include "app/batch/verb.h"
 #include "app/edits/trail/style_edits.h"
 #include "app/files/user_styles.h"
@@ -54,11 +55,11 @@ Status listStyles(const StylesArguments& arguments) {
   return Success{};
 }
 
-Status runStyles(const StylesArguments& arguments) {
-  if (arguments.style.empty() && arguments.taken.file.empty()) {
-    return arguments.output.path.empty()
-               ? listStyles(arguments)
-               : Status(Error{"says no style", "-o", "give --style or --take as well"});
+// The arguments that count together.
+Status checkWays(const StylesArguments& arguments) {
+  const bool lists = arguments.style.empty() && arguments.taken.file.empty();
+  if (lists && !arguments.output.path.empty()) {
+    return Error{"says no style", "-o", "give --style or --take as well"};
   }
   if (!arguments.style.empty() && !arguments.taken.file.empty()) {
     return Error{"stands beside --take", "--style", "give one of them"};
@@ -66,6 +67,13 @@ Status runStyles(const StylesArguments& arguments) {
   if (arguments.taken.file.empty() && !(arguments.name.empty() && arguments.taken.clip.empty())) {
     return Error{"says how a style is taken", arguments.name.empty() ? "--clip" : "--name",
                  "give --take as well"};
+  }
+  return checkName(arguments.output);
+}
+
+Status runStyles(const StylesArguments& arguments) {
+  if (arguments.style.empty() && arguments.taken.file.empty()) {
+    return listStyles(arguments);
   }
   if (Status apart = checkOutput(arguments.output, {arguments.style, arguments.taken.file}); !apart) {
     return apart;
@@ -100,6 +108,7 @@ Verb stylesVerb() {
             addClipArguments(line, arguments->taken);
             line.option("-o,--output", arguments->output.path, "The .json to write the style to");
             addJson(line, arguments->json);
+            line.checkTogether([arguments](const CommandLine&) { return checkWays(*arguments); });
             return [arguments] { return runStyles(*arguments); };
           }};
 }

@@ -15,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/json/utf8.h"
 #include "core/gltf/source/json_text.h"
 
 namespace stretch::app {
@@ -250,11 +251,6 @@ Result<std::vector<rig::Adjustment>> adjustmentsOfRows(const std::vector<TableRo
              : Result<std::vector<rig::Adjustment>>(std::move(adjustments));
 }
 
-// JSON that is written with replacements comes back changed where the text is no UTF-8.
-bool isUtf8(const std::string& text) {
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)) == Json(text);
-}
-
 } // namespace
 
 Result<std::vector<rig::Adjustment>> loadOffsetTable(const std::filesystem::path& path, Document& document,
@@ -263,7 +259,7 @@ Result<std::vector<rig::Adjustment>> loadOffsetTable(const std::filesystem::path
   if (!text) {
     return text.error();
   }
-  if (!isUtf8(*text)) {
+  if (gltf::asUtf8(*text) != *text) {
     return Error{"is no UTF-8 text", path.string(), "save the table as UTF-8"};
   }
   const bool isJson = path.extension() == ".json";

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include "app/edits/pose/offset_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
@@ -466,4 +467,23 @@ TEST_CASE("A pose without a key is asked for before it is lost, and told when a 
     session.view().clip = 1;
     CHECK_FALSE(wouldLoseWork(desk.document));
   }
+}
+
+TEST_CASE("A pose without a key is keyed where the question for unsaved work is answered by Save") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  Session& session = *desk.document.character();
+  session.view().frame = 16.0;
+  poseWithoutKey(session);
+  work.saveAs(desk, desk.file("mine.glb"));
+  desk.news();
+  work.quit(desk);
+  work.answer(desk, FileAnswer::save);
+  CHECK(desk.news() == "saved:mine.glb quit ");
+  CHECK(offsetAt(session.document(), 0, 16.0, "left-hand").move == Vec3(0.1, 0.0, 0.0));
+  CHECK(session.history().undoLabel() == "Key the left hand");
+  CHECK_FALSE(isPosedWithoutKey(session.view()));
+  const Document saved = openDocument(desk.file("mine.glb").string()).value();
+  CHECK(saved.adjustments == session.document().adjustments);
 }

@@ -95,6 +95,8 @@ Result<ViewDirection> parseView(const std::string& text) {
   return Error{"there is no view '" + text + "'", "--view", "give front, side, top, three-quarter or best"};
 }
 
+constexpr double nothingMoves = -1.0; // in place of the last frame
+
 /// `lastFrame` of what is drawn; < 0: nothing moves.
 Result<std::vector<double>> framesOf(const RenderArguments& arguments, double lastFrame) {
   if (!arguments.frames.empty()) {
@@ -428,7 +430,7 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (Status trails = takeTrails(arguments, *document, clip); !trails) {
     return trails;
   }
-  const double lastFrame = clip < 0 ? -1.0 : endInFrames(app::clipOf(*document, clip));
+  const double lastFrame = clip < 0 ? nothingMoves : endInFrames(app::clipOf(*document, clip));
   const Result<std::vector<double>> frames = framesOf(arguments, lastFrame);
   if (!frames) {
     return frames.error();
@@ -469,9 +471,6 @@ Status renderCharacter(const RenderArguments& arguments) {
 
 /// Whether what is to be written can be, before anything is drawn.
 Status checkPlaces(const RenderArguments& arguments) {
-  if (const Result<PictureOptions> options = optionsOf(arguments); !options) {
-    return options.error();
-  }
   const std::filesystem::path target = arguments.video.empty() ? arguments.output : arguments.video;
   Status free = checkPlace(target);
   if (arguments.frames.empty() || arguments.sheet || arguments.stages || !arguments.video.empty()) {
@@ -485,22 +484,25 @@ Status checkPlaces(const RenderArguments& arguments) {
   return free;
 }
 
-/// What no option can say by itself.
-Status checkTogether(const RenderArguments& arguments) {
+/// Refuses what is wrong whatever the file holds.
+Status checkArguments(const RenderArguments& arguments) {
   if (arguments.sheet && (!arguments.video.empty() || !arguments.beside.empty())) {
     return Error{"a contact sheet is one picture of one file", "--sheet",
                  "leave it out, or --video and --beside"};
   }
-  return arguments.stages && !arguments.video.empty()
-             ? Status(Error{"the stages are one picture", "--stages", "leave it out, or --video"})
-             : Status(Success{});
+  if (arguments.stages && !arguments.video.empty()) {
+    return Error{"the stages are one picture", "--stages", "leave it out, or --video"};
+  }
+  if (const Result<PictureOptions> options = optionsOf(arguments); !options) {
+    return options.error();
+  }
+  const Result<std::vector<double>> frames = framesOf(arguments, nothingMoves);
+  return frames ? Status(Success{}) : Status(frames.error());
 }
 
 Status runRender(RenderArguments arguments) {
-  for (const auto check : {checkTogether, checkPlaces}) {
-    if (Status sound = check(arguments); !sound) {
-      return sound;
-    }
+  if (Status free = checkPlaces(arguments); !free) {
+    return free;
   }
   if (app::namesSequence({arguments.files.begin(), arguments.files.end()}) || asksForSequence(arguments)) {
     return renderSequence(arguments);
@@ -577,6 +579,7 @@ app::Verb renderVerb() {
                 "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
             app::addSettingOption(line, shadeAsSetting(), arguments->overlays, "Options");
             addSequenceOptions(line, *arguments);
+            line.checkTogether([arguments](const app::CommandLine&) { return checkArguments(*arguments); });
             return [arguments] { return runRender(*arguments); };
           }};
 }

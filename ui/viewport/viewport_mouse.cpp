@@ -379,8 +379,12 @@ void hoverLimbs(ViewportContext& context) {
   viewport.hoveredJoint = found.joint;
 }
 
-/// On a mesh sequence nothing can be picked: the left button alone turns the view as well, and a right click
-/// opens the menu of the view.
+bool canPick(const ViewportContext& context) {
+  return context.open.character() != nullptr && !isSeenBesideDialog(context.ui);
+}
+
+/// On a mesh sequence and beside a dialog nothing can be picked: the left button alone turns the view as
+/// well, and a right click opens the menu of the view where no dialog is.
 void lookAround(ViewportContext& context, bool pressed, bool held) {
   ViewportState& viewport = context.viewport;
   if (pressed) {
@@ -390,8 +394,8 @@ void lookAround(ViewportContext& context, bool pressed, bool held) {
         ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       viewport.gesture = ViewportGesture::orbit;
     }
-    const bool asksMenu =
-        viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    const bool asksMenu = viewport.gesture == ViewportGesture::none && !isSeenBesideDialog(context.ui) &&
+                          ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     viewport.gesture = asksMenu ? ViewportGesture::pressMenu : viewport.gesture;
   } else if (held) {
     dragCube(viewport);
@@ -422,7 +426,7 @@ void updateHover(ViewportContext& context) {
   viewport.hoveredEnd = false;
   viewport.hoveredJoint = NodeIndex::none;
   viewport.look.hoveredPart = viewport.hovered ? cubePartUnderMouse(context) : std::nullopt;
-  if (!viewport.hovered || viewport.look.hoveredPart || context.open.character() == nullptr) {
+  if (!viewport.hovered || viewport.look.hoveredPart || !canPick(context)) {
     return;
   }
   const bool pressed =
@@ -489,7 +493,7 @@ void handleViewportMouse(ViewportContext& context, bool hovered, bool held) {
   const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Right));
-  if (context.open.character() == nullptr) {
+  if (!canPick(context)) {
     lookAround(context, pressed, held);
   } else if (pressed) {
     beginGesture(context);

@@ -169,6 +169,23 @@ void updateView(ViewportContext& context) {
   }
 }
 
+/// Whether the mouse is over the picture, and whether a button that was pressed there is still down.
+struct MouseOver {
+  bool hovered = false;
+  bool held = false;
+};
+
+/// A dialog takes the mouse of all that is not in it. Where it is about the picture, the mouse is free there.
+MouseOver mouseBesideDialog(const ViewportState& viewport) {
+  const bool free =
+      !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left) ||
+                    ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  return {free && !ImGui::IsAnyItemActive() &&
+              ImGui::IsMouseHoveringRect(viewport.box.min, viewport.box.max, false),
+          down && viewport.gesture != ViewportGesture::none};
+}
+
 void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   ViewportState& viewport = context.viewport;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -179,8 +196,10 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   context.items.add("viewport", viewport.box.min, viewport.box.max);
-  const bool hovered = ImGui::IsItemHovered() && !pressMessage(context);
-  const bool held = ImGui::IsItemActive();
+  const auto [hovered, held] =
+      isSeenBesideDialog(context.ui)
+          ? mouseBesideDialog(viewport)
+          : MouseOver{ImGui::IsItemHovered() && !pressMessage(context), ImGui::IsItemActive()};
   updateView(context);
   if (context.open.sequence() != nullptr) {
     const bool all = std::exchange(viewport.framePending, false);

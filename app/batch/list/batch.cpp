@@ -21,6 +21,7 @@
 #include "app/batch/verb.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/json/utf8.h"
 #include "core/gltf/source/json_text.h"
 
 namespace stretch::app {
@@ -129,11 +130,6 @@ bool beginsAsLog(const std::string& log) {
   std::string head(answerStart.size(), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   return answerStart.starts_with(std::string_view(head).substr(0, static_cast<std::size_t>(file.gcount())));
-}
-
-// A text as a line of JSON gives it back: what is no UTF-8 is replaced there.
-std::string asLogged(const std::string& text) {
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
 Status checkLog(const BatchArguments& arguments) {
@@ -269,7 +265,7 @@ private:
         return false;
       }
       ++listed_;
-      const bool isDone = done_.contains(asLogged(next_->text));
+      const bool isDone = done_.contains(gltf::asUtf8(next_->text)); // as the log holds it
       if (!isDone && !next_->problem.empty()) {
         answers_.put(*next_, {2, {}, next_->problem});
       }

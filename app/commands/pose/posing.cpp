@@ -371,6 +371,24 @@ Status keyPose(Session& session, const OffsetPose& pose, const std::string& labe
   return keyPoseIn(session, pose, label, session.document(), keyRange(session));
 }
 
+Status keyUnkeyedPose(Session& session) {
+  if (!isPosedWithoutKey(session.view())) {
+    return Success{};
+  }
+  const UnkeyedPose& unkeyed = session.view().unkeyed;
+  OffsetPose pose;
+  std::vector<std::string> ids;
+  for (const auto& [id, offset] : unkeyed.offsets) {
+    pose.offsets.push_back(offset);
+    ids.push_back(id);
+  }
+  for (const auto& [id, value] : unkeyed.values) {
+    pose.values.push_back({id, value});
+    ids.push_back(id);
+  }
+  return keyPose(session, pose, poseLabel(session.document(), "Key", ids));
+}
+
 Status poseAll(Session& session, const OffsetPose& pose, const std::string& label) {
   return session.view().autoKey ? keyPose(session, pose, label) : poseWithoutKey(session, pose);
 }

@@ -13,7 +13,8 @@ const Json* find(const Json& object, std::string_view key) {
   if (members == nullptr) {
     return nullptr;
   }
-  // Opening a file asks this for each thing in it: most names differ in their length or their first letter already.
+  // Opening a file asks this for each thing in it: most names differ in their length or their first letter
+  // already.
   const auto isKey = [key](const auto& member) {
     const std::string& name = member.first;
     return name.size() == key.size() && (key.empty() || name.front() == key.front()) && name == key;

@@ -13,6 +13,7 @@
 #include "core/base/check.h"
 #include "core/gltf/import/material_library.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/json/utf8.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/json_text.h"
 
@@ -60,11 +61,6 @@ int narrow(std::size_t index) {
 
 int orNone(const std::optional<std::size_t>& index) {
   return index ? narrow(*index) : -1;
-}
-
-std::string asUtf8(const std::string& text) {
-  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(quoted).get<std::string>();
 }
 
 tinygltf::Value objectOf(const char* key, tinygltf::Value value) {

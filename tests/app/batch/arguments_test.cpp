@@ -114,7 +114,6 @@ std::vector<RefusedLine> refusedTrailOptions(const std::string& out, const std::
 }
 
 std::vector<RefusedLine> refusedExaggerations(const std::string& out, const std::string& trails) {
-  const std::string styleOut = out + ".json";
   return {
       {{"exaggerate", dummy, "-o", out}, "no limb was named", 2},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm"}, "--limb left-arm: has no scale"},
@@ -155,21 +154,31 @@ std::vector<RefusedLine> refusedExaggerations(const std::string& out, const std:
        "--clip: stands beside --all-clips",
        2},
       {{"exaggerate", dummy, "-o", out, "--auto", "--loops"}, "is found by --auto itself", 2},
-      {{"styles", "--style", "Subtle", "--name", "Mine", "-o", styleOut},
-       "--name: says how a style is taken"},
-      {{"styles", "--style", "Subtle", "-o", out}, "an output has to end in .json"},
       {{"exaggerate", dummy, "-o", out, "--auto", "--style", "anime"}, "names no style, or several"},
       {{"exaggerate", dummy, "-o", out, "--auto", "--style-arm", "0.5"}, "do not rise"},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--influences", "4"},
-       "counts with --form volume alone"},
+       "counts with --form volume alone",
+       2},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--keep-skeleton", "--form",
         "volume"},
-       "--keep-skeleton: stands beside --form"},
+       "--keep-skeleton: stands beside --form",
+       2},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--key-every-frame",
         "--key-frames", "whole"},
-       "--key-every-frame: stands beside --key-frames"},
-      {{"styles", "-o", styleOut}, "says no style"},
-      {{"styles", "--style", "Subtle", "--take", dummy, "-o", styleOut}, "stands beside --take"},
+       "--key-every-frame: stands beside --key-frames",
+       2},
+  };
+}
+
+std::vector<RefusedLine> refusedStyles(const std::string& out) {
+  const std::string styleOut = out + ".json";
+  return {
+      {{"styles", "--style", "Subtle", "--name", "Mine", "-o", styleOut},
+       "--name: says how a style is taken",
+       2},
+      {{"styles", "--style", "Subtle", "-o", out}, "an output has to end in .json", 2},
+      {{"styles", "-o", styleOut}, "says no style", 2},
+      {{"styles", "--style", "Subtle", "--take", dummy, "-o", styleOut}, "stands beside --take", 2},
       {{"styles", "--take", dummy, "-o", styleOut}, "no trail of the clip is exaggerated"},
   };
 }
@@ -384,7 +393,7 @@ namespace {
 
 std::vector<RefusedLine> refusedPoses(const std::string& out, const std::string& trails) {
   return {
-      {{"pose", dummy, "-o", out}, "nothing was asked for"},
+      {{"pose", dummy, "-o", out}, "nothing was asked for", 2},
       {{"pose", dummy, "-o", out, "--pose", "Bow"}, "'Bow' is no pose of the library"},
       {{"pose", dummy, "-o", out, "--pose", "Bow", "--pose-frame", "61"},
        "frame 61 lies outside the clip, which has the frames 0 to 60"},
@@ -454,13 +463,11 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
       {{"trail", tube, "--limb", "left-arm"}, "is a sequence of meshes, no character with joints"},
       {{"rig", dummy, "-o", out}, "the file has a skeleton already, and no joint is made"},
   };
-  const std::vector<RefusedLine> poses = refusedPoses(out, trails);
-  const std::vector<RefusedLine> options = refusedTrailOptions(out, trails);
-  const std::vector<RefusedLine> appending = refusedAppending(out, tube, moduli);
-  lines.insert(lines.end(), others.begin(), others.end());
-  lines.insert(lines.end(), poses.begin(), poses.end());
-  lines.insert(lines.end(), options.begin(), options.end());
-  lines.insert(lines.end(), appending.begin(), appending.end());
+  for (const std::vector<RefusedLine>& more :
+       {others, refusedStyles(out), refusedPoses(out, trails), refusedTrailOptions(out, trails),
+        refusedAppending(out, tube, moduli)}) {
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
   for (const RefusedLine& line : lines) {
     INFO(line.reason);
     const test::VerbAnswer answer = test::runVerb(line.words);

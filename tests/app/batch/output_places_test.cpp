@@ -1,6 +1,7 @@
 // Outputs that cannot be written are refused before there is any work, and nothing is written then.
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -48,14 +49,14 @@ TEST_CASE("An output of another ending, in no folder or of a folder's name is re
   fs::create_directories(outputs / "taken.glb");
   for (const Words& words : writers(inputs)) {
     INFO(words.front());
-    for (const auto& [name, reason] :
-         {std::pair("out.obj", "out.obj: an output has to end in .glb or .gltf"),
-          std::pair("out.vrm", "out.vrm: an output has to end in .glb or .gltf"),
-          std::pair("missing/out.glb", "missing: there is no such folder; make it"),
-          std::pair("taken.glb", "taken.glb: is a folder")}) {
+    for (const auto& [name, reason, exitCode] :
+         {std::tuple("out.obj", "out.obj: an output has to end in .glb or .gltf", 2),
+          std::tuple("out.vrm", "out.vrm: an output has to end in .glb or .gltf", 1), // an avatar stays one
+          std::tuple("missing/out.glb", "missing: there is no such folder; make it", 1),
+          std::tuple("taken.glb", "taken.glb: is a folder", 1)}) {
       INFO(name);
       const test::VerbAnswer answer = writtenTo(words, outputs / name);
-      CHECK(answer.exitCode == 1);
+      CHECK(answer.exitCode == exitCode);
       CHECK_THAT(answer.told, Catch::Contains(reason));
     }
   }
@@ -65,16 +66,18 @@ TEST_CASE("An output of another ending, in no folder or of a folder's name is re
 
 TEST_CASE("Locators are written as .json and a style as well, where their folder is", "[output]") {
   const TemporaryFolder folder;
-  const auto told = [&](Words words, const char* name) {
+  const auto told = [&](Words words, const char* name, int exitCode = 1) {
     const test::VerbAnswer answer = writtenTo(std::move(words), folder / name);
-    CHECK(answer.exitCode == 1);
+    CHECK(answer.exitCode == exitCode);
     return answer.told;
   };
   const Words locators{"rig", test::posedCharacter, "--locators-only"};
   CHECK_THAT(told(locators, "places.glb"), Catch::Contains("places.glb: an output has to end in .json"));
+  CHECK_THAT(told(locators, "places.txt", 2),
+             Catch::Contains("places.txt: an output has to end in .glb or .gltf or .json"));
   CHECK_THAT(told(locators, "missing/places.json"), Catch::Contains("there is no such folder"));
   const Words style{"styles", "--style", "Subtle"};
-  CHECK_THAT(told(style, "subtle.glb"), Catch::Contains("subtle.glb: an output has to end in .json"));
+  CHECK_THAT(told(style, "subtle.glb", 2), Catch::Contains("subtle.glb: an output has to end in .json"));
   CHECK_THAT(told(style, "missing/subtle.json"), Catch::Contains("there is no such folder"));
   CHECK(folder.fileCount() == 0);
   CHECK(writtenTo(locators, folder / "places.json").exitCode == 0);

@@ -105,8 +105,28 @@ TEST_CASE("render looks at the place of a picture or a video before it draws") {
     CHECK_THAT(told(words),
                Catch::EndsWith("missing: there is no such folder; make it, or save elsewhere\n"));
   }
-  CHECK_THAT(
-      test::runVerb({"render", "none.glb", "-o", (folder / "r.jpg").string()}, {ui::renderVerb()}).told,
-      Catch::Contains("r.jpg: the name of a picture has to end in .png"));
+  CHECK(folder.fileCount() == 0);
+}
+
+TEST_CASE("render takes what no file can make right for a wrong argument") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "r.png").string();
+  for (const auto& [words, reason] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"-o", (folder / "r.jpg").string()}, "r.jpg: the name of a picture has to end in .png"},
+           {{"--video", (folder / "r.avi").string()}, "the name of a video ends in .mp4, .webm or .gif"},
+           {{"-o", output, "--frame", "soon"}, "--frame: 'soon' is not a number"},
+           {{"-o", output, "--frames", "5-1"}, "--frames: '5-1' is not a range"},
+           {{"-o", output, "--size", "8x8"}, "--size: '8x8' is not a size"},
+           {{"-o", output, "--view", "behind"}, "--view: there is no view 'behind'"},
+           {{"-o", output, "--sheet", "--beside", "b.glb"},
+            "--sheet: a contact sheet is one picture of one file"},
+           {{"--video", (folder / "r.mp4").string(), "--stages"}, "--stages: the stages are one picture"}}) {
+    INFO(reason);
+    std::vector<std::string> line{"render", "none.glb"};
+    line.insert(line.end(), words.begin(), words.end());
+    const test::VerbAnswer answer = test::runVerb(line, {ui::renderVerb()});
+    CHECK(answer.exitCode == 2);
+    CHECK_THAT(answer.told, Catch::Contains(reason));
+  }
   CHECK(folder.fileCount() == 0);
 }

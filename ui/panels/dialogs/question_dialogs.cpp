@@ -68,8 +68,7 @@ AskedDialog unsavedDialog(const app::OpenDocument& open) {
   if (hasPose) {
     lost +=
         (lost.empty() ? "" : " ") +
-        fmt::format("The pose at frame {:g} has no key, and is lost if you go on, saved or not: cancel to "
-                    "key it.",
+        fmt::format("The pose at frame {:g} has no key. Save gives it one; it is lost if you go on without.",
                     session->view().frame);
   }
   return {app::FileQuestion::Kind::unsaved,
