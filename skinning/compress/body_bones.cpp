@@ -239,6 +239,9 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
     turnAxesAlongBones(result.skinned);
     stretchByRows(sequence, settings, partOf(proceed, 0.6, 1.0), result);
   }
+  if (tree) {
+    bringJointsInside(result.skinned);
+  }
   return Success{};
 }
 

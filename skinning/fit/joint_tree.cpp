@@ -9,8 +9,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <glm/geometric.hpp>
 
 #include "core/scene/mesh_sequence.h"
+#include "skinning/geometry/inside.h"
 
 namespace stretch::skinning {
 namespace {
@@ -184,12 +186,59 @@ std::vector<std::size_t> rootsOf(const std::vector<JointCandidate>& forest,
   return roots;
 }
 
-void movePivot(SkinnedSequence& skinned, std::size_t bone, const Vec3& pivot,
-               const std::vector<Mat4>& matrices) {
-  skinned.bones[bone].pivot = pivot;
+/// Moves the point about which a bone turns, not what the bone does to the mesh.
+void movePivot(SkinnedSequence& skinned, std::size_t bone, const Vec3& pivot) {
   for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
-    skinned.pose(k, bone).position = Vec3(matrices[k * skinned.bones.size() + bone] * Vec4(pivot, 1.0));
+    BonePose& pose = skinned.pose(k, bone);
+    pose.position = Vec3(skinMatrix(skinned.bones[bone], pose) * Vec4(pivot, 1.0));
   }
+  skinned.bones[bone].pivot = pivot;
+}
+
+/// Each bone ends in the middle of what hangs on it, or as far beyond the middle of its own surface as it
+/// begins before it.
+void setEnds(SkinnedSequence& skinned, const std::vector<SharedSurface>& own) {
+  const std::vector<std::optional<Vec3>> middles = middlesOfChildren(skinned.bones);
+  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+    SkinBone& bone = skinned.bones[b];
+    bone.end = middles[b].value_or(2.0 * own[b].middle - bone.pivot);
+  }
+}
+
+/// The diameter of a rod of the same volume and surface; 0 for a mesh that encloses next to nothing.
+double thicknessOf(const PlacedSurface& mesh) {
+  double volume = 0.0;
+  double area = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3 corner = mesh.places[triangle[0]] - mesh.places.front();
+    const Vec3 normal = glm::cross(mesh.places[triangle[1]] - mesh.places[triangle[0]],
+                                   mesh.places[triangle[2]] - mesh.places[triangle[0]]);
+    volume += glm::dot(corner, normal) / 6.0;
+    area += 0.5 * glm::length(normal);
+  }
+  constexpr double flat = 1e-3; // of the side of a square as large
+  const double thickness = area > 0.0 ? 4.0 * std::abs(volume) / area : 0.0;
+  return thickness > flat * std::sqrt(area) ? thickness : 0.0;
+}
+
+bool isInside(const PlacedSurface& mesh, const Vec3& place) {
+  constexpr double half = 0.5;
+  return std::abs(windingNumber(mesh, place)) > half;
+}
+
+/// The place itself, or for one that sticks out of the body the nearest of its surface, where there is room a
+/// quarter of the thickness deeper.
+Vec3 placeInside(const PlacedSurface& mesh, double thickness, const Vec3& place) {
+  constexpr double allowed = 0.05; // of the thickness
+  constexpr double deeper = 0.25;
+  const std::optional<SurfacePoint> nearest = isInside(mesh, place) ? std::nullopt : nearestOn(mesh, place);
+  const Vec3 way = nearest ? placeOf(mesh, *nearest) - place : Vec3(0.0);
+  const double length = glm::length(way);
+  if (!(length > allowed * thickness)) {
+    return place;
+  }
+  const Vec3 deep = place + way * (1.0 + deeper * thickness / length);
+  return isInside(mesh, deep) ? deep : place + way;
 }
 
 } // namespace
@@ -212,14 +261,23 @@ void hangTogether(SkinnedSequence& skinned) {
     for (const Visit& visit : visitsFrom(root, forest, edges)) {
       const bool isRoot = visit.bone == root;
       skinned.bones[visit.bone].parent = isRoot ? -1 : static_cast<int>(visit.parent);
-      movePivot(skinned, visit.bone, isRoot ? own[root].middle : forest[visit.edge].place, matrices);
+      movePivot(skinned, visit.bone, isRoot ? own[root].middle : forest[visit.edge].place);
     }
   }
-  const std::vector<std::optional<Vec3>> middles = middlesOfChildren(skinned.bones);
-  for (std::size_t b = 0; b < bones; ++b) {
-    SkinBone& bone = skinned.bones[b];
-    bone.end = middles[b].value_or(2.0 * own[b].middle - bone.pivot);
+  setEnds(skinned, own);
+}
+
+void bringJointsInside(SkinnedSequence& skinned) {
+  const std::vector<Vec3> places(skinned.bindPositions.begin(), skinned.bindPositions.end());
+  const PlacedSurface mesh{places, skinned.triangles};
+  const double thickness = thicknessOf(mesh);
+  if (thickness == 0.0) {
+    return;
   }
+  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+    movePivot(skinned, b, placeInside(mesh, thickness, skinned.bones[b].pivot));
+  }
+  setEnds(skinned, ownSurfaces(skinned));
 }
 
 std::vector<std::size_t> orderOfTree(const std::vector<SkinBone>& bones) {

@@ -15,6 +15,10 @@ namespace stretch::skinning {
 /// body in several parts get a root for each.
 void hangTogether(SkinnedSequence& skinned);
 
+/// Moves joints that stick out of the bind mesh onto its surface, where there is room a quarter of the body's
+/// thickness deeper; bones do to the mesh what they did. Nothing changes for a mesh that encloses nothing.
+void bringJointsInside(SkinnedSequence& skinned);
+
 /// Indices of the bones, parents before what hangs on them.
 [[nodiscard]] std::vector<std::size_t> orderOfTree(const std::vector<SkinBone>& bones);
 

@@ -11,6 +11,8 @@ For the sequences that the check makes itself (own_sequences.py), and each of th
 - the error over every vertex and frame, as three.js skins the file and the source's files say, against what `compress` said;
 - of the own ones every corner of every triangle with its texture coordinates, normal and material, colours and images byte for
   byte, and a picture of the clip beside one of the source.
+For bodies of the data folder that part into pieces that move alike:
+- no joint sticks out of the body in the bind pose by more than a tenth of its thickness.
 With STRETCH_PICTURES naming a folder the pictures are kept there. Without a data folder only the own sequences are checked.
 Broken sequences: status 1, one line that names the place, and nothing written. Flawed but usable ones: a warning.
 """
@@ -28,6 +30,7 @@ import tempfile
 
 from check_compressed import differing_pixels
 from own_sequences import FPS, MAKERS, write_positions
+from sticking_joints import farthest_out
 
 READERS = pathlib.Path(__file__).resolve().parent / "readers"
 VERTEX_TOLERANCE = 1e-4  # of the diagonal
@@ -38,6 +41,7 @@ INDEPENDENT_TOLERANCE = 2e-3  # of the error itself, and INDEPENDENT_SLACK perce
 INDEPENDENT_SLACK = 4e-4
 CORNER_TOLERANCE = 1e-4
 PIXELS_THAT_DIFFER = 0.03
+STICKING_OUT = 0.1  # of the body's thickness
 FRAMES_LOOKED_AT = 9
 PACKED = ["--quantise", "--quantise-mesh", "--meshopt"]
 VERTEX_STEP = 5
@@ -290,6 +294,14 @@ class Check:
                 arguments = ["--bones", 20, "--stretch", "measured", "--joints", joints, *encoding]
                 self.compressed(wolf, " ".join(["wolf", joints, *encoding]), arguments, folder)
 
+    def joints_in_bodies(self, folder):
+        sequences, output = self.data / "mesh-sequence", folder / "joints.glb"
+        for name in ("wolf", "morph/MorphStressTest.gltf"):
+            for bones in (8, 12, 30):
+                output_of(self.program, "compress", sequences / name, "-o", output, "--bones", bones)
+                far = farthest_out(output)
+                self.tell(f"joints of {name}, {bones} bones", [f"one sticks out by {far:.2f} of the thickness"] if far > STICKING_OUT else [])
+
     def broken(self, folder):
         worm, frames = self.data / "worm", self.data / "mesh-sequence" / "dem-bones" / "frames"
         few = sorted(frames.glob("*.obj"))[:3]
@@ -339,6 +351,7 @@ def main():
             check.broken(pathlib.Path(name))
             check.errors_of_data(pathlib.Path(name))
             check.proofs(pathlib.Path(name))
+            check.joints_in_bodies(pathlib.Path(name))
     print(f"{check.passed} passed, {check.failed} failed")
     return 1 if check.failed else 0
 

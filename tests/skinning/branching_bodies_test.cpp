@@ -13,6 +13,7 @@
 #include "skinning/export/encode_gltf.h"
 #include "skinning/fit/joint_tree.h"
 #include "skinning/fit/motion_clusters.h"
+#include "skinning/geometry/inside.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/temporary_folder.h"
@@ -90,6 +91,40 @@ glm::vec3 armThatShortens(const glm::vec3& rest, double angle, double shortening
   return {static_cast<float>(std::copysign(x, static_cast<double>(rest.x))), static_cast<float>(y), rest.z};
 }
 
+/// A body whose arms swing, and shorten as they do.
+MeshSequence bodyWithArmsThatShorten() {
+  constexpr double shortening = 0.05;
+  MeshSequence body = skinAllFrames(test::armedBody(24));
+  for (std::size_t k = 0; k < body.frameCount(); ++k) {
+    const double angle = 0.9 * std::sin(pi * static_cast<double>(k) / 23.0);
+    for (std::size_t v = 0; v < body.vertexCount; ++v) {
+      body.frame(k)[v] = armThatShortens(body.frame(0)[v], angle, shortening);
+    }
+  }
+  return body;
+}
+
+/// Moves the point about which a bone turns by a way, not what the bone does to the mesh.
+void moveJoint(SkinnedSequence& skinned, std::size_t bone, const Vec3& way) {
+  for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
+    BonePose& pose = skinned.pose(k, bone);
+    pose.position = Vec3(skinMatrix(skinned.bones[bone], pose) * Vec4(skinned.bones[bone].pivot + way, 1.0));
+  }
+  skinned.bones[bone].pivot += way;
+}
+
+/// How far the joint that sticks out of the bind mesh farthest is from its surface; 0 where all lie inside.
+double farthestOut(const SkinnedSequence& skinned) {
+  const std::vector<Vec3> places(skinned.bindPositions.begin(), skinned.bindPositions.end());
+  const PlacedSurface mesh{places, skinned.triangles};
+  double far = 0.0;
+  for (const SkinBone& bone : skinned.bones) {
+    far =
+        std::abs(windingNumber(mesh, bone.pivot)) > 0.5 ? far : std::max(far, distanceFrom(mesh, bone.pivot));
+  }
+  return far;
+}
+
 /// Writes the bones and reads the file's skin again.
 std::vector<SkinBone> bonesOfFile(const SkinnedSequence& skinned) {
   const test::TemporaryFolder folder;
@@ -123,11 +158,7 @@ TEST_CASE("a tree of bones that were split and moved is found again") {
   const SkinnedSequence truth = test::armedBody(24);
   SkinnedSequence loose = truth;
   for (std::size_t b = 0; b < loose.bones.size(); ++b) {
-    const Vec3 elsewhere = loose.bones[b].pivot + Vec3(0.5, 1.0, 0.25);
-    for (std::size_t k = 0; k < loose.frameCount(); ++k) {
-      loose.pose(k, b).position = Vec3(skinMatrix(truth.bones[b], truth.pose(k, b)) * Vec4(elsewhere, 1.0));
-    }
-    loose.bones[b].pivot = elsewhere;
+    moveJoint(loose, b, Vec3(0.5, 1.0, 0.25));
     loose.bones[b].parent = -1;
   }
   hangTogether(loose);
@@ -153,6 +184,43 @@ TEST_CASE("bones stand side by side where that is asked for, the file shows the 
   for (std::size_t b = 0; b < written.size(); ++b) {
     CHECK(written[b].parent == tree.bones[b].parent);
     CHECK(glm::length(written[b].pivot - tree.bones[b].pivot) < 1e-4);
+  }
+}
+
+TEST_CASE("a joint that sticks out of a body is brought into it, nothing else changes") {
+  const SkinnedSequence truth = test::armedBody(12);
+  SkinnedSequence out = truth;
+  moveJoint(out, 3, Vec3(0.0, 4.0, 0.0)); // three above an arm that is two thick
+  bringJointsInside(out);
+  CHECK(out.bones[3].pivot.x == Approx(truth.bones[3].pivot.x));
+  CHECK(out.bones[3].pivot.y == Approx(1.5).margin(0.2)); // a quarter of the thickness below its upper side
+  CHECK(distancesOf(skinAllFrames(truth), skinAllFrames(out)).largestPercent < 1e-4);
+  for (const std::size_t b : {1, 2, 4, 5}) {
+    INFO(truth.bones[b].name);
+    CHECK(out.bones[b].pivot == truth.bones[b].pivot);
+  }
+  moveJoint(out, 3, Vec3(0.0, 4.0, 0.0));
+  const SkinnedSequence open = [&] { // a mesh that encloses nothing has no inside
+    SkinnedSequence points = out;
+    points.triangles.clear();
+    return points;
+  }();
+  SkinnedSequence asked = open;
+  bringJointsInside(asked);
+  CHECK(asked.bones == open.bones);
+}
+
+TEST_CASE("joints of bones that are found in a body lie in it") {
+  const MeshSequence body = bodyWithArmsThatShorten();
+  for (const StretchOption stretch : {StretchOption::measured, StretchOption::elastic}) {
+    for (const int bones : {3, 6}) {
+      CompressSettings settings = measuredWith(bones);
+      settings.stretch = stretch;
+      const auto result = compress(body, settings);
+      REQUIRE(result);
+      CAPTURE(bones);
+      CHECK(farthestOut(result->skinned) < 0.2); // a tenth of the arms' thickness
+    }
   }
 }
 
@@ -416,14 +484,7 @@ TEST_CASE("rows of a given skeleton shorten by their own curvature") {
 }
 
 TEST_CASE("limbs of a body that branches shorten by their own curvature, with bones that are found in it") {
-  constexpr double shortening = 0.05;
-  MeshSequence body = skinAllFrames(test::armedBody(24));
-  for (std::size_t k = 0; k < body.frameCount(); ++k) { // The arms swing, and shorten as they do.
-    const double angle = 0.9 * std::sin(pi * static_cast<double>(k) / 23.0);
-    for (std::size_t v = 0; v < body.vertexCount; ++v) {
-      body.frame(k)[v] = armThatShortens(body.frame(0)[v], angle, shortening);
-    }
-  }
+  const MeshSequence body = bodyWithArmsThatShorten();
   CompressSettings settings = measuredWith(6);
   const auto rigid = compress(body, [&] {
     CompressSettings none = settings;
