@@ -269,22 +269,27 @@ void takeReading(PlanReading reading, Finding& finding) {
   result.isBiped = false;
 }
 
-// Whether four legs may be the arms and legs of a person who lies: they are called so, no tail is there, and
-// not all of them go down.
+// Whether a beast's legs may be the arms and legs of a person who lies or sits: some are called arms, and not
+// all go down, or the others begin level, as the thighs of one who sits do.
 bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
-  constexpr double leastDrop = 0.35; // of the limb
+  constexpr double leastDrop = 0.35;  // of the limb
+  constexpr double leastStart = 0.25; // of its first bone
   bool hasArms = false;
   bool stands = true;
   for (const Limb& limb : reading.limbs) {
     if (limb.kind == LimbKind::leg) {
       const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
-      hasArms = hasArms || name.role(Role::upperArm) >= 0.5 || name.role(Role::clavicle) >= 0.5;
-      const double drop =
-          positionOf(bindPose.worlds[at(limb.joints.front())]).y - endPosition(limb, bindPose.worlds).y;
-      stands = stands && drop >= leastDrop * limb.restLength;
+      const bool isArm = name.role(Role::upperArm) >= 0.5 || name.role(Role::clavicle) >= 0.5;
+      const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
+      const Vec3 first = points[0] - points[1];
+      hasArms = hasArms || isArm;
+      stands = stands && points.front().y - points.back().y >= leastDrop * limb.restLength &&
+               (isArm || first.y >= leastStart * glm::length(first));
     }
   }
-  return reading.plan->legs == 4 && hasArms && !stands && limbAt(reading.limbs, {LimbKind::tail}) == nullptr;
+  const bool hasLegsOfPerson = reading.plan->legs == 4 || reading.plan->legs == 6; // twice the same, for
+                                                                                   // helpers
+  return hasLegsOfPerson && hasArms && !stands;
 }
 
 // Says that the plan and its limbs are a guess.
@@ -369,8 +374,8 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
     takeReading(std::move(*reading), finding);
     if (lies) {
       doubt(result,
-            "its front legs are called arms and do not all go down: if it is a person who lies, choose the "
-            "plan biped");
+            "its front legs are called arms, and not all legs stand: if it is a person who lies or sits, "
+            "choose the plan biped");
     }
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
     takeChains(scene, bindPose, finding);

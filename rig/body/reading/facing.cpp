@@ -206,9 +206,12 @@ Sides fromNames(const NameVotes& names, const Hints& hints) {
 Sides fromHints(const Hints& hints, const Frame& frame) {
   Sides sides;
   if (std::abs(hints.sum()) < 0.5) {
-    sides.leftIsPositive = frame.forward.z >= 0.0;
+    constexpr double visible = 0.1;
+    const bool bends = std::abs(hints.bends) >= visible;
+    sides.leftIsPositive = bends ? hints.bends > 0.0 : frame.forward.z >= 0.0;
     sides.certainty = 0.3;
-    sides.reason = "sides: taken to face +Z, as glTF characters do";
+    sides.reason = bends ? "sides: from the way that knees and elbows bend a little"
+                         : "sides: taken to face +Z, as glTF characters do";
     return sides;
   }
   constexpr double clear = 2.0;

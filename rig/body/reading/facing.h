@@ -18,8 +18,8 @@ struct Sides {
 
 /// Names that agree with each other decide, unless at least two kinds of hints (toes, the foot's mesh, the
 /// face) clearly say otherwise and none speaks for the names. A contradiction is told as a question. Without
-/// such names the hints decide, knees and elbows among them; without those the character is taken to face +Z,
-/// as glTF has it.
+/// such names the hints decide, knees and elbows among them, and these alone where no other is clear; without
+/// those the character is taken to face +Z, as glTF has it.
 [[nodiscard]] Sides findSides(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading);
 
 } // namespace stretch::rig::body

@@ -67,6 +67,14 @@ const Sign signs[] = {
        }
      },
      "sides: from the way the feet point"},
+    {"knees and elbows bent a little",
+     [](SyntheticBiped& body) {
+       for (const std::string side : {".l", ".r"}) {
+         jointOf(body, "shin" + side).position.z = 0.01;
+         jointOf(body, "foreArm" + side).position.z = -0.01;
+       }
+     },
+     "sides: from the way that knees and elbows bend a little"},
 };
 
 } // namespace

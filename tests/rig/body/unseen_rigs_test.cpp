@@ -129,8 +129,10 @@ TEST_CASE("The trunk of a shark ends where its tail parts into fins") {
   CHECK(guessed->confidence < 0.5);
 }
 
-TEST_CASE("Whose four legs are called arms and legs, and who lies, is doubted and told") {
+TEST_CASE(
+    "Whose four legs are called arms and legs, and who lies, is doubted and told, with a tail or without") {
   SyntheticBiped body = bodyOfProgram("Arms by number");
+  const bool hasTail = GENERATE(false, true);
   for (const std::string side : {".l", ".r"}) { // the arms reach forward, and the whole lies on its back
     const double sign = side == ".l" ? 1.0 : -1.0;
     jointOf(body, "foreArm" + side).position = {0.18 * sign, 1.43, 0.25};
@@ -138,6 +140,11 @@ TEST_CASE("Whose four legs are called arms and legs, and who lies, is doubted an
     jointOf(body, "shin" + side).position = {0.1 * sign, 0.8, 0.4};
     jointOf(body, "foot" + side).position = {0.1 * sign, 0.5, 0.1};
     jointOf(body, "toe" + side).position = {0.1 * sign, 0.42, 0.2};
+  }
+  for (int i = 0; i < 3 && hasTail; ++i) {
+    const std::string above = i == 0 ? "hips" : "tail" + std::to_string(i - 1);
+    addPart(body, "tail" + std::to_string(i), above,
+            jointOf(body, "hips").position + Vec3(0, -0.15 * (i + 1), 0));
   }
   body.turn = axisAngle(Vec3(1, 0, 0), -pi / 2.0);
   body.withMesh = false;
