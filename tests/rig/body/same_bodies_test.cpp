@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
+#include "core/math/rotation.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"
@@ -43,8 +45,7 @@ SyntheticBiped mirroredBody(const SyntheticBiped& body, const std::map<std::stri
 }
 
 /// The plan, and each limb with its joints by their keys, sides swapped or not.
-std::vector<std::string> sidedReadingOf(const SyntheticBiped& body, bool isMirrored = false) {
-  const BuiltBiped built = build(body);
+std::vector<std::string> readingOf(const BuiltBiped& built, bool isMirrored = false) {
   const Body found = detectBody(built.scene);
   const auto keyOfNode = [&](NodeIndex node) {
     const std::string key = node.exists() ? keyOf(built, node) : "none";
@@ -62,6 +63,22 @@ std::vector<std::string> sidedReadingOf(const SyntheticBiped& body, bool isMirro
   std::ranges::sort(lines);
   lines.push_back(found.plan + ", hips " + keyOfNode(found.hips) + ", head " + keyOfNode(found.head));
   return lines;
+}
+
+std::vector<std::string> sidedReadingOf(const SyntheticBiped& body, bool isMirrored = false) {
+  return readingOf(build(body), isMirrored);
+}
+
+/// The body at another place of the scene, in its bind pose and at rest.
+BuiltBiped movedBody(BuiltBiped built, const Vec3& way) {
+  built.scene.nodes[0].rest.translation += way;
+  for (Mat4& inverse : built.scene.skins.at(0).inverseBind) {
+    inverse = glm::translate(inverse, -way);
+  }
+  for (glm::vec3& place : built.scene.meshes.at(0).primitives.at(0).positions) {
+    place += glm::vec3(way);
+  }
+  return built;
 }
 
 /// Some joints stand elsewhere, some lack their names, and some in the middle of the body are more.
@@ -127,6 +144,27 @@ TEST_CASE("A body is read alike whatever its size, and in whatever order its nod
     other = one.body;
     other.armatureScale = 0.25;
     CHECK(sidedReadingOf(other) == plain);
+  }
+}
+
+TEST_CASE("A body is read alike wherever it stands") {
+  for (const Case& one : cases()) {
+    CAPTURE(one.title);
+    CHECK(readingOf(movedBody(build(one.body), Vec3(8.0, 0.0, -16.0))) == sidedReadingOf(one.body));
+  }
+}
+
+TEST_CASE("A body that names tell is read alike whichever way it faces") {
+  for (const Case& one : cases()) {
+    CAPTURE(one.title);
+    SyntheticBiped turned = one.body;
+    for (const double quarters : {1.0, 2.0, 3.0}) {
+      CAPTURE(quarters);
+      turned.turn = axisAngle(Vec3(0.0, 1.0, 0.0), quarters * pi / 2.0);
+      if (!one.names.empty()) {
+        CHECK(sidedReadingOf(turned) == sidedReadingOf(one.body));
+      }
+    }
   }
 }
 

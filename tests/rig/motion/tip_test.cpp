@@ -259,3 +259,20 @@ TEST_CASE("a new trail starts at the hips where the body travels, else in the wo
   setEndsFromKeys(moving.clip);
   CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 1e30)) == TrailSpace::root);
 }
+
+TEST_CASE("a body whose hips carry no arm travels as they do") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex hips = moving.body.hips;
+  const Limb& arm = moving.limb("left-arm");
+  const NodeIndex top = moving.scene.nodes[at(arm.joints.front())].parent; // the collar bone
+  const NodeIndex before = moving.scene.nodes[at(top)].parent;
+  const NodeIndex root = moving.scene.nodes[at(hips)].parent;
+  std::erase(moving.scene.nodes[at(before)].children, top);
+  moving.scene.nodes[at(top)].parent = root;
+  moving.scene.nodes[at(root)].children.push_back(top);
+  const Vec3 stands = moving.scene.nodes[at(hips)].rest.translation;
+  moving.clip.tracks.emplace_back(vectorTrack(hips, Channel::translation, Interpolation::linear,
+                                              {{0.0, stands}, {0.5, stands + Vec3(0.0, 0.0, 2.0)}}));
+  setEndsFromKeys(moving.clip);
+  CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 12)) == TrailSpace::root);
+}

@@ -1,6 +1,7 @@
 #include "rig/limb.h"
 #include "rig/reach/limb_weight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -275,5 +276,31 @@ TEST_CASE("a foot that hangs under the root goes with its leg when the hips sink
       CHECK(lengthOf(moving.limb(leg), soft) / lengthOf(moving.limb(leg), source) ==
             Approx(1.0 - 0.006 * frame).epsilon(1e-3));
     }
+  }
+}
+
+TEST_CASE("what rides on the hips hangs on them and on no limb with weight") {
+  const MovingBiped moving = punchingBiped();
+  for (const std::string limb : {"left-arm", "left-leg", "neck"}) {
+    CAPTURE(limb);
+    const MotionState motion = softMotion(moving, {}, {softLimb(moving, limb, longer)});
+    std::vector<NodeIndex> riding;
+    for (const NodeIndex node : motion.outline.body) {
+      bool hangsOnHips = false;
+      bool hangsOnLimb = false;
+      for (NodeIndex above = node; above.exists(); above = moving.scene.nodes[at(above)].parent) {
+        hangsOnHips = hangsOnHips || above == moving.body.hips;
+        for (const SolvedWeight& solved : motion.weights) {
+          const std::vector<NodeIndex> own = touchedNodes(solved.limb, solved.topology);
+          hangsOnLimb = hangsOnLimb || std::ranges::find(own, above) != own.end();
+        }
+      }
+      if (hangsOnHips && !hangsOnLimb) {
+        riding.push_back(node);
+      }
+    }
+    REQUIRE(riding.size() > 3);
+    CHECK(riding.size() < motion.outline.body.size());
+    CHECK(motion.outline.riding == riding);
   }
 }
