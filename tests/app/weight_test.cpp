@@ -207,6 +207,25 @@ TEST_CASE("a range changes nothing outside and begins and ends without a jump") 
   CHECK_FALSE(evaluate(document, motion, 25.0 / fps).stretch.empty());
 }
 
+TEST_CASE("a leg without weight knows where its foot stands while the other one gives way") {
+  for (const auto& [limb, other] : {std::pair("left-leg", "right-leg"), std::pair("right-leg", "left-leg")}) {
+    CAPTURE(limb);
+    const Document document = heavy({}, {limb});
+    const rig::MotionState motion = prepareMotion(document, 0);
+    REQUIRE(motion.weights.size() == 2);
+    const auto stiff = std::ranges::find(motion.weights, other, [](const auto& one) { return one.limb.id; });
+    REQUIRE(stiff != motion.weights.end());
+    double mostKept = 0.0;
+    REQUIRE(stiff->weight.samples.size() > 10);
+    for (const rig::WeightSample& sample : stiff->weight.samples) {
+      CHECK(sample.strains == std::vector<Mat3>(2, Mat3(0.0)));
+      mostKept = std::max(mostKept, sample.kept);
+    }
+    CHECK(mostKept == Approx(1.0));
+  }
+  CHECK(prepareMotion(heavy({}, {"left-arm"}), 0).weights.size() == 1);
+}
+
 TEST_CASE("a model that is too soft says at which frame it no longer holds") {
   WeightSettings jelly;
   jelly.youngModulus = 1000.0;

@@ -177,7 +177,7 @@ TEST_CASE("Nodes without a name are told by their number, and an end that is non
 TEST_CASE(
     "A mesh whose vertices all follow one joint of the trunk is a part, by its own name or its mesh's") {
   const auto told = [](std::uint16_t first, std::uint16_t second, const std::string& node,
-                       const std::vector<std::string>& moved = {}) {
+                       const std::vector<std::string>& moved = {}, const Vec3& aside = Vec3(0.0)) {
     Boxed boxed;
     Skin skin;
     skin.joints = {boxed.named("Hips"), boxed.named("Spine"), boxed.named("LeftHand")};
@@ -188,7 +188,8 @@ TEST_CASE(
     }
     boxed.scene.skins = {skin};
     const NodeIndex holder = test::addNode(boxed.scene, node, NodeIndex::none, Vec3(5.0));
-    const int mesh = boxed.addMesh({leftHand - Vec3(0.05), leftHand + Vec3(0.05)}, "GloveMesh");
+    const int mesh =
+        boxed.addMesh({leftHand + aside - Vec3(0.05), leftHand + aside + Vec3(0.05)}, "GloveMesh");
     boxed.scene.nodes[at(holder)].mesh = mesh;
     boxed.scene.nodes[at(holder)].skin = 0;
     boxed.scene.meshes[at(mesh)].primitives[0].influences = following(first, second);
@@ -204,5 +205,6 @@ TEST_CASE(
   CHECK(told(2, 2, holder).empty()); // Of the hand itself.
   CHECK(told(1, 1, holder, {"Spine"}).empty());
   CHECK(told(0, 1, holder).empty());
-  CHECK(told(1, 7, holder).empty()); // A slot that the skin does not have.
+  CHECK(told(1, 7, holder).empty());                           // A slot that the skin does not have.
+  CHECK(told(1, 1, holder, {}, Vec3(-0.5, 0.0, 0.0)).empty()); // Nowhere near the hand.
 }

@@ -71,6 +71,41 @@ TEST_CASE("A buffer takes no name that the file itself refers to, however that i
   }
 }
 
+TEST_CASE("A buffer is written over the file that the output alone named before, and over that of no other") {
+  struct Case {
+    const char* says;
+    bool outputNames;
+    bool sourceNames;
+    const char* source;
+    const char* expected;
+  };
+  const Case cases[] = {{"nobody names it", false, false, "source.gltf", "walk_1.bin"},
+                        {"the output names it", true, false, "source.gltf", "walk.bin"},
+                        {"the source names it", false, true, "source.gltf", "walk_1.bin"},
+                        {"both name it", true, true, "source.gltf", "walk_1.bin"},
+                        {"the output is the source", true, true, "walk.gltf", "walk.bin"},
+                        {"the source is no text", true, false, "source.glb", "walk.bin"}};
+  for (const Case& one : cases) {
+    CAPTURE(one.says);
+    const TemporaryFolder folder;
+    const std::string naming = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"walk.bin"}]})";
+    folder.write("walk.bin", "mine");
+    if (one.outputNames) {
+      folder.write("walk.gltf", naming);
+    }
+    if (one.sourceNames) {
+      folder.write(one.source, naming);
+    }
+    gltf::Source source = unnamedBuffers(1);
+    source.path = folder / one.source;
+    REQUIRE(gltf::save(source, folder / "walk.gltf"));
+    CHECK(uriOf(jsonIn(folder / "walk.gltf"), 0) == one.expected);
+    CHECK(test::readBytes(folder / one.expected) == gltf::Bytes(6, 1));
+    const bool isWrittenOver = std::string(one.expected) == "walk.bin";
+    CHECK(test::readBytes(folder / "walk.bin").size() == (isWrittenOver ? 6 : 4));
+  }
+}
+
 TEST_CASE("While a .gltf and its .bin are replaced what lies beside them stays, and nothing is left over") {
   const TemporaryFolder folder;
   REQUIRE(gltf::save(unnamedBuffers(2), folder / "walk.gltf"));

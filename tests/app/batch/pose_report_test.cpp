@@ -1,0 +1,103 @@
+// What `pose` and `exaggerate --recipe` tell of controllers, against what the saved file plays.
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/gltf/json/json.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+using test::TemporaryFolder;
+
+namespace {
+
+Json reportOf(const TemporaryFolder& folder, const Json& recipe) {
+  const test::Posed posed = test::pose(folder, recipe, {"--clean"});
+  INFO(posed.answer.told);
+  REQUIRE(posed.answer.exitCode == 0);
+  return Json::parse(posed.answer.output);
+}
+
+Vec3 vectorOf(const Json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+} // namespace
+
+TEST_CASE("Places that are told as reached are those that the saved file plays, at every key", "[pose]") {
+  const TemporaryFolder folder;
+  Json recipe{{"version", 1}, {"adjustments", Json::array()}};
+  const std::map<std::string, std::string> limbs{{"left-hand", "left-arm"},
+                                                 {"right-hand", "right-arm"},
+                                                 {"left-foot", "left-leg"},
+                                                 {"right-foot", "right-leg"}};
+  for (const auto& [controller, limb] : limbs) {
+    Json keys = Json::array();
+    for (const double frame : {0.0, 7.0, 12.0, 30.0, 41.5}) {
+      keys.push_back({{"frame", frame}, {"move", {0.02, 0.001 * frame, 0.03}}});
+    }
+    recipe["adjustments"].push_back({{"controller", controller}, {"keys", keys}});
+  }
+  const Json report = reportOf(folder, recipe);
+  const Document source = test::openedFile(test::posedCharacter);
+  const Document saved = test::openedFile((folder / "posed.glb").string());
+  REQUIRE(report["controllers"].size() == 4);
+  for (const Json& controller : report["controllers"]) {
+    const std::string limb = limbs.at(controller["controller"].get<std::string>());
+    REQUIRE(controller["keys"].size() == 5);
+    for (const Json& key : controller["keys"]) {
+      const double frame = key["frame"].get<double>();
+      CAPTURE(limb, frame);
+      const Vec3 asked = vectorOf(key["asked"]);
+      const Vec3 reached = vectorOf(key["reached"]);
+      CHECK(glm::length(reached - test::endOf(saved, limb, frame)) < 2e-3);
+      CHECK(key["missed_by"].get<double>() == Approx(glm::length(asked - reached)).margin(1e-9));
+      const double unit = findLimb(source, limb)->restLength;
+      CHECK(glm::length(asked - test::endOf(source, limb, frame)) ==
+            Approx(unit * glm::length(Vec3(0.02, 0.001 * frame, 0.03))).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("Turns are told key by key, each as its joint turns at that frame", "[pose]") {
+  const TemporaryFolder folder;
+  const Json report = reportOf(folder, Json::parse(R"({"version": 1, "adjustments": [
+      {"controller": "hips", "keys": [{"frame": 4, "turn": [0, 10, 0]}, {"frame": 12, "turn": [0, 40, 0]},
+                                      {"frame": 20, "move": [0, 0.02, 0]}, {"frame": 30, "turn": [15, 0, 0]}]},
+      {"controller": "left-hand", "keys": [{"frame": 0, "turn": [0, 0, 5]}, {"frame": 9, "turn": [60, 0, 0]}]}]})"));
+  const std::vector<std::vector<double>> degrees{{10.0, 40.0, 0.0, 15.0}, {5.0, 60.0}};
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    for (std::size_t k = 0; k < degrees[i].size(); ++k) {
+      CAPTURE(i, k);
+      const Json& key = report["controllers"][i]["keys"][k];
+      REQUIRE(key.contains("turn") == (degrees[i][k] > 0.0));
+      if (degrees[i][k] > 0.0) {
+        CHECK(key["turn"]["asked_degrees"].get<double>() == Approx(degrees[i][k]));
+        CHECK(key["turn"]["reached_degrees"].get<double>() == Approx(degrees[i][k]).margin(0.1));
+      }
+    }
+  }
+}
+
+TEST_CASE("Values are told as far as they go, at either end", "[pose]") {
+  const TemporaryFolder folder;
+  const Json report = reportOf(folder, Json::parse(R"({"version": 1, "adjustments": [
+      {"attribute": "left-hand.curl", "keys": [{"frame": 0, "value": -7}, {"frame": 3, "value": 7}]},
+      {"attribute": "right-hand.curl", "keys": [{"frame": 1, "value": -0.1}, {"frame": 2, "value": 0.9}]}]})"));
+  const Json& left = report["controllers"][0]["keys"];
+  const Json& right = report["controllers"][1]["keys"];
+  CHECK(left[0] == Json{{"frame", 0.0}, {"asked", -7.0}, {"reached", -0.2}});
+  CHECK(left[1] == Json{{"frame", 3.0}, {"asked", 7.0}, {"reached", 1.0}});
+  CHECK(right[0]["reached"] == -0.1);
+  CHECK(right[1]["reached"] == 0.9);
+  REQUIRE(report["warnings"].size() == 2);
+  CHECK(report["warnings"][0] == "left-hand.curl is asked for -7 at frame 0, and goes to -0.2 at most");
+  CHECK(report["warnings"][1] == "left-hand.curl is asked for 7 at frame 3, and goes to 1 at most");
+}

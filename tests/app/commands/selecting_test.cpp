@@ -1,0 +1,154 @@
+// Ways to select: what each takes and lets go of, which trails are then meant, and the range that follows.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/group_edits.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+#include "tests/support/refusal.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using Names = std::vector<std::string>;
+using Ids = std::vector<int>;
+
+namespace {
+
+/// Left arm twice, right arm and spine once: in the order of their numbers.
+Session withTrails() {
+  Document document = test::boxer();
+  document = test::withNewTrail(document, {"left-arm", 1.0, 5.0});
+  document = test::withNewTrail(document, {"left-arm", 10.0, 15.0});
+  document = test::withNewTrail(document, {"right-arm", 8.0, 12.0});
+  return Session(test::withNewTrail(document, {"spine", 1.0, 5.0}));
+}
+
+int trailAt(const Session& session, std::size_t place) {
+  return session.document().trails.at(place).id;
+}
+
+std::optional<Vec2> rangeOf(const Session& session) {
+  const ViewState& view = session.view();
+  return view.rangeEnd >= view.rangeStart ? std::optional(Vec2(view.rangeStart, view.rangeEnd))
+                                          : std::nullopt;
+}
+
+} // namespace
+
+TEST_CASE("The range is that of the selected trail, and the one set by hand when no trail is selected") {
+  struct Way {
+    const char* says;
+    std::function<void(Session&)> select;
+    std::optional<Vec2> range; ///< Nothing: that set by hand.
+  };
+  const Way ways[] = {
+      {"the trail", [](Session& s) { selectTrail(s, trailAt(s, 1)); }, Vec2(10.0, 15.0)},
+      {"the trail in the list", [](Session& s) { selectTrailInList(s, trailAt(s, 2), false); },
+       Vec2(8.0, 12.0)},
+      {"its limb", [](Session& s) { selectLimb(s, "right-arm", false); }, Vec2(8.0, 12.0)},
+      {"its group", [](Session& s) { selectGroup(s, trailAt(s, 3)); }, Vec2(1.0, 5.0)},
+      {"a limb whose trails are elsewhere", [](Session& s) { selectLimb(s, "spine", false); }, std::nullopt},
+      {"no trail", [](Session& s) { selectTrail(s, 0); }, std::nullopt},
+      {"a controller", [](Session& s) { selectController(s, "left-hand", false); }, std::nullopt},
+      {"controllers",
+       [](Session& s) {
+         selectControllers(s, {"left-hand", "hips"});
+       },
+       std::nullopt},
+      {"a locator", [](Session& s) { selectLocator(s, "leftHand", false); }, std::nullopt},
+      {"locators",
+       [](Session& s) {
+         selectLocators(s, {"leftHand", "hips"});
+       },
+       std::nullopt}};
+  const Vec2 byHand(3.0, 7.0);
+  for (const Way& way : ways) {
+    CAPTURE(way.says);
+    Session session = withTrails();
+    session.view().frame = 11.0;
+    session.view().rangeStart = byHand.x;
+    session.view().rangeEnd = byHand.y;
+    selectTrail(session, trailAt(session, 0));
+    REQUIRE(rangeOf(session) == Vec2(1.0, 5.0));
+    way.select(session);
+    CHECK(rangeOf(session) == way.range.value_or(byHand));
+    selectTrail(session, 0);
+    CHECK(rangeOf(session) == byHand);
+  }
+}
+
+TEST_CASE("A limb means its trail at the playhead, else its only one") {
+  Session session = withTrails();
+  const Ids left{trailAt(session, 0), trailAt(session, 1)};
+  const Ids right{trailAt(session, 2)};
+  for (const double frame : {0.0, 3.0, 7.0, 9.0, 14.0, 18.0}) {
+    CAPTURE(frame);
+    session.view().selection = {};
+    session.view().frame = frame;
+    session.view().selection.editTrails().limbs = {"left-arm"};
+    CHECK(targetTrails(session) == (frame == 3.0 ? Ids{left[0]} : frame == 14.0 ? Ids{left[1]} : Ids{}));
+    session.view().selection.editTrails().limbs = {"right-arm"};
+    CHECK(targetTrails(session) == right);
+    session.view().selection.editTrails().limbs = {"left-arm", "right-arm"};
+    CHECK(targetTrails(session).size() == (frame == 3.0 || frame == 14.0 ? 2 : 1));
+    CHECK(targetTrails(session).back() == right[0]);
+    selectLimb(session, "left-arm", false);
+    CHECK(session.view().selection.trail() == (frame == 3.0 ? left[0] : frame == 14.0 ? left[1] : 0));
+  }
+}
+
+TEST_CASE("Beside the selected trail another limb means the trail that shares time with it") {
+  Session session = withTrails();
+  selectTrail(session, trailAt(session, 0));
+  session.view().selection.editTrails().limbs = {"left-arm", "right-arm", "spine"};
+  CHECK(targetTrails(session) == Ids{trailAt(session, 0), trailAt(session, 3)});
+  CHECK(targetsOfRange(session) == Ids{trailAt(session, 0), trailAt(session, 3)});
+  selectTrail(session, trailAt(session, 1));
+  session.view().selection.editTrails().limbs = {"left-arm", "right-arm", "spine"};
+  CHECK(targetTrails(session) == Ids{trailAt(session, 1), trailAt(session, 2)});
+  CHECK(targetsOfRange(session) == Ids{trailAt(session, 1)});
+}
+
+TEST_CASE("A trail of a list is added with its limb, and taken away again, but for the one that leads") {
+  Session session = withTrails();
+  selectTrailInList(session, trailAt(session, 0), true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm"});
+  selectTrailInList(session, trailAt(session, 2), true);
+  selectTrailInList(session, trailAt(session, 3), true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm", "right-arm", "spine"});
+  CHECK(session.view().selection.trail() == trailAt(session, 0));
+  selectTrailInList(session, trailAt(session, 2), true);
+  selectTrailInList(session, trailAt(session, 0), true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm", "spine"});
+  selectTrailInList(session, trailAt(session, 3), false);
+  CHECK(session.view().selection.limbs() == Names{"spine"});
+  CHECK(session.view().selection.trail() == trailAt(session, 3));
+}
+
+TEST_CASE("Controllers and locators are added and taken away one by one, and nothing else is selected then") {
+  Session session = withTrails();
+  const std::pair<void (*)(Session&, const std::string&, bool), const Names& (Selection::*)() const> kinds[] =
+      {{selectController, &Selection::controllers}, {selectLocator, &Selection::locators}};
+  for (const auto& [select, selected] : kinds) {
+    selectTrail(session, trailAt(session, 0));
+    const auto now = [&] { return (session.view().selection.*selected)(); };
+    select(session, "left-hand", false);
+    CHECK(now() == Names{"left-hand"});
+    CHECK(session.view().selection.trail() == 0);
+    CHECK(session.view().selection.limbs().empty());
+    select(session, "hips", true);
+    select(session, "head", true);
+    CHECK(now() == Names{"left-hand", "hips", "head"});
+    select(session, "hips", true);
+    CHECK(now() == Names{"left-hand", "head"});
+    select(session, "head", false);
+    CHECK(now() == Names{"head"});
+    select(session, "head", true);
+    CHECK(now().empty());
+  }
+}
