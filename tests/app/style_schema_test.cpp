@@ -82,6 +82,22 @@ TEST_CASE("A style that makes no sense is refused with its key") {
   CHECK_THAT(test::refusal(styleFromJson(Json::array())), Catch::Contains("is not a JSON object"));
 }
 
+TEST_CASE("A style of an older file whose eases cross the half stops there, each on its side") {
+  Json json = minimal();
+  json["ease_in"] = {0.2, 0.6};
+  json["ease_out"] = {0.2, 0.3};
+  const Result<rig::Style> crossed = styleFromJson(json);
+  REQUIRE(crossed.ok());
+  CHECK(crossed->easeIn.value == 0.5);
+  CHECK(crossed->easeOut.value == 0.5);
+  json["ease_in"] = {0.2, 0.4};
+  json["ease_out"] = {0.2, 0.7};
+  const Result<rig::Style> apart = styleFromJson(json);
+  REQUIRE(apart.ok());
+  CHECK(apart->easeIn.value == 0.4);
+  CHECK(apart->easeOut.value == 0.7);
+}
+
 TEST_CASE(
     "The user's styles are found by name beside the built-in ones, and files that are none are passed over") {
   const test::TemporaryFolder folder;

@@ -95,6 +95,10 @@ TEST_CASE("check says of a file that the other verbs refuse that they do", "[che
              Catch::Contains("the other verbs refuse this file") && Catch::Contains("--tolerant"));
   CHECK(jsonOf({"check", file})["refused"] == true);
   CHECK(jsonOf({"check", dummyFile})["refused"] == false);
+  const std::string broken =
+      folder.write("broken.gltf", R"({"asset": {"version": "2.0"}, "nodes": 7)").string();
+  CHECK(jsonOf({"check", broken}, 1)["refused"] == true);
+  CHECK_THAT(runVerb({"check", broken}).output, !Catch::Contains("--tolerant"));
   CHECK_THAT(runVerb({"check", dummyFile}).output, !Catch::Contains("refuse"));
 }
 

@@ -1,16 +1,18 @@
 // Ways to select: what each takes and lets go of, which trails are then meant, and the range that follows.
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
-#include "app/edits/trail/group_edits.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
-#include "tests/support/refusal.h"
+#include "tests/support/app/run_command.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -151,4 +153,29 @@ TEST_CASE("Controllers and locators are added and taken away one by one, and not
     select(session, "head", true);
     CHECK(now().empty());
   }
+}
+
+TEST_CASE("Tab goes to the trail of the limb that is nearest to the playhead, in the clip that is viewed") {
+  for (const char* const key : {command::sphereNext, command::spherePrevious}) {
+    CAPTURE(key);
+    for (const auto& [frame, place] :
+         {std::pair(0.0, 0), std::pair(7.0, 0), std::pair(8.0, 1), std::pair(12.0, 1), std::pair(20.0, 1)}) {
+      CAPTURE(frame);
+      Session session = withTrails();
+      session.view().frame = frame;
+      session.view().selection.editTrails().limbs = {"spine", "left-arm"};
+      CHECK(test::run(session, key).empty());
+      CHECK(session.view().selection.trail() == trailAt(session, static_cast<std::size_t>(place)));
+    }
+  }
+  Document document = withTrails().document();
+  std::vector<Clip> clips = *document.clips;
+  clips.push_back(clips.front());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  document.trails[0].clip = 1;
+  Session session(document);
+  session.view().frame = 2.0;
+  session.view().selection.editTrails().limbs = {"left-arm"};
+  CHECK(test::run(session, command::sphereNext).empty());
+  CHECK(session.view().selection.trail() == trailAt(session, 1));
 }

@@ -193,6 +193,22 @@ TEST_CASE("Clips are compared by their names, wherever they stand, and one that 
   CHECK(worse(withClips(source, sameNames), withClips(source, sameNames)).empty());
 }
 
+TEST_CASE("Clips of one of two files alone are told, each of its file") {
+  const Document source = test::openedFile(test::posedCharacter);
+  const std::string first = clipOf(source, 0).name;
+  const std::string second = clipOf(source, 1).name;
+  const Document result = withClips(source, [](std::vector<Clip>& clips) {
+    clips = {clips[1], clips[0], clips[1]};
+    clips[0].name = "Added";
+    clips[2].name = "Added, too";
+  });
+  const Result<FileChanges> changes = worseThanFile(result, source);
+  REQUIRE(changes);
+  CHECK(changes->compared == std::vector<std::string>{first});
+  CHECK(changes->gone == std::vector<std::string>{second});
+  CHECK(changes->added == std::vector<std::string>{"Added", "Added, too"});
+}
+
 TEST_CASE("A file whose limbs have other joints is refused by its name") {
   const Document source = test::openedFile(test::posedCharacter);
   Document other = source;

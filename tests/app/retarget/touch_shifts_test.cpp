@@ -11,6 +11,8 @@
 #include "app/retarget/body_touch.h"
 #include "app/retarget/touch_shifts.h"
 #include "core/math/rotation.h"
+#include "skinning/linear_blend_skinning.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/rig/boxed_biped.h"
 
 using namespace stretch;
@@ -226,6 +228,30 @@ TEST_CASE("Bringing hands to what they touch tells how far it is, and is stopped
   CHECK_FALSE(retargeted(0.45));
   CHECK(shares.size() > 20);
   CHECK(shares.back() < 0.7);
+}
+
+TEST_CASE("A triangle of the trunk is of the head where all of its vertices follow that") {
+  const Document document = test::openedFile(test::posedCharacter);
+  const std::optional<rig::Skeleton> skeleton = rig::skeletonOf(*document.scene, document.body);
+  REQUIRE(skeleton);
+  const Scene& scene = *skeleton->scene;
+  const std::vector<NodeIndex> strongest = skinning::strongestNodes(scene);
+  const auto isOfHead = [&](std::uint32_t vertex) {
+    NodeIndex node = strongest[vertex];
+    while (node.exists() && node != skeleton->head) {
+      node = scene.nodes[at(node)].parent;
+    }
+    return node.exists();
+  };
+  const BodyParts parts = bodyPartsOf(*skeleton);
+  REQUIRE(parts.isOfHead.size() == parts.trunk.size());
+  std::size_t mixed = 0;
+  for (std::size_t i = 0; i < parts.trunk.size(); ++i) {
+    CHECK(parts.isOfHead[i] == std::ranges::all_of(parts.trunk[i], isOfHead));
+    mixed += !parts.isOfHead[i] && std::ranges::any_of(parts.trunk[i], isOfHead) ? 1 : 0;
+  }
+  CHECK(mixed > 0);
+  CHECK(std::ranges::count(parts.isOfHead, true) > 0);
 }
 
 TEST_CASE("What a hand holds is no hand, where that has a surface of its own") {
