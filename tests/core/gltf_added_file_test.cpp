@@ -135,6 +135,51 @@ TEST_CASE("a file with work gives back its source by bytes and the things that w
   CHECK(test::readBytes(folder / "second.glb") == test::readBytes(folder / "saved.glb"));
 }
 
+TEST_CASE("an added thing and edited keys stand beside each other as each does alone") {
+  const TemporaryFolder folder;
+  const gltf::Loaded arm = test::loaded(armBuilder());
+  REQUIRE_FALSE(arm.clips.empty());
+  const auto edited = [&](bool addsThing, bool editsKeys) {
+    gltf::Edits edits;
+    if (addsThing) {
+      edits.addedFiles = {addedSheets(folder)};
+      edits.addedNodes.push_back({"on a sheet", NodeIndex(armNodes + 1), {}, NodeIndex::none});
+    }
+    if (editsKeys) {
+      std::vector<Track> tracks;
+      for (const CopyOnWrite<Track>& track : arm.clips[0].tracks) {
+        tracks.push_back(*track);
+        for (float& value : tracks.back().values) {
+          value = 0.5F * value + 0.125F;
+        }
+      }
+      edits.clips = {{0, tracks}};
+    }
+    const Result<gltf::Source> changed = gltf::patched(*arm.source, edits);
+    INFO((changed ? std::string() : changed.error().line()));
+    REQUIRE(changed);
+    return savedAndLoaded(folder, *changed);
+  };
+  const gltf::Loaded both = edited(true, true);
+  const gltf::Loaded keys = edited(false, true);
+  const gltf::Loaded thing = edited(true, false);
+  REQUIRE(both.clips.size() == keys.clips.size());
+  REQUIRE(both.clips[0].tracks.size() == keys.clips[0].tracks.size());
+  for (std::size_t i = 0; i < keys.clips[0].tracks.size(); ++i) {
+    CHECK(both.clips[0].tracks[i]->values == keys.clips[0].tracks[i]->values);
+    CHECK(both.clips[0].tracks[i]->times == keys.clips[0].tracks[i]->times);
+    CHECK(both.clips[0].tracks[i]->values != arm.clips[0].tracks[i]->values);
+  }
+  REQUIRE(both.scene->nodes.size() == thing.scene->nodes.size());
+  CHECK(both.scene->nodes.back().parent == NodeIndex(armNodes + 1));
+  REQUIRE(both.scene->meshes.size() == thing.scene->meshes.size());
+  for (std::size_t i = 0; i < thing.scene->meshes.size(); ++i) {
+    CHECK(both.scene->meshes[i].name == thing.scene->meshes[i].name);
+    CHECK(both.scene->meshes[i].primitives[0].positions == thing.scene->meshes[i].primitives[0].positions);
+    CHECK(both.scene->meshes[i].primitives[0].indices == thing.scene->meshes[i].primitives[0].indices);
+  }
+}
+
 TEST_CASE("added things come back from text of their own") {
   const TemporaryFolder folder;
   const gltf::AddedFile file = addedSheets(folder);

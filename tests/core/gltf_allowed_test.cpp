@@ -124,6 +124,27 @@ TEST_CASE("Normals that are off unit length, a little or by far, are repaired wi
   }
 }
 
+TEST_CASE("Normals of next to no length are those of the faces, longer ones keep their direction") {
+  for (const auto& [length, isKept] :
+       {std::pair(2e-5F, true), std::pair(2e-6F, true), std::pair(5e-7F, false)}) {
+    CAPTURE(length);
+    GlbBuilder file = armBuilder();
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    const std::size_t count = file.json["accessors"][attributes["POSITION"].get<std::size_t>()]["count"];
+    const glm::vec3 aside = glm::normalize(glm::vec3(1.0F, 2.0F, 3.0F));
+    std::vector<float> normals;
+    for (std::size_t i = 0; i < count; ++i) {
+      normals.insert(normals.end(), {length * aside.x, length * aside.y, length * aside.z});
+    }
+    attributes["NORMAL"] = file.floats(normals, "VEC3", 3);
+    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+    REQUIRE(loaded);
+    for (const glm::vec3& normal : loaded->scene->meshes[0].primitives[0].normals) {
+      CHECK((glm::distance(normal, aside) < 1e-3F) == isKept);
+    }
+  }
+}
+
 TEST_CASE("Vertices whose weights are no numbers follow their neighbours, with a warning") {
   // Two triangles that share an edge, and a third one that shares a place with them alone.
   GlbBuilder file = armBuilder();

@@ -218,6 +218,36 @@ TEST_CASE("A mesh that was bound follows the new weights alone") {
   }
 }
 
+TEST_CASE("A mesh that moves to an added node is bound there, and stands where it stood") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  gltf::Edits edits = boundSleeves(*file.scene);
+  const NodeIndex holder(file.scene->nodes.size() + edits.addedNodes.size());
+  gltf::AddedNode& added = edits.addedNodes.emplace_back();
+  added.name = "holder";
+  added.meshFrom = NodeIndex(left);
+  edits.boundMeshes[0].node = holder;
+  const gltf::Loaded result = bound(folder, file, edits);
+  CHECK(result.scene->nodes[left].mesh == -1);
+  REQUIRE(result.scene->nodes[at(holder)].mesh >= 0);
+  CHECK(result.scene->nodes[at(holder)].skin >= 0);
+  const FrameState was = frameOf(*file.scene, restPose(*file.scene), 0.0);
+  const FrameState now = frameOf(*result.scene, restPose(*result.scene), 0.0);
+  const std::vector<Mat4> matrices =
+      skinMatrices(result.scene->skins[at(result.scene->nodes[at(holder)].skin)], now);
+  const Primitive& sleeve = result.scene->meshes[at(result.scene->nodes[at(holder)].mesh)].primitives.front();
+  for (std::size_t i = 0; i < sleeve.positions.size(); ++i) {
+    const Vec3 place(sleeve.positions[i]);
+    const std::size_t slot = sleeve.influences[i].joints[0];
+    CHECK(glm::distance(transformPoint(matrices[slot], place), transformPoint(was.worlds[left], place)) <
+          1e-6);
+  }
+  edits.boundMeshes[0].influences[0].pop_back();
+  const Result<gltf::Source> unfit = gltf::patched(*file.source, edits);
+  REQUIRE_FALSE(unfit);
+  CHECK_THAT(unfit.error().line(), Catch::Contains("the binding of node " + std::to_string(holder.value)));
+}
+
 TEST_CASE("A binding that does not fit the file is refused with the part that does not fit") {
   const gltf::Loaded file = test::loaded(twoSleeves());
   gltf::Edits edits = boundSleeves(*file.scene);

@@ -134,23 +134,26 @@ TEST_CASE("A trail of a list is added with its limb, and taken away again, but f
 
 TEST_CASE("Controllers and locators are added and taken away one by one, and nothing else is selected then") {
   Session session = withTrails();
-  const std::pair<void (*)(Session&, const std::string&, bool), const Names& (Selection::*)() const> kinds[] =
-      {{selectController, &Selection::controllers}, {selectLocator, &Selection::locators}};
-  for (const auto& [select, selected] : kinds) {
+  struct Kind {
+    void (*select)(Session&, const std::string&, bool);
+    const Names& (Selection::*selected)() const;
+  };
+  for (const Kind& kind :
+       {Kind{selectController, &Selection::controllers}, Kind{selectLocator, &Selection::locators}}) {
     selectTrail(session, trailAt(session, 0));
-    const auto now = [&] { return (session.view().selection.*selected)(); };
-    select(session, "left-hand", false);
+    const auto now = [&] { return (session.view().selection.*kind.selected)(); };
+    kind.select(session, "left-hand", false);
     CHECK(now() == Names{"left-hand"});
     CHECK(session.view().selection.trail() == 0);
     CHECK(session.view().selection.limbs().empty());
-    select(session, "hips", true);
-    select(session, "head", true);
+    kind.select(session, "hips", true);
+    kind.select(session, "head", true);
     CHECK(now() == Names{"left-hand", "hips", "head"});
-    select(session, "hips", true);
+    kind.select(session, "hips", true);
     CHECK(now() == Names{"left-hand", "head"});
-    select(session, "head", false);
+    kind.select(session, "head", false);
     CHECK(now() == Names{"head"});
-    select(session, "head", true);
+    kind.select(session, "head", true);
     CHECK(now().empty());
   }
 }

@@ -18,6 +18,14 @@ using namespace stretch;
 using test::TemporaryFolder;
 namespace fs = std::filesystem;
 
+TEST_CASE("A series takes away what one that was killed left in its folder") {
+  const TemporaryFolder folder;
+  folder.write(std::string(partName) + "1-0.tmp", "left");
+  folder.write("a", "the user's");
+  const FileSeries series(folder.path());
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("None of a series is at its place before its end, and then all are") {
   const TemporaryFolder folder;
   FileSeries series(folder.path());
