@@ -1,9 +1,11 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/row.h"
 #include "ui/render/picking/picking.h"
 
 using namespace stretch;
@@ -137,4 +139,39 @@ TEST_CASE("Of pieces of a line that are all within reach the nearest is hit, and
   CHECK(pickPolyline(view, line, {400.0, 384.9})->segment == 0);
   CHECK_FALSE(pickPolyline(view, line, {400.0, 384.0}));
   CHECK_FALSE(pickPolyline(view, std::vector<Vec3>{{0.0, 0.0, 0.0}}, {400.0, 400.0}));
+}
+
+TEST_CASE("Everything is picked alike on a display of twice the scale") {
+  const View view = straightView();
+  Camera camera;
+  camera.target = Vec3(0.0);
+  camera.distance = 10.0;
+  camera.projection = ProjectionKind::orthographic;
+  camera.fieldOfViewRadians = 2.0 * std::atan(0.4);
+  const View doubled = makeView(camera, {1600.0, 1600.0, 2.0});
+  test::Row row(91);
+  std::size_t picked = 0;
+  for (int round = 0; round < 400; ++round) {
+    std::vector<Vec3> spheres;
+    std::vector<BoneSegment> bones;
+    for (std::size_t i = 0; i < 6; ++i) {
+      spheres.push_back(row.vector(0.2));
+      bones.push_back({NodeIndex(i), row.vector(0.3), row.vector(0.3)});
+    }
+    const AxisHandles handles{row.vector(0.2)};
+    const Vec2 mouse(400.0 + row.around(60.0), 400.0 + row.around(60.0));
+    CAPTURE(round);
+    CHECK(pickSphere(view, spheres, mouse) == pickSphere(doubled, spheres, 2.0 * mouse));
+    CHECK(pickBone(view, bones, mouse) == pickBone(doubled, bones, 2.0 * mouse));
+    CHECK(pickAxis(view, handles, mouse) == pickAxis(doubled, handles, 2.0 * mouse));
+    const auto hit = pickPolyline(view, spheres, mouse);
+    const auto hitDoubled = pickPolyline(doubled, spheres, 2.0 * mouse);
+    REQUIRE(hit.has_value() == hitDoubled.has_value());
+    if (hit) {
+      CHECK(hit->segment == hitDoubled->segment);
+      CHECK(2.0 * hit->distancePixels == Approx(hitDoubled->distancePixels));
+    }
+    picked += pickBone(view, bones, mouse) ? 1 : 0;
+  }
+  CHECK(picked > 100);
 }

@@ -550,3 +550,17 @@ TEST_CASE("The hand under the mouse is that of the frame that is shown") {
   CHECK(stage.viewport.hoveredLimb == "left-arm");
   CHECK(stage.viewport.hoveredEnd);
 }
+
+TEST_CASE("While the clip plays nothing is marked under the mouse, and a press of either button finds it") {
+  for (const int button : {int(ImGuiMouseButton_Left), int(ImGuiMouseButton_Right)}) {
+    CAPTURE(button);
+    PunchUnderMouse stage;
+    stage.session().view().selection = {};
+    const Vec2 trail = stage.sphereAt(stage.lonely());
+    stage.ui.time.timeline.playing = true;
+    stage.pointAt(trail);
+    CHECK(stage.viewport.hoveredTrail == 0);
+    stage.click(button);
+    CHECK(stage.session().view().selection.trail() == stage.trail());
+  }
+}
