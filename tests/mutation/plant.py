@@ -7,6 +7,7 @@ import shutil
 import subprocess
 
 from mutants import DECLARATION
+from operators import flat
 from source_text import masked
 
 ERROR = re.compile(r"^(?P<file>[^\s:]+\.(?:cpp|h)):(?P<line>\d+):\d+: (?:fatal )?error: ", re.M)
@@ -62,13 +63,20 @@ def planted(source, mutants):
     return text, spans, out + clashing
 
 
+def is_condition(source, begin, end):
+    """Whether an expression is true or false, whatever its parts are: a part alone, as an std::optional, must not give the whole its type."""
+    code = flat(source, begin, end)
+    return "?" not in code and re.search(r"&&|\|\|", code) is not None
+
+
 def switch(source, begin, end, statement, mutants):
     """A region of code with all of its mutants and itself; the lines of what was there keep their numbers."""
     written = ""
+    asks = not statement and is_condition(source, begin, end)
     for mutant in mutants:
         changed = one_line(source.text[begin : mutant.begin] + mutant.text + source.text[mutant.end : end])
         asked = f"::stretch::mutant({mutant.number})"
-        written += f"if ({asked}) {{ {changed} }} else " if statement else f"{asked} ? ({changed}) : "
+        written += f"if ({asked}) {{ {changed} }} else " if statement else f"{asked} ? {'bool' if asks else ''}({changed}) : "
     original = source.text[begin:end]
     if statement:
         return f"{written}{{ {original} }}"

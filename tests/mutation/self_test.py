@@ -119,6 +119,14 @@ class WhereItStands(unittest.TestCase):
         self.assertIn("if ((::stretch::mutant(5) ? (a <= b) : (a < b))) {", text)
         self.assertEqual((text.count("\n"), out), (LIMB.count("\n"), []))
 
+    def test_a_condition_stays_one_where_a_part_of_it_is_left(self):
+        for line, changed, planted_as in (
+            ("x = held || other;", "x = held;", "x = (::stretch::mutant(5) ? bool(held) : (held || other));"),
+            ("x = f(a || b) + c;", "x = f(a || b) - c;", "x = (::stretch::mutant(5) ? (f(a || b) - c) : (f(a || b) + c));"),
+        ):
+            text, _, _ = planted(Source(line), [self.mutant(line, changed, line)])
+            self.assertEqual(text, planted_as)
+
     def test_a_change_over_two_brackets_takes_both(self):
         for line, changed, region in (
             ("x = 2.0 / ((a + b) / c + (d + e) / f);", "x = 2.0 / ((b + b) / c + (e + e) / f);", "(a + b) / c + (d + e) / f"),
