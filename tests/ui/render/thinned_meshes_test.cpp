@@ -118,6 +118,47 @@ TEST_CASE("A ball of forty thousand triangles keeps its shape with four thousand
   CHECK(longest < 0.3);
 }
 
+TEST_CASE("Vertices at one place that follow two bones stay apart when they are thinned") {
+  Primitive both = ball();
+  const Primitive other = ball();
+  const auto first = static_cast<std::uint32_t>(both.positions.size());
+  both.positions.insert(both.positions.end(), other.positions.begin(), other.positions.end());
+  both.normals.insert(both.normals.end(), other.normals.begin(), other.normals.end());
+  both.texCoords.insert(both.texCoords.end(), other.texCoords.begin(), other.texCoords.end());
+  both.colors.insert(both.colors.end(), other.colors.begin(), other.colors.end());
+  both.morphTargets.clear();
+  for (VertexInfluences influences : other.influences) {
+    influences.joints[1] = 9;
+    both.influences.push_back(influences);
+  }
+  for (const std::uint32_t corner : other.indices) {
+    both.indices.push_back(first + corner);
+  }
+  const Primitive thin = thinnedMeshes(meshesOf({both}), 8000)[0].primitives[0];
+  const auto ofSecond = std::ranges::count_if(
+      thin.influences, [](const VertexInfluences& influences) { return influences.joints[1] == 9; });
+  const auto all = static_cast<double>(thin.influences.size());
+  CHECK(static_cast<double>(ofSecond) == Approx(0.5 * all).epsilon(0.1));
+}
+
+TEST_CASE("A thinned mesh keeps what its morphs do to places and normals") {
+  Primitive source = ball();
+  for (const glm::vec3& normal : source.normals) {
+    source.morphTargets[0].normals.push_back(-0.5F * normal);
+  }
+  const Mesh thin = thinnedMeshes(meshesOf({source}), 4000)[0];
+  CHECK(thin.name == "ball");
+  CHECK(thin.morphWeights == std::vector<float>{0.5F});
+  const Primitive& made = thin.primitives[0];
+  REQUIRE(made.morphTargets.size() == 1);
+  REQUIRE(made.morphTargets[0].positions.size() == made.positions.size());
+  REQUIRE(made.morphTargets[0].normals.size() == made.positions.size());
+  for (std::size_t i = 0; i < made.positions.size(); ++i) {
+    CHECK(made.morphTargets[0].positions[i] == 0.1F * made.positions[i]);
+    CHECK(made.morphTargets[0].normals[i] == -0.5F * made.normals[i]);
+  }
+}
+
 TEST_CASE("A ball that is thinned has no hole") {
   const std::vector<Mesh> thinned = thinnedMeshes(meshesOf({ball()}), 3000);
   const Primitive& primitive = thinned[0].primitives[0];

@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/ui/panel_driver.h"
@@ -60,4 +62,26 @@ TEST_CASE("A press and its release within one frame are both seen, and a button 
   const SeenClicks held = seen({{0, true, 1.0}}, 0.5F, 5);
   CHECK(held.presses == 1);
   CHECK(held.releases == 0);
+}
+
+TEST_CASE("Clicks half a second apart are a double click where the frames are too slow to tell") {
+  for (const auto& [frameSeconds, apart, doubles] : {std::tuple(0.25F, 0.5, 1), std::tuple(0.25F, 0.6, 0),
+                                                     std::tuple(0.05F, 0.4, 0), std::tuple(0.05F, 0.28, 1)}) {
+    CAPTURE(frameSeconds, apart);
+    CHECK(seen(twoClicks(apart), frameSeconds, 6).doubleClicks == doubles);
+  }
+}
+
+TEST_CASE("While an event of a button waits for its frame the next frame comes at once") {
+  const test::PanelDriver gui(std::nullopt); // For its context of widgets.
+  ui::InputQueue queue;
+  for (const ui::ButtonEvent& event : twoClicks(0.1)) {
+    queue.buttons.push_back(event);
+  }
+  for (int left = 3; left >= 0; --left) {
+    queue.anything = false;
+    ui::playButtons(queue, ImGui::GetIO());
+    CHECK(static_cast<int>(queue.buttons.size()) == left);
+    CHECK(queue.anything == (left > 0));
+  }
 }

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -190,6 +191,17 @@ TEST_CASE("Recent files are kept once each, the newest first") {
   CHECK(ui.recentFiles.size() == 12);
   CHECK(ui.recentFiles[0] == "/folder/15.glb");
   CHECK(ui.recentFiles[1] == "/folder/19.glb");
+  CHECK(std::ranges::count(ui.recentFiles, "/folder/15.glb") == 1);
+  CHECK(ui.recentFiles.back() == "/folder/8.glb");
+  std::string text = "{\"recent\": [";
+  for (int i = 0; i < 20; ++i) {
+    text += (i == 0 ? "\"/old/" : ", \"/old/") + std::to_string(i) + ".glb\"";
+  }
+  PaneSizes panes;
+  WindowMemory window;
+  readSettings(text + "]}", ui, panes, window);
+  CHECK(ui.recentFiles.size() == 12);
+  CHECK(ui.recentFiles.back() == "/old/11.glb");
 }
 
 TEST_CASE("A change by another program shows in the stamp") {
