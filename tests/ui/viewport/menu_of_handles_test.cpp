@@ -61,4 +61,14 @@ TEST_CASE("A right click on an arrow of a selected sphere opens the menu of the 
   stage.click(ImGuiMouseButton_Right);
   CHECK(stage.ui.menu.asked == MenuTarget::sphere);
   CHECK(stage.session().view().selection.spheres() == std::vector{sphere.frame});
+  // Likewise on the end of a tangent.
+  REQUIRE_FALSE(stage.viewport.tangents.handles.empty());
+  for (const ShownTangent& tangent : stage.viewport.tangents.handles) {
+    stage.ui.menu.asked = MenuTarget::viewport;
+    stage.pointAt(tangent.tipWorld);
+    REQUIRE(stage.viewport.hoveredTangent);
+    stage.click(ImGuiMouseButton_Right);
+    CHECK(stage.ui.menu.asked == MenuTarget::sphere);
+    CHECK(stage.session().view().selection.spheres() == std::vector{sphere.frame});
+  }
 }
