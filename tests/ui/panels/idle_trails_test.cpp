@@ -47,3 +47,14 @@ TEST_CASE("A trail that makes its limb longer says in the list that it is connec
   CHECK(driver.ui.trails.idle.why.empty());
   CHECK(shows("connected"));
 }
+
+TEST_CASE("A trail that asks for no other length is not told to be in vain") {
+  app::Document document = punch(false);
+  rig::TrailSettings settings = document.trails.front().settings;
+  settings.scale = 1.0;
+  PanelDriver driver(*app::setTrailSettings(document, document.trails.front().id, settings));
+  driver.frames(3);
+  CHECK(driver.ui.trails.idle.why.empty());
+  CHECK_FALSE(shows("no longer"));
+  CHECK(shows("connected"));
+}
