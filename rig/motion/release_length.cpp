@@ -68,13 +68,14 @@ double roomFor(const MotionInput& input, const SolvedTrail& solved) {
 
 std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
                                        const std::vector<NodeIndex>& nodes) {
-  const std::vector<double> keys = keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds);
-  if (isDenselyKeyed(keys, clip.startSeconds, clip.endSeconds, clip.framesPerSecond)) {
+  if (isDenselyKeyed(clip, nodes)) {
     return std::nullopt;
   }
   constexpr double later = 1e-5;
   const bool isForwards = key.pivot == Pivot::start;
   const double tipSeconds = (isForwards ? key.endFrame : key.startFrame) / clip.framesPerSecond;
+  const std::vector<double> keys = keyTimesOf(clip, nodes, isForwards ? tipSeconds : clip.startSeconds,
+                                              isForwards ? clip.endSeconds : tipSeconds);
   const auto next = std::upper_bound(keys.begin(), keys.end(), tipSeconds + later);
   const auto before = std::lower_bound(keys.begin(), keys.end(), tipSeconds - later);
   if (isForwards) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -51,9 +52,34 @@ std::vector<NodeIndex> withAncestors(const Scene& scene, const std::vector<NodeI
 }
 
 void mergeClose(std::vector<double>& times) {
-  std::sort(times.begin(), times.end());
+  if (!std::is_sorted(times.begin(), times.end())) {
+    std::sort(times.begin(), times.end());
+  }
   times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < sameTime; }),
               times.end());
+}
+
+bool isOfNodes(const Track& track, const std::vector<NodeIndex>& nodes) {
+  return track.channel != Channel::weights &&
+         std::find(nodes.begin(), nodes.end(), track.node) != nodes.end();
+}
+
+std::span<const float> keysWithin(const Track& track, double startSeconds, double endSeconds) {
+  const std::vector<float>& keys = track.times;
+  const auto first = std::lower_bound(keys.begin(), keys.end(), startSeconds - sameTime);
+  return {first, std::upper_bound(first, keys.end(), endSeconds + sameTime)};
+}
+
+std::size_t keyCountOf(const Track& track, double startSeconds, double endSeconds) {
+  std::size_t count = 0;
+  double last = -std::numeric_limits<double>::infinity();
+  for (const double key : keysWithin(track, startSeconds, endSeconds)) {
+    if (key - last >= sameTime) {
+      last = key;
+      ++count;
+    }
+  }
+  return count;
 }
 
 // The original path as its trail's space has it.
@@ -270,29 +296,41 @@ std::vector<double> timesBetween(const std::vector<double>& timesSeconds, double
 std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& nodes, double startSeconds,
                                double endSeconds) {
   std::vector<double> times;
+  std::vector<std::span<const float>> merged; // most exporters give all tracks the same times
   for (const CopyOnWrite<Track>& track : clip.tracks) {
-    if (track->channel == Channel::weights ||
-        std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
+    if (!isOfNodes(*track, nodes)) {
       continue;
     }
-    const std::vector<float>& keys = track->times;
-    const auto first =
-        std::lower_bound(keys.begin(), keys.end(), startSeconds - sameTime,
-                         [](float key, double time) { return static_cast<double>(key) < time; });
-    const auto last = std::upper_bound(first, keys.end(), endSeconds + sameTime, [](double time, float key) {
-      return time < static_cast<double>(key);
-    });
-    times.insert(times.end(), first, last);
+    const std::span<const float> keys = keysWithin(*track, startSeconds, endSeconds);
+    const bool isThere = std::ranges::any_of(
+        merged, [&](const std::span<const float> other) { return std::ranges::equal(other, keys); });
+    if (!isThere) {
+      merged.push_back(keys);
+      const auto middle = times.insert(times.end(), keys.begin(), keys.end());
+      std::inplace_merge(times.begin(), middle, times.end());
+    }
   }
   mergeClose(times);
   return times;
 }
 
-bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
-                    double framesPerSecond) {
+bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds, double framesPerSecond) {
   const double frames = std::max(1.0, (endSeconds - startSeconds) * framesPerSecond);
   constexpr double densest = 0.6; // keys per frame; hand-keyed clips stay below one key in two frames
-  return static_cast<double>(keyTimes.size()) - 1.0 > densest * frames && keyTimes.size() > 4;
+  return static_cast<double>(keyCount) - 1.0 > densest * frames && keyCount > 4;
+}
+
+bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes) {
+  const auto isDense = [&](std::size_t keyCount) {
+    return isDenselyKeyed(keyCount, clip.startSeconds, clip.endSeconds, clip.framesPerSecond);
+  };
+  // One track is enough: those of a long capture are not merged for this.
+  return std::ranges::any_of(clip.tracks,
+                             [&](const CopyOnWrite<Track>& track) {
+                               return isOfNodes(*track, nodes) &&
+                                      isDense(keyCountOf(*track, clip.startSeconds, clip.endSeconds));
+                             }) ||
+         isDense(keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds).size());
 }
 
 std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
@@ -302,7 +340,7 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
   const double end = samples.back().timeSeconds;
   constexpr std::size_t mostChosen = 10; // More hide the character; the hand adds what it needs.
   std::vector<double> times{start, end};
-  if (!isDenselyKeyed(keyTimes, start, end, framesPerSecond)) {
+  if (!isDenselyKeyed(keyTimes.size(), start, end, framesPerSecond)) {
     times.insert(times.end(), keyTimes.begin(), keyTimes.end());
   } else {
     const SpacePath seen = inSpace(path);

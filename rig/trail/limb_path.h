@@ -84,8 +84,11 @@ struct LimbPath {
                                                       const std::vector<double>& keyTimes,
                                                       double framesPerSecond, double tolerance);
 
-/// Whether the limb is keyed so densely (about one key per frame) that its keys say nothing about its poses.
-[[nodiscard]] bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
+/// Whether as many keys within [start, end] are so dense (about one in each frame) that they say nothing
+/// about poses.
+[[nodiscard]] bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds,
                                   double framesPerSecond);
+/// Whether those of the nodes are over the whole clip (keyTimesOf).
+[[nodiscard]] bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig

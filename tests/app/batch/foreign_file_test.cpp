@@ -54,7 +54,7 @@ TEST_CASE("Every verb reads a file of another program, and none writes it") {
   CHECK(test::exitCodeOf({"resave", fbx, "-o", glb}) == 0);
   CHECK(openDocument(glb).value().clips->front().framesPerSecond == 24.0);
   const test::VerbAnswer over = test::runVerb({"resave", fbx, "-o", fbx, "--in-place"});
-  CHECK(over.exitCode == 1);
+  CHECK(over.exitCode == 2);
   CHECK(over.told.find("has to end in .glb or .gltf") != std::string::npos);
   CHECK(test::runVerb({"check", fbx}).exitCode == 0);
 }

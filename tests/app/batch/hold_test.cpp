@@ -395,7 +395,7 @@ TEST_CASE("pose pins feet where they stand, with a recipe or without") {
   REQUIRE(test::runVerb({"pose", posedCharacter, "-o", output, "--pin-feet"}).exitCode == 0);
   CHECK_FALSE(openedFile(output).holds.pins.empty());
   const std::string other = (folder / "other.glb").string();
-  CHECK(test::runVerb({"pose", posedCharacter, "-o", other}).exitCode == 1);
+  CHECK(test::runVerb({"pose", posedCharacter, "-o", other}).exitCode == 2);
 }
 
 TEST_CASE("frames of a recipe's holds and offsets may be parts of the clip") {

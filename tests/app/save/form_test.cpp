@@ -290,10 +290,10 @@ TEST_CASE("The form is an option of the verbs that write, with another word for 
   CHECK(run({"--form", "shape"}).exitCode == 2);
   CHECK(run({"--form", "volume", "--influences", "3"}).exitCode == 2);
   const test::VerbAnswer both = run({"--form", "volume", "--keep-skeleton"});
-  CHECK(both.exitCode == 1);
+  CHECK(both.exitCode == 2);
   CHECK(both.told.find("--keep-skeleton") != std::string::npos);
   const test::VerbAnswer alone = run({"--influences", "4"});
-  CHECK(alone.exitCode == 1);
+  CHECK(alone.exitCode == 2);
   CHECK(alone.told.find("--form volume") != std::string::npos);
   CHECK_FALSE(fs::exists(out));
 }

@@ -135,6 +135,26 @@ Comparison dragInLongClip(const SpeedInput& input) {
           "the path alone"};
 }
 
+/// The first trail of a clip, with nothing remembered of either.
+Comparison firstSolveInLongClip(const SpeedInput& input) {
+  app::Document longer = withLongClip(input.document, 50000);
+  app::Document shorter = withLongClip(input.document, 201);
+  const auto firstSolve = [](app::Document& document) {
+    addTrail(document, 0, 0.0, 100.0);
+    return [&document] {
+      app::EvaluationCache cache;
+      static_cast<void>(cache.paths(document, 0, samplesPerFrame));
+    };
+  };
+  const Pair cost = measureInTurn(input.repetitions, firstSolve(longer), firstSolve(shorter));
+  return {"first solve of a trail of 100 frames in a clip of 50,000",
+          "the same in a clip of 201",
+          cost.ours,
+          cost.other,
+          1.1,
+          "the path alone"};
+}
+
 /// From placed trails to the written file, with its report.
 void exaggerateWhole(const app::Document& document) {
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "stretch-engine-speed.glb";
@@ -189,7 +209,8 @@ Comparison manyTrails(const SpeedInput& input) {
 } // namespace
 
 std::vector<Comparison> motionComparisons(const SpeedInput& input) {
-  std::vector<Comparison> rows{onePath(input), firstSteps(input), dragInLongClip(input)};
+  std::vector<Comparison> rows{onePath(input), firstSteps(input), dragInLongClip(input),
+                               firstSolveInLongClip(input)};
   for (Comparison& row : wholeClips(input)) {
     rows.push_back(std::move(row));
   }

@@ -176,17 +176,64 @@ TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere
 }
 
 TEST_CASE("a limb counts as densely keyed from more than 0.6 keys in a frame on, and from five keys on") {
-  const auto even = [](int count, double gap) {
-    std::vector<double> times(static_cast<std::size_t>(count));
-    std::ranges::generate(times, [&, i = 0]() mutable { return gap * i++; });
-    return times;
+  CHECK(isDenselyKeyed(11, 0.0, 1.0, 10.0));
+  CHECK(isDenselyKeyed(8, 0.0, 1.0, 10.0)); // 7 keys after the first in 10 frames
+  CHECK_FALSE(isDenselyKeyed(7, 0.0, 1.0, 10.0));
+  CHECK_FALSE(isDenselyKeyed(4, 0.0, 0.3, 10.0));
+  CHECK(isDenselyKeyed(5, 0.0, 0.4, 10.0));
+  CHECK_FALSE(isDenselyKeyed(11, 0.0, 1.0, 20.0)); // the same keys at twice the rate
+}
+
+TEST_CASE("a limb is densely keyed by one of its tracks, or by all of them together, over the whole clip") {
+  const auto track = [](NodeIndex node, std::vector<float> times, Channel channel = Channel::rotation) {
+    Track made;
+    made.node = node;
+    made.channel = channel;
+    made.times = std::move(times);
+    return made;
   };
-  CHECK(isDenselyKeyed(even(11, 0.1), 0.0, 1.0, 10.0));
-  CHECK(isDenselyKeyed(even(8, 0.1), 0.0, 1.0, 10.0)); // 7 keys after the first in 10 frames
-  CHECK_FALSE(isDenselyKeyed(even(7, 0.1), 0.0, 1.0, 10.0));
-  CHECK_FALSE(isDenselyKeyed(even(4, 0.1), 0.0, 0.3, 10.0));
-  CHECK(isDenselyKeyed(even(5, 0.1), 0.0, 0.4, 10.0));
-  CHECK_FALSE(isDenselyKeyed(even(11, 0.1), 0.0, 1.0, 20.0)); // the same keys at twice the rate
+  const std::vector<float> each{0.0F, 0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 0.8F, 0.9F, 1.0F};
+  const std::vector<float> even{0.0F, 0.2F, 0.4F, 0.6F, 0.8F, 1.0F};
+  const std::vector<float> odd{0.1F, 0.3F, 0.5F, 0.7F, 0.9F};
+  const std::vector<NodeIndex> limb{NodeIndex(1), NodeIndex(2)};
+  const auto isDense = [&](std::vector<Track> tracks) {
+    Clip clip;
+    clip.framesPerSecond = 10.0;
+    clip.endSeconds = 1.0;
+    for (Track& one : tracks) {
+      clip.tracks.emplace_back(std::move(one));
+    }
+    return isDenselyKeyed(clip, limb);
+  };
+  CHECK(isDense({track(NodeIndex(2), each)}));
+  CHECK(isDense({track(NodeIndex(1), even), track(NodeIndex(2), odd)}));
+  CHECK_FALSE(isDense({track(NodeIndex(1), even), track(NodeIndex(2), even)}));
+  CHECK_FALSE(isDense({track(NodeIndex(1), even), track(NodeIndex(3), each)}));
+  CHECK_FALSE(isDense({track(NodeIndex(1), even), track(NodeIndex(1), each, Channel::weights)}));
+  std::vector<float> twice; // two keys at once are one
+  for (const float time : even) {
+    twice.insert(twice.end(), {time, time + 2e-7F});
+  }
+  CHECK_FALSE(isDense({track(NodeIndex(1), twice)}));
+}
+
+TEST_CASE("key times of several tracks are told once and in order, within the range alone") {
+  Clip clip;
+  clip.framesPerSecond = 10.0;
+  clip.endSeconds = 2.0;
+  for (const std::vector<float>& times : {std::vector<float>{0.0F, 0.5F, 1.0F, 2.0F},
+                                          {0.25F, 1.0F, 1.75F},
+                                          {0.0F, 0.5F, 1.0F, 2.0F},
+                                          {1.25F}}) {
+    Track track;
+    track.node = NodeIndex(1);
+    track.times = times;
+    clip.tracks.emplace_back(std::move(track));
+  }
+  CHECK(keyTimesOf(clip, {NodeIndex(1)}, 0.0, 2.0) ==
+        std::vector<double>{0.0, 0.25, 0.5, 1.0, 1.25, 1.75, 2.0});
+  CHECK(keyTimesOf(clip, {NodeIndex(1)}, 0.5, 1.25) == std::vector<double>{0.5, 1.0, 1.25});
+  CHECK(keyTimesOf(clip, {NodeIndex(2)}, 0.0, 2.0).empty());
 }
 
 TEST_CASE("the default range ends where the limb is farthest from where it began, not where it is longest") {
