@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
+#include "skinning/bind/mirrored_weights.h"
 #include "skinning/bind/points_behind.h"
 #include "skinning/bind/skeleton_ways.h"
 #include "skinning/bind/stiff_shells.h"
@@ -99,11 +100,18 @@ Error stopped() {
   return {"the binding was stopped", "", "start it again"};
 }
 
+// The strongest four; of equal ones that are too many none, so that no side is preferred.
 void keepFour(std::vector<Influences>& weights) {
   tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t v) {
+    const Influences& row = weights[v];
+    const float cut = row.weights[mostInfluences];
+    std::size_t kept = mostInfluences;
+    while (cut > 0.0F && kept > 0 && row.weights[kept - 1] <= cut) {
+      --kept;
+    }
     WeightSum sum;
-    sum.add(weights[v], 1.0);
-    weights[v] = sum.strongest(mostInfluences);
+    sum.add(row, 1.0);
+    weights[v] = sum.strongest(kept == 0 ? mostInfluences : kept);
   });
 }
 
@@ -173,6 +181,7 @@ Result<BoundBody> bindWeights(std::span<const glm::vec3> positions, const std::v
   dropStrangers(positions, lines, ways, bound.influences);
   takeInPatches(triangles, welded, joints, bound.influences);
   stiffenShells(positions, triangles, welded, lines, joints.size(), bound.influences);
+  mirrorWeights(positions, joints, bound.influences);
   keepFour(bound.influences);
   return goesOn(1.0) ? Result<BoundBody>(std::move(bound)) : Result<BoundBody>(stopped());
 }
@@ -214,8 +223,10 @@ Result<BoundBody> bindWeightsOnSurface(std::span<const glm::vec3> positions,
     for (std::size_t i = 0; i < Influences::capacity; ++i) {
       sum.add(lines[row.bones[i]].joint, static_cast<double>(row.weights[i]));
     }
-    bound.influences[v] = sum.strongest(mostInfluences);
+    bound.influences[v] = sum.strongest(Influences::capacity);
   }
+  mirrorWeights(positions, joints, bound.influences);
+  keepFour(bound.influences);
   return bound;
 }
 
