@@ -1,3 +1,6 @@
+#include <functional>
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "app/edits/trail/trail_edits.h"
@@ -156,4 +159,59 @@ TEST_CASE("A step of keys counts the tracks that it makes, and not those that it
   const std::size_t alone = bytesBeyond(start, start);
   CHECK(bytesBeyond(edited, start) >= alone + ofKeys);
   CHECK(bytesBeyond(edited, edited) == alone);
+}
+
+TEST_CASE("Whatever a step adds is counted with the texts and lists that it holds") {
+  const Document start = test::boxer();
+  const std::size_t alone = bytesBeyond(start, start);
+  const std::string text(1000, 'x');
+  struct Addition {
+    const char* says;
+    std::function<void(Document&)> add;
+    std::size_t bytes; ///< At least.
+  };
+  const Addition additions[] = {
+      {"images",
+       [&](Document& d) {
+         d.references.push_back({0, {.file = text}, {}});
+       },
+       sizeof(Reference) + 1000},
+      {"a sound",
+       [&](Document& d) {
+         d.references.push_back({0, {}, {.file = text}});
+       },
+       sizeof(Reference) + 1000},
+      {"a warning", [&](Document& d) { d.warnings.push_back(text); }, 1000},
+      {"a set's name",
+       [&](Document& d) {
+         d.selectionSets.push_back({text, {}, {}});
+       },
+       1000},
+      {"a set's limbs",
+       [&](Document& d) {
+         d.selectionSets.push_back({"", {text, text}, {}});
+       },
+       2000},
+      {"a set's controllers",
+       [&](Document& d) {
+         d.selectionSets.push_back({"", {}, {text}});
+       },
+       1000},
+      {"loops", [](Document& d) { d.loopingClips.assign(100, 0); }, 100 * sizeof(int)},
+      {"rates", [](Document& d) { d.rates.resize(100); }, 100 * sizeof(ClipRate)},
+      {"a chain's joints", [](Document& d) { d.chains.emplace_back().joints.resize(100); },
+       100 * sizeof(NodeIndex)},
+      {"a chain's reasons", [&](Document& d) { d.chains.emplace_back().reasons = {text}; }, 1000},
+      {"a limb", [](Document& d) { d.body.limbs.push_back(d.body.limbs.front()); }, sizeof(rig::Limb)},
+      {"a trail", [](Document& d) { d.trails.emplace_back(); }, sizeof(rig::Trail)},
+      {"offsets", [](Document& d) { d.adjustments.emplace_back().keys.resize(10); },
+       10 * sizeof(rig::OffsetKey)},
+      {"weight", [](Document& d) { d.weights.emplace_back(); }, sizeof(WeightedLimb)},
+      {"keys that follow", [](Document& d) { d.followingKeys.emplace_back().keys.resize(100); }, 100}};
+  for (const Addition& addition : additions) {
+    CAPTURE(addition.says);
+    Document more = start;
+    addition.add(more);
+    CHECK(bytesBeyond(more, start) >= alone + addition.bytes);
+  }
 }
