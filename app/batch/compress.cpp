@@ -251,9 +251,6 @@ Status runCompress(const CompressArguments& arguments) {
   if (Status apart = checkPlaces(arguments); !apart) {
     return apart;
   }
-  if (Status possible = checkAppend(arguments); !possible) {
-    return possible;
-  }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
@@ -308,6 +305,7 @@ Verb compressVerb() {
         line.option("--clip", arguments->clip, "Name or #index of the clip of a glTF; default: the first");
         addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
         addJson(line, arguments->json);
+        line.checkTogether([arguments](const CommandLine&) { return checkAppend(*arguments); });
         return [arguments] { return runCompress(*arguments); };
       }};
 }

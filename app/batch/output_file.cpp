@@ -60,11 +60,12 @@ Status checkOutput(const OutputFile& output, const std::vector<std::string>& inp
     return Success{};
   }
   const std::string ending = endingOf(output.path);
-  const bool staysAvatar = isAvatar(ending) && !inputs.empty() && endingOf(inputs.front()) == ending;
-  if (!hasEnding(output, ending) && !staysAvatar) {
+  const bool staysAvatar = !inputs.empty() && endingOf(inputs.front()) == ending;
+  if (isAvatar(ending) && !hasEnding(output, ending) && !staysAvatar) {
     return wrongEnding(output);
   }
-  return checkPlace(output.path);
+  Status named = checkName(output);
+  return named ? checkPlace(output.path) : named;
 }
 
 } // namespace stretch::app

@@ -81,10 +81,14 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
   }
 }
 
-Status runRig(const RigArguments& arguments) {
+OutputFile outputOf(const RigArguments& arguments) {
   OutputFile output = arguments.output;
   output.endings = arguments.locatorsOnly ? std::vector<std::string>{".json"} : OutputFile().endings;
-  if (Status apart = checkOutput(output, {arguments.input.file, arguments.locators}); !apart) {
+  return output;
+}
+
+Status runRig(const RigArguments& arguments) {
+  if (Status apart = checkOutput(outputOf(arguments), {arguments.input.file, arguments.locators}); !apart) {
     return apart;
   }
   const Result<Document> document = openDocument(arguments.input);
@@ -122,7 +126,7 @@ Verb rigVerb() {
         line.examples(
             {"statue.glb -o places.json --locators-only", "statue.glb -o rigged.glb --locators places.json"});
         addFileArguments(line, arguments->input);
-        arguments->output.endings.emplace_back(".json");
+        arguments->output.endings = {}; // which depend on what is written
         addOutputFile(line, arguments->output,
                       "The .glb or .gltf to write, or the JSON file of --locators-only");
         line.option("--locators", arguments->locators,
@@ -130,6 +134,7 @@ Verb rigVerb() {
         addLocatorPlan(line, arguments->plan);
         line.flag("--locators-only", arguments->locatorsOnly, "Write the locators and make no joint");
         addJson(line, arguments->json);
+        line.checkTogether([arguments](const CommandLine&) { return checkName(outputOf(*arguments)); });
         return [arguments] { return runRig(*arguments); };
       }};
 }

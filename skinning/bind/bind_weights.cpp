@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -100,7 +101,8 @@ Error stopped() {
   return {"the binding was stopped", "", "start it again"};
 }
 
-// The strongest four; of equal ones that are too many none, so that no side is preferred.
+// The strongest four. Of equal ones of which only some have room none, so that no side is preferred, where
+// the others are more than half of the whole.
 void keepFour(std::vector<Influences>& weights) {
   tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t v) {
     const Influences& row = weights[v];
@@ -109,9 +111,10 @@ void keepFour(std::vector<Influences>& weights) {
     while (cut > 0.0F && kept > 0 && row.weights[kept - 1] <= cut) {
       --kept;
     }
+    const float left = std::accumulate(row.weights.begin(), row.weights.begin() + kept, 0.0F);
     WeightSum sum;
     sum.add(row, 1.0);
-    weights[v] = sum.strongest(kept == 0 ? mostInfluences : kept);
+    weights[v] = sum.strongest(left > 0.5F ? kept : mostInfluences);
   });
 }
 
@@ -180,8 +183,8 @@ Result<BoundBody> bindWeights(std::span<const glm::vec3> positions, const std::v
                     [&](std::size_t v) { bound.influences[v] = weightsAt(*body, cells, behind[v]); });
   dropStrangers(positions, lines, ways, bound.influences);
   takeInPatches(triangles, welded, joints, bound.influences);
-  stiffenShells(positions, triangles, welded, lines, joints.size(), bound.influences);
   mirrorWeights(positions, joints, bound.influences);
+  stiffenShells(positions, triangles, welded, lines, joints.size(), bound.influences); // each as one piece
   keepFour(bound.influences);
   return goesOn(1.0) ? Result<BoundBody>(std::move(bound)) : Result<BoundBody>(stopped());
 }

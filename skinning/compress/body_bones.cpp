@@ -231,16 +231,17 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
   addBonesOfParts(sequence, settings, result);
   FitSettings fit = fitSettings(settings);
   fit.bonesMove = true;
-  fitFreeBones(sequence, result.skinned, fit, elastic ? partOf(proceed, 0.0, 0.6) : proceed);
+  const double joined = tree ? 0.97 : 1.0; // of the work
+  fitFreeBones(sequence, result.skinned, fit, partOf(proceed, 0.0, elastic ? 0.6 : joined));
   if (tree) {
     hangTogether(result.skinned);
   }
   if (elastic) {
     turnAxesAlongBones(result.skinned);
-    stretchByRows(sequence, settings, partOf(proceed, 0.6, 1.0), result);
+    stretchByRows(sequence, settings, partOf(proceed, 0.6, joined), result);
   }
   if (tree) {
-    bringJointsInside(result.skinned);
+    bringJointsInside(result.skinned, partOf(proceed, joined, 1.0));
   }
   return Success{};
 }

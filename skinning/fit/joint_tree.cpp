@@ -209,8 +209,11 @@ void setEnds(SkinnedSequence& skinned, const std::vector<SharedSurface>& own) {
 double thicknessOf(const PlacedSurface& mesh) {
   double volume = 0.0;
   double area = 0.0;
+  // From the middle: of an open surface the volume depends on where it is looked at from.
+  const Vec3 middle = std::accumulate(mesh.places.begin(), mesh.places.end(), Vec3(0.0)) /
+                      std::max(1.0, static_cast<double>(mesh.places.size()));
   for (const Triangle& triangle : mesh.triangles) {
-    const Vec3 corner = mesh.places[triangle[0]] - mesh.places.front();
+    const Vec3 corner = mesh.places[triangle[0]] - middle;
     const Vec3 normal = glm::cross(mesh.places[triangle[1]] - mesh.places[triangle[0]],
                                    mesh.places[triangle[2]] - mesh.places[triangle[0]]);
     volume += glm::dot(corner, normal) / 6.0;
@@ -267,15 +270,22 @@ void hangTogether(SkinnedSequence& skinned) {
   setEnds(skinned, own);
 }
 
-void bringJointsInside(SkinnedSequence& skinned) {
+void bringJointsInside(SkinnedSequence& skinned, const Proceed& proceed) {
   const std::vector<Vec3> places(skinned.bindPositions.begin(), skinned.bindPositions.end());
   const PlacedSurface mesh{places, skinned.triangles};
   const double thickness = thicknessOf(mesh);
   if (thickness == 0.0) {
     return;
   }
-  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
-    movePivot(skinned, b, placeInside(mesh, thickness, skinned.bones[b].pivot));
+  std::vector<Vec3> inside(skinned.bones.size());
+  for (std::size_t b = 0; b < inside.size(); ++b) {
+    inside[b] = placeInside(mesh, thickness, skinned.bones[b].pivot);
+    if (proceed && !proceed(static_cast<double>(b + 1) / static_cast<double>(inside.size()))) {
+      return;
+    }
+  }
+  for (std::size_t b = 0; b < inside.size(); ++b) {
+    movePivot(skinned, b, inside[b]);
   }
   setEnds(skinned, ownSurfaces(skinned));
 }

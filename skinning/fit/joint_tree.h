@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "skinning/fit/alternate.h"
 #include "skinning/skinned_sequence.h"
 
 namespace stretch::skinning {
@@ -16,8 +17,10 @@ namespace stretch::skinning {
 void hangTogether(SkinnedSequence& skinned);
 
 /// Moves joints that stick out of the bind mesh onto its surface, where there is room a quarter of the body's
-/// thickness deeper; bones do to the mesh what they did. Nothing changes for a mesh that encloses nothing.
-void bringJointsInside(SkinnedSequence& skinned);
+/// thickness deeper; bones do to the mesh what they did. Nothing changes for a mesh without thickness;
+/// an open one has that of what it encloses together with the middle of its vertices. The bones stay where
+/// they are once `proceed` says so.
+void bringJointsInside(SkinnedSequence& skinned, const Proceed& proceed);
 
 /// Indices of the bones, parents before what hangs on them.
 [[nodiscard]] std::vector<std::size_t> orderOfTree(const std::vector<SkinBone>& bones);

@@ -487,3 +487,22 @@ TEST_CASE("A pose without a key is keyed where the question for unsaved work is 
   const Document saved = openDocument(desk.file("mine.glb").string()).value();
   CHECK(saved.adjustments == session.document().adjustments);
 }
+
+TEST_CASE(
+    "What is only tried when a file is saved by the question takes no key of its own, nor that of a pose") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  Session& session = *desk.document.character();
+  work.saveAs(desk, desk.file("mine.glb"));
+  session.view().frame = 16.0;
+  poseWithoutKey(session);
+  session.begin("Try");
+  session.preview(setLooping(session.document(), 0, true));
+  work.quit(desk);
+  work.answer(desk, FileAnswer::save);
+  CHECK(offsetAt(session.document(), 0, 16.0, "left-hand").move == Vec3(0.1, 0.0, 0.0));
+  CHECK(session.document().loopingClips.empty());
+  const Document saved = openDocument(desk.file("mine.glb").string()).value();
+  CHECK(saved.adjustments.size() == 1);
+}

@@ -191,7 +191,7 @@ TEST_CASE("a joint that sticks out of a body is brought into it, nothing else ch
   const SkinnedSequence truth = test::armedBody(12);
   SkinnedSequence out = truth;
   moveJoint(out, 3, Vec3(0.0, 4.0, 0.0)); // three above an arm that is two thick
-  bringJointsInside(out);
+  bringJointsInside(out, {});
   CHECK(out.bones[3].pivot.x == Approx(truth.bones[3].pivot.x));
   CHECK(out.bones[3].pivot.y == Approx(1.5).margin(0.2)); // a quarter of the thickness below its upper side
   CHECK(distancesOf(skinAllFrames(truth), skinAllFrames(out)).largestPercent < 1e-4);
@@ -206,7 +206,7 @@ TEST_CASE("a joint that sticks out of a body is brought into it, nothing else ch
     return points;
   }();
   SkinnedSequence asked = open;
-  bringJointsInside(asked);
+  bringJointsInside(asked, {});
   CHECK(asked.bones == open.bones);
 }
 

@@ -12,4 +12,13 @@ struct ViewportContext : PanelContext {
   Tool& tool;
 };
 
+/// Whether a dialog is open that is about what is seen beside it, and nothing over that: the view is turned
+/// while it stands there.
+[[nodiscard]] inline bool isSeenBesideDialog(const ViewportContext& context) {
+  const UiState& ui = context.ui;
+  const bool isCovered =
+      ui.dialogs.file.open || context.status.question.kind != app::FileQuestion::Kind::none;
+  return (ui.trails.clipStyle.open || ui.body.library.open || ui.dialogs.reference.open) && !isCovered;
+}
+
 } // namespace stretch::ui

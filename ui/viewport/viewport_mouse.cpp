@@ -380,7 +380,7 @@ void hoverLimbs(ViewportContext& context) {
 }
 
 bool canPick(const ViewportContext& context) {
-  return context.open.character() != nullptr && !isSeenBesideDialog(context.ui);
+  return context.open.character() != nullptr && !isSeenBesideDialog(context);
 }
 
 /// On a mesh sequence and beside a dialog nothing can be picked: the left button alone turns the view as
@@ -394,7 +394,7 @@ void lookAround(ViewportContext& context, bool pressed, bool held) {
         ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       viewport.gesture = ViewportGesture::orbit;
     }
-    const bool asksMenu = viewport.gesture == ViewportGesture::none && !isSeenBesideDialog(context.ui) &&
+    const bool asksMenu = viewport.gesture == ViewportGesture::none && !isSeenBesideDialog(context) &&
                           ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     viewport.gesture = asksMenu ? ViewportGesture::pressMenu : viewport.gesture;
   } else if (held) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/commands/table/frames.h"
 #include "app/commands/table/moments.h"
@@ -181,7 +182,9 @@ MouseOver mouseBesideDialog(const ViewportState& viewport) {
       !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left) ||
                     ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  constexpr int dialogAlone = 1; // a list of it that is open takes the press that closes it
   return {free && !ImGui::IsAnyItemActive() &&
+              ImGui::GetCurrentContext()->OpenPopupStack.Size == dialogAlone &&
               ImGui::IsMouseHoveringRect(viewport.box.min, viewport.box.max, false),
           down && viewport.gesture != ViewportGesture::none};
 }
@@ -197,7 +200,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   context.items.add("viewport", viewport.box.min, viewport.box.max);
   const auto [hovered, held] =
-      isSeenBesideDialog(context.ui)
+      isSeenBesideDialog(context)
           ? mouseBesideDialog(viewport)
           : MouseOver{ImGui::IsItemHovered() && !pressMessage(context), ImGui::IsItemActive()};
   updateView(context);

@@ -375,6 +375,9 @@ Status keyUnkeyedPose(Session& session) {
   if (!isPosedWithoutKey(session.view())) {
     return Success{};
   }
+  if (session.isDragging()) {
+    session.cancel(); // what is only tried takes no key, and a file is saved without it
+  }
   const UnkeyedPose& unkeyed = session.view().unkeyed;
   OffsetPose pose;
   std::vector<std::string> ids;

@@ -81,7 +81,8 @@ Status endOffsetsHere(Session& session, bool start);
 /// Keys at the playhead, as one step, whether auto-key is on or not.
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label);
 
-/// Keys what is posed without a key at the playhead, as one step. Nothing happens where nothing is.
+/// Keys what is posed without a key at the playhead, as one step. A drag that is on is taken back first.
+/// Nothing happens where nothing is posed so.
 Status keyUnkeyedPose(Session& session);
 
 /// One finished step: keyed at the playhead, or shown without a key while auto-key is off. The second one

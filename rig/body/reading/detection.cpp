@@ -269,27 +269,35 @@ void takeReading(PlanReading reading, Finding& finding) {
   result.isBiped = false;
 }
 
-// Whether a beast's legs may be the arms and legs of a person who lies or sits: some are called arms, and not
-// all go down, or the others begin level, as the thighs of one who sits do.
+// Whether a beast's legs may be the arms and legs of a person: some are called arms and not all go down, as
+// of one who lies, or upper arms are named and the others begin level, as the thighs of one who sits.
+// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
 bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
   constexpr double leastDrop = 0.35;  // of the limb
   constexpr double leastStart = 0.25; // of its first bone
   bool hasArms = false;
-  bool stands = true;
+  bool hasUpperArms = false;
+  bool goesDown = true;
+  bool startsDown = true;
   for (const Limb& limb : reading.limbs) {
     if (limb.kind == LimbKind::leg) {
       const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
-      const bool isArm = name.role(Role::upperArm) >= 0.5 || name.role(Role::clavicle) >= 0.5;
+      const bool isUpperArm = name.role(Role::upperArm) >= 0.5;
+      const bool isArm = isUpperArm || name.role(Role::clavicle) >= 0.5;
       const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
       const Vec3 first = points[0] - points[1];
       hasArms = hasArms || isArm;
-      stands = stands && points.front().y - points.back().y >= leastDrop * limb.restLength &&
-               (isArm || first.y >= leastStart * glm::length(first));
+      hasUpperArms = hasUpperArms || isUpperArm;
+      goesDown = goesDown && points.front().y - points.back().y >= leastDrop * limb.restLength;
+      startsDown = startsDown && (isArm || first.y >= leastStart * glm::length(first));
     }
   }
   const bool hasLegsOfPerson = reading.plan->legs == 4 || reading.plan->legs == 6; // twice the same, for
                                                                                    // helpers
-  return hasLegsOfPerson && hasArms && !stands;
+  const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
+  const bool lies = !goesDown && (hasUpperArms || (hasArms && !hasTail));
+  const bool sits = !startsDown && hasUpperArms;
+  return hasLegsOfPerson && (lies || sits);
 }
 
 // Says that the plan and its limbs are a guess.

@@ -412,17 +412,23 @@ std::vector<RefusedLine> refusedAppending(const std::string& out, const std::str
                                           const std::string& moduli) {
   return {
       {{"compress", tube, "-o", out, "--append", tube, "--stream", tube},
-       "the bones are those of the stream that is there"},
+       "the bones are those of the stream that is there",
+       2},
       {{"compress", tube, "-o", out, "--append", tube, "--open-stream"},
-       "the bones are those of the stream that is there"},
+       "the bones are those of the stream that is there",
+       2},
       {{"compress", tube, "-o", out, "--append", tube, "--skeleton", dummy},
-       "the bones are those of the stream that is there"},
+       "the bones are those of the stream that is there",
+       2},
       {{"compress", tube, "-o", out, "--append", tube, "--moduli", moduli},
-       "the bones are those of the stream that is there"},
+       "the bones are those of the stream that is there",
+       2},
       {{"compress", tube, "-o", out, "--append", tube, "--curvature", out + ".csv"},
-       "the bones are those of the stream that is there"},
+       "the bones are those of the stream that is there",
+       2},
       {{"compress", tube, "-o", out, "--append", tube, "--bones", "3"},
-       "--bones: frames that are appended take their bones from the stream"},
+       "--bones: frames that are appended take their bones from the stream",
+       2},
   };
 }
 
@@ -453,7 +459,7 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
       {{"compress", (inputs / "armed").string(), "-o", out, "--bones", "6", "--stretch", "measured",
         "--curvature", (outputs / "table.csv").string(), "--stream", (outputs / "stream").string()},
        "the body has no centre line, so there is no curvature to write"},
-      {{"compress", tube, "-o", out, "--open-stream"}, "there is no stream to write"},
+      {{"compress", tube, "-o", out, "--open-stream"}, "there is no stream to write", 2},
       {{"compress", tube, "-o", out, "--curvature", out}, "out.glb: is written twice"},
       {{"compress", tube, "-o", out, "--skip", "3"},
        "3 frames are skipped, and the sequence has 3; give at most 2"},

@@ -72,9 +72,9 @@ TEST_CASE("Locators are written as .json and a style as well, where their folder
     return answer.told;
   };
   const Words locators{"rig", test::posedCharacter, "--locators-only"};
-  CHECK_THAT(told(locators, "places.glb"), Catch::Contains("places.glb: an output has to end in .json"));
-  CHECK_THAT(told(locators, "places.txt", 2),
-             Catch::Contains("places.txt: an output has to end in .glb or .gltf or .json"));
+  CHECK_THAT(told(locators, "places.glb", 2), Catch::Contains("places.glb: an output has to end in .json"));
+  CHECK_THAT(told({"rig", test::posedCharacter}, "places.json", 2),
+             Catch::Contains("places.json: an output has to end in .glb or .gltf"));
   CHECK_THAT(told(locators, "missing/places.json"), Catch::Contains("there is no such folder"));
   const Words style{"styles", "--style", "Subtle"};
   CHECK_THAT(told(style, "subtle.glb", 2), Catch::Contains("subtle.glb: an output has to end in .json"));

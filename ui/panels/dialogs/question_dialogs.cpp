@@ -68,8 +68,9 @@ AskedDialog unsavedDialog(const app::OpenDocument& open) {
   if (hasPose) {
     lost +=
         (lost.empty() ? "" : " ") +
-        fmt::format("The pose at frame {:g} has no key. Save gives it one; it is lost if you go on without.",
-                    session->view().frame);
+        fmt::format(
+            "The pose at frame {:g} has no key. Save keys it, as S does; it is lost if you go on without.",
+            session->view().frame);
   }
   return {app::FileQuestion::Kind::unsaved,
           {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},

@@ -58,10 +58,4 @@ struct UiState {
   bool panelDrag = false; ///< The session's drag was begun by a panel.
 };
 
-/// Whether a dialog is open that is about what is seen beside it: the view is turned while it stands there.
-[[nodiscard]] inline bool isSeenBesideDialog(const UiState& ui) {
-  const bool findsFile = ui.dialogs.file.open;
-  return (ui.trails.clipStyle.open && !findsFile) || ui.body.library.open || ui.dialogs.reference.open;
-}
-
 } // namespace stretch::ui
