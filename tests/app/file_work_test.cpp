@@ -12,6 +12,7 @@
 
 #include "app/edits/pose/offset_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/temporary_folder.h"
