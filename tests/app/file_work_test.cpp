@@ -416,15 +416,21 @@ void poseWithoutKey(Session& session) {
   view.unkeyed.offsets["left-hand"] = {"left-hand", Vec3(0.1, 0.0, 0.0), Vec3(0.0)};
 }
 
+/// A file that is open and posed without a key at frame 16.
+Session& openPosed(Desk& desk, FileWork& work) {
+  desk.openNow(work, "a.glb");
+  Session& session = *desk.document.character();
+  session.view().frame = 16.0;
+  poseWithoutKey(session);
+  return session;
+}
+
 } // namespace
 
 TEST_CASE("A pose without a key is asked for before it is lost, and told when a file is saved without it") {
   Desk desk;
   FileWork work;
-  desk.openNow(work, "a.glb");
-  Session& session = *desk.document.character();
-  session.view().frame = 16.0;
-  poseWithoutKey(session);
+  Session& session = openPosed(desk, work);
   CHECK_FALSE(hasUnsavedWork(desk.document)); // no file would hold it
   CHECK(wouldLoseWork(desk.document));
   work.quit(desk);
@@ -473,10 +479,7 @@ TEST_CASE("A pose without a key is asked for before it is lost, and told when a 
 TEST_CASE("A pose without a key is keyed where the question for unsaved work is answered by Save") {
   Desk desk;
   FileWork work;
-  desk.openNow(work, "a.glb");
-  Session& session = *desk.document.character();
-  session.view().frame = 16.0;
-  poseWithoutKey(session);
+  Session& session = openPosed(desk, work);
   work.saveAs(desk, desk.file("mine.glb"));
   desk.news();
   work.quit(desk);
@@ -493,11 +496,8 @@ TEST_CASE(
     "What is only tried when a file is saved by the question takes no key of its own, nor that of a pose") {
   Desk desk;
   FileWork work;
-  desk.openNow(work, "a.glb");
-  Session& session = *desk.document.character();
+  Session& session = openPosed(desk, work);
   work.saveAs(desk, desk.file("mine.glb"));
-  session.view().frame = 16.0;
-  poseWithoutKey(session);
   session.begin("Try");
   session.preview(setLooping(session.document(), 0, true));
   work.quit(desk);

@@ -61,16 +61,10 @@ struct AskedDialog {
 
 AskedDialog unsavedDialog(const app::OpenDocument& open) {
   const app::Session* const session = open.character();
-  const bool hasPose = session != nullptr && app::isPosedWithoutKey(session->view());
-  std::string lost = app::hasUnsavedWork(open) || !hasPose
-                         ? "There are changes that are not saved. They are lost if you go on without saving."
-                         : "";
-  if (hasPose) {
+  std::string lost = "There are changes that are not saved. They are lost if you go on without saving.";
+  if (session != nullptr && app::isPosedWithoutKey(session->view())) {
     lost +=
-        (lost.empty() ? "" : " ") +
-        fmt::format(
-            "The pose at frame {:g} has no key. Save keys it, as S does; it is lost if you go on without.",
-            session->view().frame);
+        fmt::format(" The pose at frame {:g} has no key: Save keys it, as S does.", session->view().frame);
   }
   return {app::FileQuestion::Kind::unsaved,
           {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},
