@@ -5,10 +5,21 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/anim/key_time.h"
 #include "rig/adjust/apply_adjustments.h"
 #include "rig/trail/limb_path.h"
 
 namespace stretch::rig {
+
+std::vector<FrameState> FramePool::take() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(frames_, {});
+}
+
+void FramePool::give(std::vector<FrameState> frames) {
+  const std::scoped_lock lock(mutex_);
+  frames_ = std::move(frames);
+}
 
 FrameTable::Extent FrameTable::extentOf(std::vector<NodeIndex> nodes, std::vector<double> timesSeconds) {
   std::sort(nodes.begin(), nodes.end());
@@ -18,7 +29,8 @@ FrameTable::Extent FrameTable::extentOf(std::vector<NodeIndex> nodes, std::vecto
   return {std::move(nodes), std::move(timesSeconds)};
 }
 
-FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent) : extent_(std::move(extent)) {
+FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent)
+    : extent_(std::move(extent)), pool_(std::make_shared<FramePool>()) {
   const std::vector<double>& times = extent_.timesSeconds;
   frames_.resize(times.size());
   const NodeSampler sampler(scene, clip, extent_.nodes);
@@ -28,12 +40,17 @@ FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent) : ex
 }
 
 FrameTable::FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments)
-    : extent_(source.extent_), skeleton_(source.skeleton_) {
+    : extent_(source.extent_), skeleton_(source.skeleton_), frames_(source.pool_->take()),
+      pool_(source.pool_) {
   frames_.resize(source.frames_.size());
   tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
     frames_[i] = source.frames_[i];
     applyAdjustments(skeleton_, adjustments, source.frames_[i], frames_[i]);
   });
+}
+
+FrameTable::~FrameTable() {
+  pool_->give(std::move(frames_));
 }
 
 bool FrameTable::covers(const std::vector<NodeIndex>& nodes) const {
@@ -44,8 +61,10 @@ bool FrameTable::covers(const std::vector<NodeIndex>& nodes) const {
 
 const FrameState* FrameTable::find(double timeSeconds) const {
   const std::vector<double>& times = extent_.timesSeconds;
-  const auto found = std::lower_bound(times.begin(), times.end(), timeSeconds);
-  return found != times.end() && *found == timeSeconds
+  // Keys are stored in single precision, and on a loop a time of the next turn comes back a rounding away.
+  const double rounding = keyTimeRounding(timeSeconds);
+  const auto found = std::lower_bound(times.begin(), times.end(), timeSeconds - rounding);
+  return found != times.end() && *found <= timeSeconds + rounding
              ? &frames_[static_cast<std::size_t>(found - times.begin())]
              : nullptr;
 }

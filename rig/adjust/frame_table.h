@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -8,6 +10,19 @@
 #include "rig/adjust/adjusted_sampler.h"
 
 namespace stretch::rig {
+
+/// Frames that nobody looks at any more: the next table is made in their memory. May be used by several
+/// threads.
+class FramePool {
+public:
+  /// Frames given back, with whatever they hold; none where there are none.
+  [[nodiscard]] std::vector<FrameState> take();
+  void give(std::vector<FrameState> frames);
+
+private:
+  std::mutex mutex_;
+  std::vector<FrameState> frames_;
+};
 
 /// A clip's frames of some nodes at many times, made once for everything that asks for them.
 class FrameTable {
@@ -27,11 +42,14 @@ public:
   /// The frames of another table, which need what the adjustments read and move (SolvedAdjustments::nodes),
   /// adjusted in parallel.
   FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments);
+  ~FrameTable();
+  FrameTable(const FrameTable&) = delete;
+  FrameTable& operator=(const FrameTable&) = delete;
 
   [[nodiscard]] const Extent& extent() const { return extent_; }
   /// Whether every one of the nodes is filled in.
   [[nodiscard]] bool covers(const std::vector<NodeIndex>& nodes) const;
-  /// The frame at exactly this time; null where there is none.
+  /// The frame at this time, but for rounding; null where there is none.
   [[nodiscard]] const FrameState* find(double timeSeconds) const;
   /// Returns the same as NodeSampler::skeleton.
   [[nodiscard]] const Scene& skeleton() const { return skeleton_; }
@@ -43,6 +61,8 @@ private:
   Extent extent_;
   Scene skeleton_;
   std::vector<FrameState> frames_;
+  std::shared_ptr<FramePool> pool_; // of the adjusted tables of one source, which come and go with each step
+                                    // of a drag
 };
 
 /// The adjusted clip of some nodes at any time: out of a table where it has the time, else sampled.

@@ -190,10 +190,11 @@ Vec3 reachAsOne(const Scene& scene, const ReachingLimb& reaching, const ReachGoa
 }
 
 // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
-// is solved again from where it came to.
+// is solved again from where it came to. Rotations that a file holds in single precision are not worth
+// another try: they are off by some 5e-7 of the limb.
 void reach(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& goal, FrameState& frame) {
   constexpr int mostTries = 24;
-  constexpr double unseen = 1e-8; // of the limb
+  constexpr double unseen = 1e-6; // of the limb
   const double near = unseen * reaching.limb.restLength;
   const std::optional<Mat4> before = endMatrix(reaching.limb, frame);
   ReachGoal next = goal;

@@ -1,5 +1,7 @@
 #include "rig/adjust/frame_table.h"
 
+#include <memory>
+
 #include <catch2/catch.hpp>
 
 #include "rig/motion/paths.h"
@@ -46,6 +48,44 @@ TEST_CASE("a table has the adjusted frames of its own times, and no others") {
   CHECK(table.find(0.25) != nullptr);
   CHECK(table.find(0.2) == nullptr);
   CHECK(table.find(0.3) == nullptr);
+}
+
+TEST_CASE("a time that a file rounds to single precision finds the frame that it means") {
+  const MovingBiped moving = punchingBiped();
+  const double third = 1.0 / 3.0;
+  const FrameTable source(moving.scene, moving.clip,
+                          FrameTable::extentOf(allNodes(moving.scene), {0.1, third, 5.2}));
+  CHECK(source.find(static_cast<double>(static_cast<float>(third))) == source.find(third));
+  CHECK(source.find(static_cast<double>(static_cast<float>(0.1))) == source.find(0.1));
+  CHECK(source.find(static_cast<double>(static_cast<float>(5.2))) == source.find(5.2));
+  CHECK(source.find(third) != nullptr);
+  CHECK(source.find(third)->timeSeconds == third);
+  CHECK(source.find(third + 1e-6) == nullptr);
+  CHECK(source.find(third - 1e-6) == nullptr);
+}
+
+TEST_CASE("a table made in the memory of one that is gone has frames of its own") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState low = adjusted(moving, {moved("hips", {0.0, -0.1, 0.0}), moved("head", {0.0, 0.3, 0.0})});
+  const MotionState high = adjusted(moving, {moved("hips", {0.0, 0.02, 0.0})});
+  const std::vector<double> times{0.0, 0.1, 0.25, 0.3};
+  const FrameTable source(moving.scene, moving.clip, FrameTable::extentOf(allNodes(moving.scene), times));
+  auto gone = std::make_unique<const FrameTable>(source, low.adjustments);
+  const FrameState* const memory = gone->find(0.25);
+  gone.reset();
+  const FrameTable first(source, high.adjustments);
+  CHECK(first.find(0.25) == memory);
+  const FrameTable second(source, low.adjustments);
+  for (const double time : times) {
+    INFO(time);
+    const FrameState expected = adjustedFrame(moving.scene, moving.clip, high, time);
+    CHECK(first.find(time)->worlds == expected.worlds);
+    CHECK(first.find(time)->pose.locals == expected.pose.locals);
+    CHECK(first.find(time)->stretch == expected.stretch);
+    CHECK(first.find(time)->timeSeconds == time);
+    CHECK(second.find(time)->worlds == adjustedFrame(moving.scene, moving.clip, low, time).worlds);
+    CHECK(source.find(time)->worlds == sampledFrame(moving.scene, moving.clip, time).worlds);
+  }
 }
 
 TEST_CASE("frames kept from another offset give the trails that are solved without them") {
