@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -95,12 +96,25 @@ Vec3 towardsUsual(const TwoBoneProblem& problem, const Triangle& triangle, const
   return unitAcross((1.0 - share) * carried + share * usual, line, 1e-9, usual);
 }
 
+// Columns: along a bone, and square to it in the direction of the normal, which may lean; none where it
+// points along the bone.
+std::optional<Mat3> axesOf(const Vec3& bone, const Vec3& normal) {
+  const Vec3 along = glm::normalize(bone);
+  const Vec3 across = acrossPart(normal, along);
+  const double length = glm::length(across);
+  constexpr double unseen = 1e-9;
+  if (!(length > unseen)) {
+    return std::nullopt;
+  }
+  const Vec3 square = across / length;
+  return Mat3(along, square, glm::cross(along, square));
+}
+
 Quat planeTurn(const Vec3& bone, const Vec3& normal, const Vec3& newBone, const Vec3& newNormal) {
-  const Quat aligned = shortestArc(bone, newBone);
-  const Vec3 seen = aligned * normal;
-  const double twist =
-      std::atan2(glm::dot(glm::normalize(newBone), glm::cross(seen, newNormal)), glm::dot(seen, newNormal));
-  return glm::normalize(axisAngle(glm::normalize(newBone), twist) * aligned);
+  const std::optional<Mat3> before = axesOf(bone, normal);
+  const std::optional<Mat3> now = axesOf(newBone, newNormal);
+  return before && now ? glm::normalize(glm::quat_cast(*now * glm::transpose(*before)))
+                       : shortestArc(bone, newBone);
 }
 
 // With a soft zone of its own; spec of it in docs/controllers.md, Arms and legs.

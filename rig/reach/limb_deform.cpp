@@ -137,6 +137,14 @@ void carrySubtree(const Scene& scene, NodeIndex node, const Mat4& changeWorld, F
   }
 }
 
+// As carrySubtree, where nothing turns: what only moves keeps its turn to the last bit.
+void moveSubtree(const Scene& scene, NodeIndex node, const Vec3& moveWorld, FrameState& frame) {
+  frame.worlds[at(node)][3] += Vec4(moveWorld, 0.0);
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
+    moveSubtree(scene, child, moveWorld, frame);
+  }
+}
+
 } // namespace
 
 Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
@@ -265,7 +273,15 @@ void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const 
     return;
   }
   writer.refresh(node);
-  const Mat4 change = writer.world(node) * glm::inverse(before);
+  const Mat4& now = writer.world(node);
+  if (Mat3(now) == Mat3(before)) {
+    const Vec3 moveWorld = positionOf(now) - positionOf(before);
+    for (const NodeIndex child : scene.nodes[at(node)].children) {
+      moveSubtree(scene, child, moveWorld, frame);
+    }
+    return;
+  }
+  const Mat4 change = now * glm::inverse(before);
   for (const NodeIndex child : scene.nodes[at(node)].children) {
     carrySubtree(scene, child, change, frame);
   }
