@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/bounds.h"
 #include "skinning/bind/voxel_lines.h"
 #include "skinning/bind/voxel_ways.h"
 
@@ -18,18 +19,101 @@ std::array<int, 3> moved(const std::array<int, 3>& place, const std::array<int, 
   return {place[0] + step[0], place[1] + step[1], place[2] + step[2]};
 }
 
-// Cubes that a triangle passes, found by points on it that are no farther apart than half a cube.
-void markTriangle(const VoxelGrid& grid, const std::array<Vec3, 3>& corners, Cubes& surface) {
-  const double longest =
-      std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
-                glm::distance(corners[2], corners[0])});
-  const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * longest / grid.size)));
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(std::span<const glm::vec3> positions, const Triangle& triangle) {
+  return {Vec3(positions[triangle[0]]), Vec3(positions[triangle[1]]), Vec3(positions[triangle[2]])};
+}
+
+double longestEdge(const Corners& corners) {
+  return std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                   glm::distance(corners[2], corners[0])});
+}
+
+// Along two edges of a triangle, so that points on it are no farther apart than half a cube.
+struct Steps {
+  int along = 1;  // from the first corner to the second
+  int across = 1; // from both of these to the third
+
+  [[nodiscard]] double points() const { return 0.5 * (along + 2.0) * (across + 1.0); }
+};
+
+int stepsFor(double length, double cube) {
+  return std::max(1, static_cast<int>(std::ceil(2.0 * length / cube)));
+}
+
+Steps evenSteps(const Corners& corners, double cube) {
+  const int steps = stepsFor(longestEdge(corners), cube);
+  return {steps, steps};
+}
+
+// The corners with the longest edge first: few steps lead across a sliver.
+Corners fromLongestEdge(Corners corners) {
+  const auto edge = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
+  const std::size_t longest = edge(0) >= std::max(edge(1), edge(2)) ? 0 : edge(1) >= edge(2) ? 1 : 2;
+  std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(longest));
+  return corners;
+}
+
+Steps fewestSteps(const Corners& corners, double cube) {
+  const double edge = glm::distance(corners[0], corners[1]);
+  const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  return {stepsFor(edge, cube), stepsFor(edge > 0.0 ? area / edge : 0.0, cube)};
+}
+
+void markEvenly(const VoxelGrid& grid, const Corners& corners, Cubes& surface) {
+  const int steps = evenSteps(corners, grid.size).along;
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps - i; ++j) {
       const double u = static_cast<double>(i) / steps;
       const double v = static_cast<double>(j) / steps;
       surface[grid.indexOf(grid.placeOf(corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v))] = 1;
     }
+  }
+}
+
+void markSparingly(const VoxelGrid& grid, const Corners& corners, Cubes& surface) {
+  const Steps steps = fewestSteps(corners, grid.size);
+  for (int i = 0; i <= steps.across; ++i) {
+    const double u = static_cast<double>(i) / steps.across;
+    const int along = static_cast<int>(std::ceil((1.0 - u) * steps.along));
+    for (int j = 0; j <= along; ++j) {
+      const double v = along > 0 ? (1.0 - u) * j / along : 0.0;
+      surface[grid.indexOf(grid.placeOf(corners[0] * (1.0 - u - v) + corners[1] * v + corners[2] * u))] = 1;
+    }
+  }
+}
+
+// How the triangles of a mesh are looked at.
+enum class Looking { evenly, sparingly };
+
+// What filling a grid with triangles costs: points on them, and lines that may meet them.
+double costOf(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles, double cube,
+              Looking looking) {
+  constexpr double line = 0.3; // of a point
+  double cost = 0.0;
+  for (const Triangle& triangle : triangles) {
+    const Corners corners = fromLongestEdge(cornersOf(positions, triangle));
+    const Vec3 box = (glm::max(glm::max(corners[0], corners[1]), corners[2]) -
+                      glm::min(glm::min(corners[0], corners[1]), corners[2])) /
+                     cube;
+    const Steps steps = looking == Looking::evenly ? evenSteps(corners, cube) : fewestSteps(corners, cube);
+    cost += steps.points() + line * (box.x * box.y + box.y * box.z + box.z * box.x);
+  }
+  return cost;
+}
+
+// Most that a mesh may cost: a sound body passes each cube a few times, however it is made.
+double mostCost(const std::vector<Triangle>& triangles) {
+  return 6e7 + 60.0 * static_cast<double>(triangles.size());
+}
+
+// The cubes that a triangle passes.
+void markTriangle(const VoxelGrid& grid, const Corners& corners, Looking looking, Cubes& surface) {
+  if (looking == Looking::evenly) {
+    markEvenly(grid, corners, surface);
+  } else {
+    markSparingly(grid, fromLongestEdge(corners), surface);
   }
 }
 
@@ -94,15 +178,13 @@ struct Filling {
 };
 
 Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                const VoxelGrid& grid) {
+                const VoxelGrid& grid, Looking looking) {
   Filling made;
   VoxelBody& body = made.body;
   body.grid = grid;
   Cubes surface(grid.cubeCount(), 0);
   for (const Triangle& triangle : triangles) {
-    markTriangle(grid,
-                 {Vec3(positions[triangle[0]]), Vec3(positions[triangle[1]]), Vec3(positions[triangle[2]])},
-                 surface);
+    markTriangle(grid, cornersOf(positions, triangle), looking, surface);
   }
   const Cubes reached = reachedFromOutside(grid, surface);
   const Cubes votes = votesOfLines(grid, positions, triangles);
@@ -120,14 +202,15 @@ Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle
 // As many cubes along the longest side as a mesh of so few triangles shows anything by: what it encloses is
 // measured with large ones.
 int cubesThatShow(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                  const Vec3& low, const Vec3& high, int cubesAlong) {
+                  const Bounds& box, int cubesAlong, Looking looking) {
   constexpr int large = 32;
   const double most = 2e5 + 300.0 * static_cast<double>(triangles.size());
   const double whole = std::pow(cubesAlong, 3.0);
   if (cubesAlong <= large || whole <= most) {
     return cubesAlong;
   }
-  const double inner = static_cast<double>(filling(positions, triangles, gridAround(low, high, large)).inner);
+  const double inner =
+      static_cast<double>(filling(positions, triangles, gridAround(box.low, box.high, large), looking).inner);
   const double finest = inner > 0.0 ? large * std::cbrt(most / inner) : cubesAlong;
   return std::clamp(static_cast<int>(finest), large, cubesAlong);
 }
@@ -219,8 +302,15 @@ Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions, const std::vec
   if (longest < leastOfDistance * std::max({farthest.x, farthest.y, farthest.z})) {
     return Error{"the mesh is too far from the origin for its size", "", "move it to the origin"};
   }
-  const int along = cubesThatShow(positions, triangles, low, high, cubesAlong);
-  VoxelBody body = filling(positions, triangles, gridAround(low, high, along)).body;
+  const double cube = longest / cubesAlong;
+  const bool isCheap = costOf(positions, triangles, cube, Looking::evenly) <= mostCost(triangles);
+  const Looking looking = isCheap ? Looking::evenly : Looking::sparingly;
+  if (!isCheap && costOf(positions, triangles, cube, looking) > mostCost(triangles)) {
+    return Error{"its triangles cross the whole mesh a great many times", "",
+                 "export it again: they seem to join the wrong vertices"};
+  }
+  const int along = cubesThatShow(positions, triangles, {low, high}, cubesAlong, looking);
+  VoxelBody body = filling(positions, triangles, gridAround(low, high, along), looking).body;
   body.depths = depthsOf(body);
   return body;
 }

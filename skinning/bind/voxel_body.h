@@ -46,7 +46,7 @@ struct VoxelBody {
 
 /// `cubesAlong`: how many cubes the longest side of the mesh's box takes at most; a mesh of few triangles
 /// that encloses much shows nothing by so many, and takes 32 or more. Error: no triangle, a mesh without
-/// extent or with places that are no numbers.
+/// extent or with places that are no numbers, triangles that join any vertices of the mesh with any others.
 [[nodiscard]] Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions,
                                           const std::vector<Triangle>& triangles, int cubesAlong);
 

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -76,4 +78,43 @@ TEST_CASE("A thin body of few triangles keeps every cube that is asked for") {
   person.add({0.05, 0.0, -0.1}, {0.2, 0.8, 0.1}, 1);
   CHECK(alongOf(person, 110) > 110);
   CHECK(alongOf(person, 60) > 60);
+}
+
+TEST_CASE(
+    "A mesh whose triangles join any vertices with any others is refused, and not looked at for minutes") {
+  Boxes body;
+  body.add(Vec3(-0.5), Vec3(0.5), 36);
+  REQUIRE(cubesOf(body, 110) > 10'000);
+  const auto count = static_cast<std::uint32_t>(body.positions.size());
+  std::uint32_t next = 1;
+  for (Triangle& triangle : body.triangles) {
+    for (std::uint32_t& vertex : triangle) {
+      next = next * 1664525U + 1013904223U;
+      vertex = (next >> 8U) % count;
+    }
+  }
+  const auto refused = skinning::voxelBody(body.positions, body.triangles, 110);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().what.find("cross the whole mesh") != std::string::npos);
+}
+
+TEST_CASE("A tube of strips as long as itself is filled as one of short strips, however many there are") {
+  const auto tube = [](std::uint32_t strips) {
+    Boxes made;
+    for (std::uint32_t i = 0; i <= strips; ++i) {
+      const double angle = 2.0 * pi * i / strips;
+      for (const double y : {0.0, 1.0}) {
+        made.positions.emplace_back(0.08 * std::cos(angle), y, 0.08 * std::sin(angle));
+      }
+    }
+    for (std::uint32_t i = 0; i < 2 * strips; i += 2) {
+      made.triangles.push_back({i, i + 1, i + 2});
+      made.triangles.push_back({i + 2, i + 1, i + 3});
+    }
+    return made;
+  };
+  const auto few = static_cast<double>(cubesOf(tube(60), 110));
+  const auto many = static_cast<double>(cubesOf(tube(3000), 110));
+  REQUIRE(few > 0.0);
+  CHECK(std::abs(many / few - 1.0) < 0.01);
 }
