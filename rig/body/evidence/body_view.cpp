@@ -55,14 +55,27 @@ std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIn
   return below;
 }
 
+// A joint that may be the foot of a leg whose last joint does not carry it.
+struct DetachedFoot {
+  int joint = -1;
+  int leg = -1;        // the leg's last joint
+  double gap = 0.0;    // between their meshes, in bones of the leg
+  bool isSure = false; // near, or named so
+};
+
 class ViewBuilder {
 public:
-  ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates)
+  ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within)
       : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)),
         clouds_(
             vertexClouds(scene, bindPose,
                          candidates == Candidates::skinJoints ? RigidMeshes::bodyParts : RigidMeshes::all)),
-        below_(countBelow(scene, order_, clouds_)), possible_(possibleNodes(scene, bindPose, candidates)) {}
+        possible_(possibleNodes(scene, bindPose, candidates)) {
+    if (within.exists()) {
+      leaveOutAllBut(withSubtrees(scene, {within}));
+    }
+    below_ = countBelow(scene, order_, clouds_);
+  }
 
   BodyView build() {
     view_.candidateOfNode.assign(scene_.nodes.size(), -1);
@@ -86,14 +99,32 @@ public:
   }
 
 private:
-  void measure() {
-    Bounds bounds;
-    for (std::size_t i = 0; i < clouds_.size(); ++i) {
-      if (possible_[i]) {
-        bounds.add(positionOf(bindPose_.worlds[i]));
+  // `own`: ascending.
+  void leaveOutAllBut(const std::vector<NodeIndex>& own) {
+    for (std::size_t node = 0; node < clouds_.size(); ++node) {
+      if (!std::ranges::binary_search(own, NodeIndex(node))) {
+        clouds_[node].clear();
+        possible_[node] = false;
       }
-      for (const Vec3& point : clouds_[i]) {
-        bounds.add(point);
+    }
+  }
+
+  void measure() {
+    Bounds flesh;
+    for (const std::vector<Vec3>& cloud : clouds_) {
+      for (const Vec3& point : cloud) {
+        flesh.add(point);
+      }
+    }
+    // A root or a handle that stands far from everything that is seen says nothing about the body's size.
+    const double reach = flesh.empty() ? 0.0 : flesh.largestExtent();
+    Bounds bounds = flesh;
+    for (std::size_t i = 0; i < clouds_.size(); ++i) {
+      const Vec3 place = positionOf(bindPose_.worlds[i]);
+      const bool isNear =
+          flesh.empty() || glm::distance(place, glm::clamp(place, flesh.low, flesh.high)) < reach;
+      if (possible_[i] && isNear) {
+        bounds.add(place);
       }
     }
     const double extent = bounds.largestExtent();
@@ -217,19 +248,31 @@ private:
            view_.at(candidate).y < floor + nearGround * height;
   }
 
+  // Not by a tip that moves nothing, nor by what lies about the joint itself, as a knee's guard does.
+  [[nodiscard]] bool goesOnFrom(int joint, int child) const {
+    constexpr double about = 0.25; // of the bone before
+    const int above = view_.parentOf(joint);
+    const double bone = above < 0 ? 0.0 : glm::distance(view_.at(above), view_.at(joint));
+    const bool isLeaf = std::ranges::find(view_.parent, child) == view_.parent.end();
+    return !isLeaf ||
+           (!cloudOf(child).empty() && glm::distance(view_.at(joint), view_.at(child)) > about * bone);
+  }
+
   // Last joints of rows of at least two bones.
   [[nodiscard]] std::vector<int> lastJoints() const {
     std::vector<bool> hasChild(static_cast<std::size_t>(view_.count()), false);
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
-      if (view_.parentOf(candidate) >= 0) {
-        hasChild[static_cast<std::size_t>(view_.parentOf(candidate))] = true;
+      const int parent = view_.parentOf(candidate);
+      if (parent >= 0 && goesOnFrom(parent, candidate)) {
+        hasChild[static_cast<std::size_t>(parent)] = true;
       }
     }
     std::vector<int> last;
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
       const int parent = view_.parentOf(candidate);
+      const NameEvidence& name = view_.names[static_cast<std::size_t>(candidate)];
       if (!hasChild[static_cast<std::size_t>(candidate)] && parent >= 0 && view_.parentOf(parent) >= 0 &&
-          !cloudOf(candidate).empty()) {
+          !cloudOf(candidate).empty() && !name.accessory && !name.finger) {
         last.push_back(candidate);
       }
     }
@@ -252,10 +295,11 @@ private:
     return view_.at(start);
   }
 
-  // Of a last joint and a foot: how far their meshes are apart, in the joint's bone; nothing where the foot
-  // (as long as `footLength`) is not what comes next.
-  [[nodiscard]] std::optional<double> gapTo(int last, int foot, double footLength) const {
+  // Nothing where the foot, as long as `footLength`, is not what comes next after a last joint.
+  [[nodiscard]] std::optional<DetachedFoot> footOf(int last, int foot, double footLength) const {
     constexpr double widest = 0.35;
+    // Where one foot of a pair shows what it is, the other one may be farther from its leg.
+    constexpr double farther = 0.56;
     const Vec3& joint = view_.at(last);
     const Vec3& before = startOfBone(last);
     const double bone = glm::distance(before, joint);
@@ -272,7 +316,8 @@ private:
     const bool saysFoot = std::max(name.role(Role::ankle), name.role(Role::wrist)) > 0.0; // a front foot
     const bool isNamed = saysFoot && away < 1.3 * bone;
     const double gap = isNamed ? away / bone : meshGap(last, foot) / bone;
-    return isNamed || gap < widest ? std::optional(gap) : std::nullopt;
+    const bool isFoot = isNamed || gap < farther;
+    return isFoot ? std::optional(DetachedFoot{foot, last, gap, isNamed || gap < widest}) : std::nullopt;
   }
 
   void hangDetachedFeet() {
@@ -287,28 +332,49 @@ private:
         top = std::max(top, point.y);
       }
     }
+    std::vector<DetachedFoot> feet = possibleFeet(floor, top);
+    std::set<int> carriers; // of feet that are sure
+    for (const DetachedFoot& foot : feet) {
+      if (foot.isSure) {
+        carriers.insert(view_.parentOf(foot.joint));
+      }
+    }
+    std::erase_if(feet,
+                  [&](const DetachedFoot& foot) { return !carriers.contains(view_.parentOf(foot.joint)); });
+    std::set<int> legsWithFeet;
+    // Each leg its foot first, then what is beside one, as a heel.
+    for (const bool isBeside : {false, true}) {
+      for (const DetachedFoot& foot : feet) {
+        if (!view_.isDetached[static_cast<std::size_t>(foot.joint)] && (!isBeside || foot.isSure) &&
+            legsWithFeet.contains(foot.leg) == isBeside && !view_.isAboveOrSelf(foot.joint, foot.leg)) {
+          view_.parent[static_cast<std::size_t>(foot.joint)] = foot.leg;
+          view_.isDetached[static_cast<std::size_t>(foot.joint)] = true;
+          legsWithFeet.insert(foot.leg);
+        }
+      }
+    }
+  }
+
+  // What stands on the ground and may go on from a row of joints, with each such row; the likeliest first.
+  [[nodiscard]] std::vector<DetachedFoot> possibleFeet(double floor, double top) const {
     const std::vector<int> rows = lastJoints();
+    std::vector<DetachedFoot> feet;
     for (int foot = 0; foot < view_.count(); ++foot) {
       if (!mayBeDetachedFoot(foot, floor, top)) {
         continue;
       }
       const double footLength = farthestBelow(foot);
-      std::optional<double> nearest;
-      int leg = -1;
       for (const int last : rows) {
         const bool isBeside = view_.parentOf(foot) >= 0 && view_.parentOf(foot) == view_.parentOf(last);
         const bool isApart = !isBeside && !view_.isAboveOrSelf(foot, last);
-        const std::optional<double> gap = isApart ? gapTo(last, foot, footLength) : std::nullopt;
-        if (gap && (!nearest || *gap < *nearest)) {
-          nearest = gap;
-          leg = last;
+        if (const auto found = isApart ? footOf(last, foot, footLength) : std::nullopt) {
+          feet.push_back(*found);
         }
       }
-      if (leg >= 0) {
-        view_.parent[static_cast<std::size_t>(foot)] = leg;
-        view_.isDetached[static_cast<std::size_t>(foot)] = true;
-      }
     }
+    std::ranges::stable_sort(feet, {},
+                             [](const DetachedFoot& foot) { return std::pair(!foot.isSure, foot.gap); });
+    return feet;
   }
 
   // Puts parents before children again (stand-ins may come later) and fills children and depths.
@@ -442,8 +508,8 @@ private:
   const BindPose& bindPose_;
   std::vector<NodeIndex> order_;
   std::vector<std::vector<Vec3>> clouds_;
-  std::vector<std::size_t> below_;
   std::vector<bool> possible_;
+  std::vector<std::size_t> below_;
   std::vector<int> topDown_;
   BodyView view_;
 };
@@ -478,8 +544,8 @@ std::vector<int> BodyView::path(int above, int candidate) const {
   return upwards;
 }
 
-BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
-  return ViewBuilder(scene, bindPose, candidates).build();
+BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within) {
+  return ViewBuilder(scene, bindPose, candidates, within).build();
 }
 
 } // namespace stretch::rig::body

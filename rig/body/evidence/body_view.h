@@ -60,7 +60,9 @@ struct BodyView {
 /// from the nearest candidate above, or from the candidate that stands in the same place (deform bones under
 /// their masters). Feet that hang from the root, as rigs for inverse kinematics have them, hang from the last
 /// joint of the leg that ends there.
-[[nodiscard]] BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates);
+/// `within`: the topmost joint of the one skeleton that is looked at; -1: all of them.
+[[nodiscard]] BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates,
+                                NodeIndex within = NodeIndex::none);
 
 /// Vertices of every node in the bind pose, world units, each at the node that moves it most: the joint of
 /// greatest weight, or the node that carries a rigid mesh.

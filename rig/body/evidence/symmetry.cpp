@@ -123,24 +123,46 @@ int levelsApart(const BodyView& view, int joint, int other) {
   return levels;
 }
 
-void addNamedPairs(std::vector<Pair>& pairs, const BodyView& view) {
-  std::map<std::string, std::vector<int>> left;
+// A key without its last number, which an exporter may have appended to tell all joints apart.
+std::string withoutLastNumber(const std::string& key) {
+  const std::size_t mark = key.rfind('#');
+  return mark == std::string::npos ? key : key.substr(0, mark);
+}
+
+// Joints by what two of a pair are called alike.
+using ByKey = std::map<std::string, std::vector<int>>;
+
+ByKey jointsByKey(const BodyView& view, Side side, bool withLastNumber) {
+  ByKey joints;
   for (int i = 0; i < view.count(); ++i) {
-    if (view.name(i).side == Side::left) {
-      left[view.name(i).key].push_back(i);
+    if (view.name(i).side == side) {
+      joints[withLastNumber ? view.name(i).key : withoutLastNumber(view.name(i).key)].push_back(i);
     }
   }
-  for (int i = 0; i < view.count(); ++i) {
-    const auto found = view.name(i).side == Side::right ? left.find(view.name(i).key) : left.end();
-    if (found != left.end() && found->second.size() == 1) {
+  return joints;
+}
+
+int addNamedPairs(std::vector<Pair>& pairs, const BodyView& view, bool withLastNumber) {
+  const ByKey left = jointsByKey(view, Side::left, withLastNumber);
+  int added = 0;
+  for (const auto& [key, joints] : jointsByKey(view, Side::right, withLastNumber)) {
+    const auto found = left.find(key);
+    if (found == left.end() || found->second.size() != 1) {
+      continue;
+    }
+    for (const int joint : joints) {
       const int other = found->second.front();
+      const NameEvidence& name = view.name(joint);
       // The farther out, the more a pose moves them, and the more there are of them: fingers.
-      const bool isEnd = std::max(view.name(i).role(Role::ankle), view.name(i).role(Role::wrist)) >= 0.8;
-      const int levels = std::max(levelsApart(view, i, other), isEnd ? 2 : 0); // feet may hang from the root
+      const bool isEnd = std::max(name.role(Role::ankle), name.role(Role::wrist)) >= 0.8;
+      const int levels = std::max(levelsApart(view, joint, other), isEnd ? 2 : 0); // feet may hang from the
+                                                                                   // root
       const double weight = levels == 0 ? 0.3 : 0.12 * std::pow(0.5, levels);
-      addPair(pairs, view.at(i), view.at(other), weight * view.size, view.size, levels > 0);
+      addPair(pairs, view.at(joint), view.at(other), weight * view.size, view.size, levels > 0);
+      ++added;
     }
   }
+  return added;
 }
 
 std::vector<Pair> mirrorPairs(const BodyView& view) {
@@ -154,7 +176,9 @@ std::vector<Pair> mirrorPairs(const BodyView& view) {
     addSiblingPairs(pairs, view, trees, view.childrenOf(i));
   }
   addSiblingPairs(pairs, view, trees, roots);
-  addNamedPairs(pairs, view);
+  if (addNamedPairs(pairs, view, true) == 0) {
+    addNamedPairs(pairs, view, false);
+  }
   std::ranges::stable_sort(pairs, std::ranges::greater{}, &Pair::weight);
   return pairs;
 }
@@ -232,7 +256,10 @@ double imageShare(const BodyView& view, const MirrorPlane& plane) {
 
 Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
   constexpr double clearly = 0.25; // a larger share of images
-  constexpr double least = 0.2;    // of the best support
+  constexpr double whole = 0.95; // all has an image: where the middle legs of an insect lie in the plane, its
+                                 // head and abdomen have none
+  constexpr double slightly = 0.08;
+  constexpr double least = 0.2; // of the best support
   double total = 0.0;
   for (const Pair& pair : pairs) {
     total += pair.weight;
@@ -250,17 +277,21 @@ Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
       best = pairs[i].direction;
     }
   }
-  double bestShare = imageShare(view, {best, offsetAlong(pairs, view, best)}) + clearly;
-  for (const auto& [here, direction] : std::vector(others)) {
+  const double shareOfBest = imageShare(view, {best, offsetAlong(pairs, view, best)});
+  double mostAhead = 0.0;
+  Vec3 chosen = best;
+  for (const auto& [here, direction] : others) {
     const bool isOther = std::abs(glm::dot(direction, best)) < 0.9;
     const double share = isOther && here > least * bestSupport
                              ? imageShare(view, {direction, offsetAlong(pairs, view, direction)})
                              : 0.0;
-    if (share > bestShare) {
-      bestShare = share;
-      best = direction;
+    const double ahead = share - shareOfBest - (share > whole ? slightly : clearly);
+    if (ahead > mostAhead) {
+      mostAhead = ahead;
+      chosen = direction;
     }
   }
+  best = chosen;
   Vec3 mean(0.0);
   for (const Pair& pair : pairs) {
     const double along = glm::dot(pair.direction, best);

@@ -186,14 +186,24 @@ double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& 
 
 constexpr double missingPair = -1.5;
 
-void keepBetter(BipedReading& best, const LimbPair* arms, const LimbPair* legs, double score,
-                double relation) {
-  if (score > best.score) {
-    best.arms = arms != nullptr ? std::optional(*arms) : std::nullopt;
-    best.legs = legs != nullptr ? std::optional(*legs) : std::nullopt;
-    best.score = score;
-    best.relation = relation;
+// A pair of arms and one of legs, either of which may be missing.
+struct Combination {
+  const LimbPair* arms = nullptr;
+  const LimbPair* legs = nullptr;
+  double score = 0.0;
+  double relation = 0.0;
+};
+
+// The best score of those that have other arms, or other legs, than a pair: none of their joints.
+double bestOfOthers(const BodyView& view, const std::vector<Combination>& all, const LimbPair& pair,
+                    const LimbPair* Combination::*part) {
+  double best = 2.0 * missingPair;
+  for (const Combination& one : all) {
+    if (one.score > best && one.*part != nullptr && !overlap(view, *(one.*part), pair)) {
+      best = one.score;
+    }
   }
+  return best;
 }
 
 } // namespace
@@ -205,6 +215,14 @@ Vec3 meanBase(const BodyView& view, const LimbPair& pair) {
     sum += view.at(limb->base);
   }
   return sum / std::max(1.0, static_cast<double>(limbs.size()));
+}
+
+bool isNamed(const LimbPair& pair) {
+  constexpr double leastOfJoint = 0.27;
+  return std::ranges::any_of(limbsOf(pair), [](const LimbGuess* limb) {
+    const int joints = 1 + (limb->middle >= 0 ? 1 : 0) + (limb->end >= 0 ? 1 : 0);
+    return limb->nameFit >= leastOfJoint * joints;
+  });
 }
 
 Vec3 meanEnd(const LimbPair& pair) {
@@ -225,23 +243,39 @@ bool isBody(const LimbPair& arms) {
 BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
   const std::vector<LimbPair> arms = likelyPairs(view, plane, Region::arm);
   const std::vector<LimbPair> legs = likelyPairs(view, plane, Region::leg);
-  BipedReading best;
-  best.score = 2.0 * missingPair;
+  std::vector<Combination> all;
   for (const LimbPair& leg : legs) {
-    keepBetter(best, nullptr, &leg, leg.score + missingPair, 0.0);
+    all.push_back({nullptr, &leg, leg.score + missingPair, 0.0});
   }
   for (const LimbPair& arm : arms) {
     if (isBody(arm)) {
       // What stands on the ground alone is no arm.
       const double standing = endsLowest(view, arm, Vec3(0, 1, 0));
-      keepBetter(best, &arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0);
+      all.push_back({&arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0});
     }
     for (const LimbPair& leg : legs) {
       if (!overlap(view, arm, leg)) {
         const double related = relation(view, plane, arm, leg);
-        keepBetter(best, &arm, &leg, arm.score + leg.score + related, related);
+        all.push_back({&arm, &leg, arm.score + leg.score + related, related});
       }
     }
+  }
+  const auto most = std::ranges::max_element(all, {}, &Combination::score);
+  if (most == all.end() || most->score <= 2.0 * missingPair) {
+    BipedReading nothing;
+    nothing.score = 2.0 * missingPair;
+    return nothing;
+  }
+  BipedReading best;
+  best.score = most->score;
+  best.relation = most->relation;
+  if (most->arms != nullptr) {
+    best.arms = *most->arms;
+    best.armsAhead = most->score - bestOfOthers(view, all, *most->arms, &Combination::arms);
+  }
+  if (most->legs != nullptr) {
+    best.legs = *most->legs;
+    best.legsAhead = most->score - bestOfOthers(view, all, *most->legs, &Combination::legs);
   }
   return best;
 }

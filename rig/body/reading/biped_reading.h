@@ -20,12 +20,17 @@ struct BipedReading {
   std::optional<LimbPair> arms;
   std::optional<LimbPair> legs;
   double score = 0.0;
-  double relation = 0.0; ///< How well arms and legs sit on one trunk, -2..2; 0 where one pair is missing.
+  double relation = 0.0;  ///< How well arms and legs sit on one trunk, -2..2; 0 where one pair is missing.
+  double armsAhead = 1e9; ///< By how much the score is better than with other rows of joints as arms.
+  double legsAhead = 1e9; ///< Likewise as legs.
 };
 
 /// The best reading of arms and legs together: each by itself, the two of a pair by symmetry, arms and legs
 /// by where they sit on the trunk (legs point away from the arms and end lowest, the head is near the arms).
 [[nodiscard]] BipedReading readBiped(const BodyView& view, const MirrorPlane& plane);
+
+/// Whether names say of the better named one of a pair that it is what it is read as.
+[[nodiscard]] bool isNamed(const LimbPair& pair);
 
 /// Mean position of the bases, or of the ends, of a pair.
 [[nodiscard]] Vec3 meanBase(const BodyView& view, const LimbPair& pair);

@@ -8,7 +8,9 @@
 
 #include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
+#include "rig/body/evidence/skeletons.h"
 #include "rig/body/reading/biped_tail.h"
+#include "rig/body/reading/doubts.h"
 #include "rig/body/reading/humanoid.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/plan_reading.h"
@@ -33,6 +35,8 @@ struct Finding {
   int legs = 0;             // that it stands on
   Vec3 bodyUp{0.0};
   Vec3 legsReach{0.0}; // from the hips to the feet
+  bool limbsAreNamed = false;
+  NodeIndex skeleton; // topmost joint of the one of several that it is of
 
   [[nodiscard]] double weight() const {
     double sum = 0.0;
@@ -68,8 +72,28 @@ Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& tr
   return Vec3(0.0);
 }
 
-Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
-  const BodyView view = viewBody(scene, bindPose, candidates);
+// Where other rows of joints make as good a pair, wings or strips of cloth beside arms or legs, and no names
+// tell them apart, that is said.
+void doubtPairs(const BipedReading& reading, Body& result) {
+  constexpr double clearly = 1.3;
+  constexpr double doubted = 0.45;
+  for (const auto& [pair, ahead, kind] : {std::tuple(&reading.arms, reading.armsAhead, LimbKind::arm),
+                                          std::tuple(&reading.legs, reading.legsAhead, LimbKind::leg)}) {
+    if (!*pair || ahead >= clearly || isNamed(**pair)) {
+      continue;
+    }
+    for (Limb& limb : result.limbs) {
+      limb.confidence = limb.kind == kind ? std::min(limb.confidence, doubted) : limb.confidence;
+    }
+    const std::string limbs = kind == LimbKind::arm ? "arms" : "legs";
+    result.warnings.push_back("other rows of joints may as well be the " + limbs +
+                              ", and no names tell: are the " + limbs + " right?");
+  }
+}
+
+Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates,
+                 NodeIndex within = NodeIndex::none) {
+  const BodyView view = viewBody(scene, bindPose, candidates, within);
   const MirrorPlane plane = findMirrorPlane(view);
   const BipedReading reading = readBiped(view, plane);
   Finding finding;
@@ -80,6 +104,9 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   const Trunk trunk = readTrunk(view, plane, reading);
   Body& result = finding.result;
   result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
+  doubtPairs(reading, result);
+  finding.limbsAreNamed =
+      (reading.arms && isNamed(*reading.arms)) || (reading.legs && isNamed(*reading.legs));
   std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
@@ -105,7 +132,9 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
                        (finding.legs == 2 && reading.relation >= 0.0);
   result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
   if (finding.legs <= 2) {
-    result.warnings = sides.warnings;
+    std::ranges::copy(sides.warnings, std::back_inserter(result.warnings));
+  } else {
+    result.warnings.clear();
   }
   finding.bodyUp = bodyUpOf(view, reading, trunk);
   if (reading.legs) {
@@ -131,8 +160,36 @@ bool isBetter(const Finding& finding, const Finding& than) {
   return finding.weight() > than.weight() + 1e-9;
 }
 
-Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
+// Of several skeletons that are each a biped, the one that is read best: limbs of two bodies make none.
+std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose) {
+  const std::vector<NodeIndex> skeletons = skeletonsApart(scene);
+  if (skeletons.size() < 2) {
+    return std::nullopt;
+  }
   std::optional<Finding> best;
+  int bipeds = 0;
+  for (const NodeIndex top : skeletons) {
+    Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
+    if (finding.result.isBiped) {
+      finding.skeleton = top;
+      ++bipeds;
+      best = !best || isBetter(finding, *best) ? std::move(finding) : std::move(best);
+    }
+  }
+  if (bipeds < 2) {
+    return std::nullopt;
+  }
+  best->result.warnings.push_back(std::to_string(bipeds) +
+                                  " characters in the file: the limbs are those of " +
+                                  nodeNames(scene, {best->skeleton}));
+  return best;
+}
+
+Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
+  std::optional<Finding> best = findOneOfSeveral(scene, bindPose);
+  if (best) {
+    return *std::move(best);
+  }
   for (const Candidates candidates :
        {Candidates::skinJoints, Candidates::nodesNoMeshes, Candidates::allNodes}) {
     if (candidates == Candidates::skinJoints && scene.skins.empty()) {
@@ -244,16 +301,17 @@ void warn(const Scene& scene, Finding& finding) {
 
 // The joints, else every node that may be one, until `read` answers something.
 template <typename Read>
-auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read) {
+auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read,
+                 NodeIndex within = NodeIndex::none) {
   for (const Candidates candidates : {Candidates::skinJoints, Candidates::nodesNoMeshes}) {
     if (candidates == Candidates::skinJoints && scene.skins.empty()) {
       continue;
     }
-    if (auto found = read(viewBody(scene, bindPose, candidates))) {
+    if (auto found = read(viewBody(scene, bindPose, candidates, within))) {
       return found;
     }
   }
-  return read(viewBody(scene, bindPose, Candidates::allNodes));
+  return read(viewBody(scene, bindPose, Candidates::allNodes, within));
 }
 
 void takeReading(PlanReading reading, Finding& finding) {
@@ -267,61 +325,6 @@ void takeReading(PlanReading reading, Finding& finding) {
   result.head = reading.head;
   result.warnings = std::move(reading.warnings);
   result.isBiped = false;
-}
-
-// Whether a beast's legs may be the arms and legs of a person: some are called arms and not all go down, as
-// of one who lies, or upper arms are named and the others begin level, as the thighs of one who sits.
-// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
-bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
-  constexpr double leastDrop = 0.35;  // of the limb
-  constexpr double leastStart = 0.25; // of its first bone
-  bool hasArms = false;
-  bool hasUpperArms = false;
-  bool goesDown = true;
-  bool startsDown = true;
-  for (const Limb& limb : reading.limbs) {
-    if (limb.kind == LimbKind::leg) {
-      const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
-      const bool isUpperArm = name.role(Role::upperArm) >= 0.5;
-      const bool isArm = isUpperArm || name.role(Role::clavicle) >= 0.5;
-      const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
-      const Vec3 first = points[0] - points[1];
-      hasArms = hasArms || isArm;
-      hasUpperArms = hasUpperArms || isUpperArm;
-      goesDown = goesDown && points.front().y - points.back().y >= leastDrop * limb.restLength;
-      startsDown = startsDown && (isArm || first.y >= leastStart * glm::length(first));
-    }
-  }
-  const bool hasLegsOfPerson = reading.plan->legs == 4 || reading.plan->legs == 6; // twice the same, for
-                                                                                   // helpers
-  const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
-  const bool lies = !goesDown && (hasUpperArms || (hasArms && !hasTail));
-  const bool sits = !startsDown && hasUpperArms;
-  return hasLegsOfPerson && (lies || sits);
-}
-
-// Says that the plan and its limbs are a guess.
-void doubt(Body& result, const std::string& why) {
-  constexpr double guessed = 0.4;
-  result.planConfidence = std::min(result.planConfidence, guessed);
-  for (Limb& limb : result.limbs) {
-    limb.confidence = std::min(limb.confidence, guessed);
-  }
-  result.warnings.push_back(why);
-}
-
-// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.
-bool standsOnFour(const BindPose& bindPose, const Finding& finding) {
-  constexpr double flattest = 0.5;  // sine, of a trunk that does not lie
-  constexpr double leastDrop = 0.6; // of the limb
-  const auto goesDown = [&](const Limb& limb) {
-    const double base = positionOf(bindPose.worlds[at(limb.joints.front())]).y;
-    return base - endPosition(limb, bindPose.worlds).y > leastDrop * limb.restLength;
-  };
-  const auto downwards = std::ranges::count_if(
-      finding.result.limbs, [&](const Limb& limb) { return (isArm(limb) || isLeg(limb)) && goesDown(limb); });
-  return finding.result.isBiped && downwards == 4 &&
-         std::abs(finding.bodyUp.y) < flattest * glm::length(finding.bodyUp);
 }
 
 void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
@@ -373,8 +376,9 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
     return;
   }
   constexpr double sure = 0.5;
-  std::optional<PlanReading> reading =
-      readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
+  std::optional<PlanReading> reading = readAnyView(
+      scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); },
+      finding.skeleton);
   const bool fits = reading && reading->confidence >= sure &&
                     (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
@@ -435,6 +439,20 @@ NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& fou
   return away < farthest * legLength ? centre : found.hips;
 }
 
+// What of a biped may be another body.
+void tellDoubts(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Body& result = finding.result;
+  if (standsOnFour(bindPose, result, finding.bodyUp)) {
+    doubt(result, "its trunk lies, and arms and legs go down: if it is a beast on four legs, choose the "
+                  "plan quadruped");
+  } else if (hasLegsForArms(scene, result)) {
+    doubt(result, "its arms are called legs: if it is a beast on four legs, choose the plan quadruped");
+  } else if (!finding.limbsAreNamed && leansAsABird(bindPose, result, finding.legsReach)) {
+    doubt(result,
+          "its trunk stands across its legs, and no names tell: if it is a bird, choose the plan bird");
+  }
+}
+
 void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Finding& finding) {
   Body& result = finding.result;
   BodyParts parts{result.hips, {}, finding.bodyUp};
@@ -469,11 +487,7 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  if (body::standsOnFour(bindPose, finding)) {
-    body::doubt(finding.result,
-                "its trunk lies, and arms and legs go down: if it is a beast on four legs, choose the "
-                "plan quadruped");
-  }
+  body::tellDoubts(scene, bindPose, finding);
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }

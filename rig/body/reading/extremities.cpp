@@ -38,7 +38,8 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
     {"antenna", PartWord::feeler}, {"antennae", PartWord::feeler}, {"feeler", PartWord::feeler},
     {"tentacle", PartWord::feeler}, {"palp", PartWord::feeler}, {"pedipalp", PartWord::feeler},
     {"tail", PartWord::tail}, {"queue", PartWord::tail}, {"schwanz", PartWord::tail},
-    {"cola", PartWord::tail}, {"coda", PartWord::tail}, {"abdomen", PartWord::tail},
+    {"cola", PartWord::tail}, {"coda", PartWord::tail}, {"cauda", PartWord::tail},
+    {"rabo", PartWord::tail}, {"хвост", PartWord::tail}, {"尾巴", PartWord::tail}, {"尻尾", PartWord::tail}, {"abdomen", PartWord::tail},
     {"head", PartWord::head}, {"neck", PartWord::head}, {"skull", PartWord::head},
     {"jaw", PartWord::head}, {"mouth", PartWord::head}, {"tongue", PartWord::head},
     {"tete", PartWord::head}, {"cou", PartWord::head}, {"kopf", PartWord::head}, {"hals", PartWord::head},
@@ -311,12 +312,16 @@ private:
 
   void measureHeights(Extremities& result) const {
     double floor = std::numeric_limits<double>::max();
+    double lowest = floor;
     double top = std::numeric_limits<double>::lowest();
-    const auto add = [&](const Vec3& point) {
-      floor = std::min(floor, heightOf(point));
-      top = std::max(top, heightOf(point));
-    };
     for (int joint = 0; joint < view_.count(); ++joint) {
+      // A tail or a cape in the middle may hang through the ground: nothing stands on it.
+      const bool mayStand = isSided(joint) || !view_.name(joint).accessory;
+      const auto add = [&](const Vec3& point) {
+        floor = mayStand ? std::min(floor, heightOf(point)) : floor;
+        lowest = std::min(lowest, heightOf(point));
+        top = std::max(top, heightOf(point));
+      };
       const bool isRoot = view_.parentOf(joint) < 0 && view_.points[index(joint)].empty();
       if (view_.movesMesh(joint) && !isRoot) {
         add(view_.at(joint));
@@ -324,8 +329,8 @@ private:
       std::ranges::for_each(view_.points[index(joint)], add);
       std::ranges::for_each(view_.tips[index(joint)], add);
     }
-    result.floor = floor;
-    result.top = std::max(floor, top);
+    result.floor = floor > top ? lowest : floor;
+    result.top = std::max(result.floor, top);
   }
 
   // A point of an extremity by its share of the length.

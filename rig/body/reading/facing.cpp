@@ -212,6 +212,9 @@ Sides fromHints(const Hints& hints, const Frame& frame) {
     sides.certainty = 0.3;
     sides.reason = bends ? "sides: from the way that knees and elbows bend a little"
                          : "sides: taken to face +Z, as glTF characters do";
+    if (!bends) {
+      sides.warnings.emplace_back("nothing tells which way the character faces: are left and right right?");
+    }
     return sides;
   }
   constexpr double clear = 2.0;

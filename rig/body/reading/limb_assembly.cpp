@@ -74,7 +74,7 @@ double combine(double nameShare, double shape) {
   return 1.0 - (1.0 - 0.9 * nameShare) * (1.0 - 0.7 * shape);
 }
 
-double confidenceOf(const LimbGuess& guess, const LimbPair& pair, const Sides& sides) {
+double confidenceOf(const BodyView& view, const LimbGuess& guess, const LimbPair& pair, const Sides& sides) {
   // Three joints well named, or the one or two that the limb has.
   const double fullNameFit = guess.middle < 0 ? 0.9 : guess.end < 0 ? 1.7 : 2.6;
   const double names = std::clamp(guess.nameFit / fullNameFit, 0.0, 1.0);
@@ -86,8 +86,11 @@ double confidenceOf(const LimbGuess& guess, const LimbPair& pair, const Sides& s
       alike ? std::min(pair.negative->shapePenalty, pair.positive->shapePenalty) : guess.shapePenalty;
   const double shape = std::exp(-0.6 * std::max(0.0, penalty)) * mirror;
   constexpr double contradictedShare = 0.75;
-  return combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) * (0.85 + 0.15 * sides.certainty) *
-         (sides.contradicted ? contradictedShare : 1.0);
+  constexpr double heldShare = 0.45; // most that a limb gets whose hand is missing and a thing stands in for
+  const bool endsAtThing = guess.end >= 0 && (view.name(guess.end).accessory || view.name(guess.end).twist);
+  const double most = endsAtThing ? heldShare : 1.0;
+  return std::min(most, combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) *
+                            (0.85 + 0.15 * sides.certainty) * (sides.contradicted ? contradictedShare : 1.0));
 }
 
 std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, const LimbGuess& guess,
@@ -117,6 +120,8 @@ std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, con
     reasons.emplace_back(end && end->fromPalms
                              ? "no end joint: estimated from the palm joints"
                              : "no end joint: estimated from the vertices of the last bone");
+  } else if (view.name(guess.end).accessory || view.name(guess.end).twist) {
+    reasons.emplace_back("the joint at its end is called another thing than a hand or foot");
   } else if (guess.endDetached) {
     reasons.emplace_back(
         "the end joint is not a descendant of the limb: it follows through its own channels");
@@ -282,7 +287,7 @@ std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const
                                              : LimbEnd{NodeIndex::none, (*guess)->endPosition};
       limbs.push_back(
           makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
-      limbs.back().confidence = confidenceOf(**guess, *pair, sides);
+      limbs.back().confidence = confidenceOf(view, **guess, *pair, sides);
       limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, sides);
     }
   }

@@ -303,8 +303,7 @@ private:
   // ones and joints left and right, else by its shape, or as glTF has it.
   [[nodiscard]] Vec3 unnamedForward() const {
     constexpr double convention = 0.3;
-    const Vec3 across = glm::cross(plane_.normal, up_);
-    const Vec3 forward = glm::length(across) > 1e-6 ? glm::normalize(across) : Vec3(0.0, 0.0, 1.0);
+    const Vec3 forward = levelInPlane();
     for (const double told : {namedAhead(forward), sidesAhead(forward)}) {
       if (told != 0.0) {
         return told * forward;
@@ -328,7 +327,31 @@ private:
       parts_.axis.row = head->path;
       parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
       parts_.axis.head = headOf(*head);
+      parts_.axis.frontIsTold = parts_.axis.headIsNamed || isFrontTold(*head);
     }
+  }
+
+  // Whether anything but a joint's name tells which end of a body on legs is the head.
+  [[nodiscard]] bool isFrontTold(const Extremity& head) const {
+    constexpr double clearShape = 0.4;
+    constexpr double clearRow = 0.4; // less than one limb or ear that hangs on the row
+    const Vec3 ahead = levelInPlane();
+    const bool isDoubtedAnyway = up_.y <= 0.5; // it lies or stands upside down
+    if (legs().empty() || isDoubtedAnyway || namedAhead(ahead) != 0.0 || sidesAhead(ahead) != 0.0) {
+      return true;
+    }
+    if (isUntold(false)) {
+      return std::abs(shapeAhead(ahead)) >= clearShape;
+    }
+    return std::ranges::none_of(parts_.extremities.middle, [&](const Extremity& row) {
+      return &row != &head && headness(row) > headness(head) - clearRow;
+    });
+  }
+
+  // Unit, level, in the mirror plane.
+  [[nodiscard]] Vec3 levelInPlane() const {
+    const Vec3 across = glm::cross(plane_.normal, up_);
+    return glm::length(across) > 1e-6 ? glm::normalize(across) : Vec3(0.0, 0.0, 1.0);
   }
 
   // Of the vertices that follow a joint.
@@ -405,8 +428,7 @@ private:
   }
 
   void findForward() {
-    Vec3 forward = glm::cross(plane_.normal, up_);
-    forward = glm::length(forward) > 1e-6 ? glm::normalize(forward) : Vec3(0.0, 0.0, 1.0);
+    const Vec3 forward = levelInPlane();
     Vec3 middle(0.0);
     double count = 0.0;
     for (const Extremity& row : parts_.extremities.middle) {
@@ -534,7 +556,12 @@ private:
       const bool named = std::ranges::any_of(rest.path, [&](int joint) {
         return partWords(scene_.nodes[at(view_.nodes[index(joint)])].name).contains(PartWord::tail);
       });
-      const bool back = glm::dot(rest.points.back() - rest.points.front(), parts_.axis.forward) < 0.0;
+      // What hangs on the head is hair, or a crest.
+      const int carrier = view_.parentOf(rest.path.front());
+      const bool isOnHead =
+          parts_.axis.head >= 0 && carrier >= 0 && view_.isAboveOrSelf(parts_.axis.head, carrier);
+      const bool back =
+          !isOnHead && glm::dot(rest.points.back() - rest.points.front(), parts_.axis.forward) < 0.0;
       const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
       const double least = (named ? 0.03 : 0.12) * view_.size;
       const double score = rest.length + (named ? view_.size : 0.0);

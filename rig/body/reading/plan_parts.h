@@ -25,6 +25,7 @@ struct Axis {
   std::vector<int> neck;         ///< Ends at the head.
   std::optional<Extremity> tail; ///< Without the joints that it shares with the row.
   bool headIsNamed = false;
+  bool frontIsTold = true;     ///< Names or shape tell which end is the head; false: either may be.
   Vec3 forward{0.0, 0.0, 1.0}; ///< Unit, in the mirror plane, level.
 };
 

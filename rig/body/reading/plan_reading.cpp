@@ -10,6 +10,7 @@
 #include "rig/body/reading/detection.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/limb_end.h"
+#include "rig/body/reading/long_row.h"
 #include "rig/body/reading/plan_parts.h"
 
 namespace stretch::rig::body {
@@ -188,8 +189,9 @@ private:
     }
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
-    return isMost && row != nullptr && !hasLongLimbs() && isEven(*row) && row->path.size() >= leastJoints &&
-           row->path.size() <= mostJoints + 1 && row->length > 0.5 * view_.size && others < 0.6 * row->length;
+    return isMost && row != nullptr && !hasLongLimbs() && !hasNamedLimbs(view_) && isEven(*row) &&
+           row->path.size() >= leastJoints && row->path.size() <= mostJoints + 1 &&
+           row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 
   // Two pairs that are no fins are arms and legs, however a person lies, sits or stands.
@@ -198,20 +200,6 @@ private:
     return std::ranges::count_if(parts_.extremities.pairs, [&](const ExtremityPair& pair) {
              return pair.length() > longest * view_.size && pair.word(PartWord::fin) == 0.0;
            }) > 1;
-  }
-
-  // The joints of a serpent follow each other closely; from a root on the floor to the hips it is far.
-  [[nodiscard]] static bool isEven(const Extremity& row) {
-    constexpr double shortest = 0.01; // of the row: joints that stand on one another have no bone between
-                                      // them
-    double longest = 0.0;
-    double bones = 0.0;
-    for (std::size_t i = 1; i < row.points.size(); ++i) {
-      const double bone = glm::distance(row.points[i - 1], row.points[i]);
-      longest = std::max(longest, bone);
-      bones += bone > shortest * row.length ? 1.0 : 0.0;
-    }
-    return longest < std::max(0.45, 1.5 / bones) * row.length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {
@@ -237,6 +225,11 @@ private:
       addVotes(one.pair.negative, -1.0, votes, named);
     }
     if (named < 2.0 || std::abs(votes) < 0.5 * named) {
+      if (!parts_.axis.frontIsTold) {
+        sides.warnings.emplace_back(
+            "nothing tells which end of the body is the head: are front and hind limbs, "
+            "and left and right, right?");
+      }
       return sides;
     }
     const bool namesSay = votes > 0.0;
@@ -415,7 +408,7 @@ private:
     }
   }
 
-  // A serpent: the longest row is its trunk; anchors before it, with hardly a bone, are left out.
+  // A serpent: the longest row is its trunk; anchors before it are left out.
   void addLongRow(const BodyPlan& plan, std::vector<Limb>& limbs) const {
     const Extremity* const longest = longestRow();
     const PlannedLimb* const spine = plannedLimb(plan, biped::spine);
@@ -423,12 +416,8 @@ private:
       return;
     }
     Extremity row = *longest;
-    // Where nothing tells which joints move vertices, only a bone far shorter than the others is no bone.
-    const double meanBone = row.length / static_cast<double>(std::max<std::size_t>(row.points.size() - 1, 1));
-    const double shortBone = 0.06 * row.length;
-    const double hardlyABone = view_.hasVertices ? shortBone : std::min(shortBone, 0.3 * meanBone);
-    while (row.path.size() > 2 && glm::distance(row.points[0], row.points[1]) < hardlyABone &&
-           view_.points[static_cast<std::size_t>(row.path.front())].empty()) {
+    while (row.path.size() > 2 && startsAtAnchor(view_, row)) {
+      row.length -= glm::distance(row.points[0], row.points[1]);
       row.path.erase(row.path.begin());
       row.points.erase(row.points.begin());
     }

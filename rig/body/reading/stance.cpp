@@ -23,18 +23,25 @@ public:
       : view_(view), plane_(plane), reading_(reading), low_(static_cast<std::size_t>(view.count())),
         high_(low_.size()) {
     std::vector<int> deepestFirst(low_.size());
+    double lowest = floor_;
     for (int joint = 0; joint < view.count(); ++joint) {
-      deepestFirst[static_cast<std::size_t>(joint)] = joint;
-      low_[static_cast<std::size_t>(joint)] = lowestOf(joint);
-      high_[static_cast<std::size_t>(joint)] = view.at(joint).y;
+      const auto index = static_cast<std::size_t>(joint);
+      deepestFirst[index] = joint;
+      low_[index] = lowestOf(joint);
+      high_[index] = view.at(joint).y;
+      if (view.movesMesh(joint)) {
+        // A tail or a cape may hang through the ground: nothing stands on it.
+        floor_ = view.name(joint).accessory ? floor_ : std::min(floor_, low_[index]);
+        lowest = std::min(lowest, low_[index]);
+        top_ = std::max(top_, high_[index]);
+      }
     }
+    floor_ = floor_ > top_ ? lowest : floor_;
     std::ranges::stable_sort(deepestFirst, std::ranges::greater{},
                              [&](int joint) { return view.depth[static_cast<std::size_t>(joint)]; });
     for (const int joint : deepestFirst) {
       const auto index = static_cast<std::size_t>(joint);
       const int parent = view.parentOf(joint);
-      floor_ = view.movesMesh(joint) ? std::min(floor_, low_[index]) : floor_;
-      top_ = view.movesMesh(joint) ? std::max(top_, view.at(joint).y) : top_;
       if (parent >= 0) {
         const auto above = static_cast<std::size_t>(parent);
         low_[above] = std::min(low_[above], low_[index]);
@@ -87,7 +94,22 @@ private:
 
   [[nodiscard]] bool isUpright() const {
     return reading_.arms && reading_.legs &&
-           elevation(meanBase(view_, *reading_.arms) - meanBase(view_, *reading_.legs)) > leastElevation;
+           elevation(startOf(*reading_.arms) - startOf(*reading_.legs)) > leastElevation;
+  }
+
+  // Where a pair's rows of joints leave the middle: a limb may have been read from its knee on.
+  [[nodiscard]] Vec3 startOf(const LimbPair& pair) const {
+    Vec3 sum(0.0);
+    double count = 0.0;
+    for (const std::optional<LimbGuess>* limb : {&pair.negative, &pair.positive}) {
+      int joint = *limb ? (*limb)->base : -1;
+      while (joint >= 0 && view_.parentOf(joint) >= 0 && isOff(view_.parentOf(joint))) {
+        joint = view_.parentOf(joint);
+      }
+      sum += joint >= 0 ? view_.at(joint) : Vec3(0.0);
+      count += joint >= 0 ? 1.0 : 0.0;
+    }
+    return sum / std::max(count, 1.0);
   }
 
   [[nodiscard]] static bool holds(const BodyView& view, int branch, const std::optional<LimbPair>& pair) {

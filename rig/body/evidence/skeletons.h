@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace stretch::rig::body {
+
+/// Topmost joints of skeletons that may each be a character of its own: joints of skins that hang from no
+/// other one and carry at least ten. At most eight, in the order of the file.
+[[nodiscard]] std::vector<NodeIndex> skeletonsApart(const Scene& scene);
+
+} // namespace stretch::rig::body

@@ -1,0 +1,90 @@
+#include "rig/body/reading/doubts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/evidence/name_evidence.h"
+#include "rig/body/reading/extremities.h"
+
+namespace stretch::rig::body {
+
+void doubt(Body& result, const std::string& why) {
+  constexpr double guessed = 0.4;
+  result.planConfidence = std::min(result.planConfidence, guessed);
+  for (Limb& limb : result.limbs) {
+    limb.confidence = std::min(limb.confidence, guessed);
+  }
+  result.warnings.push_back(why);
+}
+
+bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
+  constexpr double leastDrop = 0.35;  // of the limb
+  constexpr double leastStart = 0.25; // of its first bone
+  bool hasArms = false;
+  bool hasUpperArms = false;
+  bool goesDown = true;
+  bool startsDown = true;
+  for (const Limb& limb : reading.limbs) {
+    if (limb.kind == LimbKind::leg) {
+      const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
+      const bool isUpperArm = name.role(Role::upperArm) >= 0.5;
+      const bool isArm = isUpperArm || name.role(Role::clavicle) >= 0.5;
+      const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
+      const Vec3 first = points[0] - points[1];
+      hasArms = hasArms || isArm;
+      hasUpperArms = hasUpperArms || isUpperArm;
+      goesDown = goesDown && points.front().y - points.back().y >= leastDrop * limb.restLength;
+      startsDown = startsDown && (isArm || first.y >= leastStart * glm::length(first));
+    }
+  }
+  const bool hasLegsOfPerson = reading.plan->legs == 4 || reading.plan->legs == 6; // twice the same, for
+                                                                                   // helpers
+  const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
+  const bool lies = !goesDown && (hasUpperArms || (hasArms && !hasTail));
+  const bool sits = !startsDown && hasUpperArms;
+  return hasLegsOfPerson && (lies || sits);
+}
+
+bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp) {
+  constexpr double flattest = 0.5;  // sine, of a trunk that does not lie
+  constexpr double leastDrop = 0.6; // of the limb
+  const auto goesDown = [&](const Limb& limb) {
+    const double base = positionOf(bindPose.worlds[at(limb.joints.front())]).y;
+    return base - endPosition(limb, bindPose.worlds).y > leastDrop * limb.restLength;
+  };
+  const auto downwards = std::ranges::count_if(
+      body.limbs, [&](const Limb& limb) { return (isArm(limb) || isLeg(limb)) && goesDown(limb); });
+  return body.isBiped && downwards == 4 && std::abs(bodyUp.y) < flattest * glm::length(bodyUp);
+}
+bool hasLegsForArms(const Scene& scene, const Body& body) {
+  constexpr double shorter = 0.7; // than the legs: nothing stands on such arms
+  int legs = 0;
+  int arms = 0;
+  double armLength = 0.0;
+  double legLength = 0.0;
+  for (const Limb& limb : body.limbs) {
+    armLength = isArm(limb) ? std::max(armLength, limb.restLength) : armLength;
+    legLength = isLeg(limb) ? std::max(legLength, limb.restLength) : legLength;
+    for (const NodeIndex joint : isArm(limb) ? jointsAndEnd(limb) : std::vector<NodeIndex>{}) {
+      const std::set<PartWord> words = partWords(scene.nodes[at(joint)].name);
+      legs += words.contains(PartWord::leg) ? 1 : 0;
+      arms += words.contains(PartWord::arm) ? 1 : 0;
+    }
+  }
+  return body.isBiped && armLength > shorter * legLength && legs >= 2 && legs > arms;
+}
+
+bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach) {
+  constexpr double leastInLine = 0.5; // cosine
+  const Limb* const spine = limbAt(body.limbs, biped::spine);
+  if (!body.isBiped || spine == nullptr) {
+    return false;
+  }
+  const std::vector<Vec3> points = limbPoints(*spine, bindPose.worlds);
+  const Vec3 trunk = points.back() - points.front();
+  return -glm::dot(trunk, legsReach) < leastInLine * glm::length(trunk) * glm::length(legsReach);
+}
+
+} // namespace stretch::rig::body

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
+#include "rig/body/reading/plan_reading.h"
+
+namespace stretch::rig::body {
+
+/// Says that the plan and its limbs are a guess.
+void doubt(Body& result, const std::string& why);
+
+/// Whether a beast's legs may be the arms and legs of a person: some are called arms and not all go down, as
+/// of one who lies, or upper arms are named and the others begin level, as the thighs of one who sits.
+/// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
+[[nodiscard]] bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
+
+/// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.
+[[nodiscard]] bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp);
+
+/// Whether names call what was read as a biped's arms legs, as of a beast that stands on its hind legs or
+/// whose file lost which way is up.
+[[nodiscard]] bool hasLegsForArms(const Scene& scene, const Body& body);
+
+/// Whether the spine of a biped stands across its legs, as a bird's does. `legsReach`: from hips to feet.
+[[nodiscard]] bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach);
+
+} // namespace stretch::rig::body

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "rig/body/evidence/body_view.h"
+#include "rig/body/reading/extremities.h"
+
+namespace stretch::rig::body {
+
+/// Whether the joints of a row follow each other as closely as a serpent's; from a root on the floor to the
+/// hips it is far.
+[[nodiscard]] bool isEven(const Extremity& row);
+
+/// Whether both sides have joints that only a body with arms or legs has, such as a thigh: it is no serpent,
+/// though it may have lost others.
+[[nodiscard]] bool hasNamedLimbs(const BodyView& view);
+
+/// Whether the first joint of a row carries the body and is no part of it: it moves no vertices, and hardly
+/// has a bone, or one that leads from a root in the middle or on the ground to an end of the body.
+[[nodiscard]] bool startsAtAnchor(const BodyView& view, const Extremity& row);
+
+} // namespace stretch::rig::body
