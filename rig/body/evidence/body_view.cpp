@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -89,6 +90,7 @@ public:
         add(node, name);
       }
     }
+    gatherCarried();
     hangFromStandIns();
     view_.isDetached.assign(static_cast<std::size_t>(view_.count()), false);
     hangDetachedFeet();
@@ -198,8 +200,26 @@ private:
     return -1;
   }
 
+  // Of a joint, or of the rigid meshes that hang on it.
   [[nodiscard]] const std::vector<Vec3>& cloudOf(int candidate) const {
-    return clouds_[at(view_.nodes[static_cast<std::size_t>(candidate)])];
+    const NodeIndex node = view_.nodes[static_cast<std::size_t>(candidate)];
+    const auto carried = carried_.find(node);
+    return carried == carried_.end() ? clouds_[at(node)] : carried->second;
+  }
+
+  void gatherCarried() {
+    for (const NodeIndex node : view_.nodes) {
+      std::vector<Vec3> points;
+      for (const NodeIndex child : scene_.nodes[at(node)].children) {
+        const bool isMesh = scene_.nodes[at(child)].mesh >= 0 && view_.candidateOfNode[at(child)] < 0;
+        if (isMesh && clouds_[at(node)].empty()) {
+          points.insert(points.end(), clouds_[at(child)].begin(), clouds_[at(child)].end());
+        }
+      }
+      if (!points.empty()) {
+        carried_.emplace(node, std::move(points));
+      }
+    }
   }
 
   // Some of a joint's vertices, evenly picked: enough to tell where its mesh is, whatever the file holds.
@@ -510,6 +530,7 @@ private:
   std::vector<std::vector<Vec3>> clouds_;
   std::vector<bool> possible_;
   std::vector<std::size_t> below_;
+  std::map<NodeIndex, std::vector<Vec3>> carried_; // of rigid meshes on a joint that moves none itself
   std::vector<int> topDown_;
   BodyView view_;
 };

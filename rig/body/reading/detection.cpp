@@ -383,10 +383,15 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
                     (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
     const bool lies = mayLie(scene, bindPose, *reading);
+    const bool isPerson = mayBePerson(scene, *reading);
     takeReading(std::move(*reading), finding);
     if (lies) {
       doubt(result,
             "its front legs are called arms, and not all legs stand: if it is a person who lies or sits, "
+            "choose the plan biped");
+    } else if (isPerson) {
+      doubt(result,
+            "its arms are called so, and nothing is called a tail: if it is a person who lies or bows, "
             "choose the plan biped");
     }
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {

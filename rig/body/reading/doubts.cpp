@@ -47,6 +47,19 @@ bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& rea
   return hasLegsOfPerson && (lies || sits);
 }
 
+bool mayBePerson(const Scene& scene, const PlanReading& reading) {
+  bool hasArms = false;
+  bool hasTail = false;
+  for (const Limb& limb : reading.limbs) {
+    for (const NodeIndex joint : limb.joints) {
+      const std::string& name = scene.nodes[at(joint)].name;
+      hasArms = hasArms || (isArm(limb) && readName(name).role(Role::upperArm) >= 0.5);
+      hasTail = hasTail || (limb.kind == LimbKind::tail && partWords(name).contains(PartWord::tail));
+    }
+  }
+  return reading.plan->legs == 2 && hasArms && !hasTail;
+}
+
 bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp) {
   constexpr double flattest = 0.5;  // sine, of a trunk that does not lie
   constexpr double leastDrop = 0.6; // of the limb

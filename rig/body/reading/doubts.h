@@ -16,6 +16,9 @@ void doubt(Body& result, const std::string& why);
 /// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
 [[nodiscard]] bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
 
+/// Whether what was read as a bird may be a person who lies or bows: names call its arms so, and none a tail.
+[[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
+
 /// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.
 [[nodiscard]] bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp);
 

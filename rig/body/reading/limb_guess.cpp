@@ -70,13 +70,24 @@ private:
 
   // The second half of an upper arm or thigh: a joint in line with the one above, of the same name but for
   // its number. The limb starts at the first.
+  // Whether a joint's longest bone leads on as the one that leads to it, as that of a joint on a bone does.
+  [[nodiscard]] bool goesStraightOn(int above, int joint) const {
+    constexpr double inLine = 0.995; // cosine
+    const Vec3 first = view_.at(joint) - view_.at(above);
+    return glm::length(first) > 1e-6 * view_.size &&
+           std::ranges::any_of(view_.childrenOf(joint), [&](int child) {
+             const Vec3 next = view_.at(child) - view_.at(joint);
+             return glm::dot(first, next) > inLine * glm::length(first) * glm::length(next);
+           });
+  }
+
   [[nodiscard]] bool continuesBone(int joint) const {
     const int above = view_.parentOf(joint);
     const Role role = region_ == Region::arm ? Role::upperArm : Role::thigh;
     const auto word = [](const std::string& key) { return key.substr(0, key.find('#')); };
     return above >= 0 && view_.movesMesh(above) && view_.name(joint).role(role) >= 0.8 &&
            view_.name(above).role(role) >= 0.8 && view_.name(above).side == view_.name(joint).side &&
-           word(view_.name(above).key) == word(view_.name(joint).key);
+           (word(view_.name(above).key) == word(view_.name(joint).key) || goesStraightOn(above, joint));
   }
 
   [[nodiscard]] bool isBone(const Vec3& from, const Vec3& to) const {

@@ -118,6 +118,7 @@ private:
       if (one.kind == LimbKind::arm && legCount >= 3) { // pincers
         one.kind = LimbKind::feeler;
       } else if (one.kind == LimbKind::chain) {
+        one.isGuessed = legCount == 1;
         one.kind = legCount == 0   ? LimbKind::fin
                    : legCount >= 3 ? feelerOrWing(one.pair)
                                    : armOrWing(one.pair);

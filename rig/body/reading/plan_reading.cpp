@@ -100,6 +100,9 @@ public:
     reading.confidence = confidence();
     reading.reasons = reasons(plan);
     reading.warnings = sides_.warnings;
+    if (std::ranges::any_of(parts_.pairs, &KindredPair::isGuessed)) {
+      reading.warnings.emplace_back("no name tells whether its front limbs are arms or wings");
+    }
     return reading;
   }
 

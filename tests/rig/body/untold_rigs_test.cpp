@@ -319,3 +319,59 @@ TEST_CASE("Where nothing tells which way a body faces, its sides are asked for")
   applyNames(body, namingScheme("Mixamo"));
   CHECK_FALSE(warnsOf(detectBody(build(body).scene), "nothing tells"));
 }
+
+TEST_CASE("A foot under the root of a body of rigid parts belongs to its leg as well") {
+  SyntheticBiped body = makeBody({.toes = false, .fingers = false});
+  body.tubes = true;
+  body.withSkin = false;
+  body.rigid = true;
+  for (const auto& [side, sign] : sides) {
+    SyntheticJoint& foot = jointOf(body, "foot" + side);
+    SyntheticJoint& shin = jointOf(body, "shin" + side);
+    foot.parent = "root";
+    foot.flesh = {0.0, -0.05, 0.15};
+    shin.flesh = 0.9 * (foot.position - shin.position);
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
+}
+
+TEST_CASE("A joint on the upper arm that is called biceps continues it, and no arm begins there") {
+  SyntheticBiped body = makeNamedBody("3ds Max Biped", {.fingers = false});
+  body.withMesh = false;
+  for (const auto& [side, sign] : sides) {
+    addTwist(body, "biceps" + side, "upperArm" + side, "foreArm" + side, 0.33, true);
+    body.names["biceps" + side] = side == ".l" ? "Bip01 L Bicep" : "Bip01 R Bicep";
+    const Vec3 shoulder = jointOf(body, "upperArm" + side).position;
+    jointOf(body, "clavicle" + side).position = shoulder - Vec3(sign * 0.14, 0.0, 0.0);
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftArm).starts_with("upperArm.l "));
+  CHECK(describe(built, read, biped::rightArm).starts_with("upperArm.r "));
+}
+
+TEST_CASE("Who is read as a bird by a row behind that is no tail by name, and has arms by name, is doubted") {
+  SyntheticBiped body = makeBird();
+  nameByKeys(body);
+  for (const auto& [side, sign] : sides) {
+    body.names["wing0" + side] = "upperArm" + side;
+    body.names["wing1" + side] = "foreArm" + side;
+    body.names["wing2" + side] = "hand" + side;
+    body.names["wing3" + side] = "finger" + side;
+  }
+  REQUIRE(detectBody(build(body).scene).planConfidence > 0.5); // its tail is named
+  body.names["tail0"] = "row0";
+  body.names["tail1"] = "row1";
+  const Body read = detectBody(build(body).scene);
+  CHECK((read.plan == "biped" || (read.planConfidence < 0.5 && warnsOf(read, "person"))));
+}
+
+TEST_CASE("Where no name tells whether a bird's front limbs are arms or wings, that is asked") {
+  SyntheticBiped body = makeBird();
+  CHECK(warnsOf(detectBody(build(body).scene), "arms or wings"));
+  nameByKeys(body);
+  CHECK_FALSE(warnsOf(detectBody(build(body).scene), "arms or wings"));
+}
