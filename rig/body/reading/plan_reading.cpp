@@ -223,9 +223,19 @@ private:
     sides.reason = "sides: from the way the body faces";
     double votes = 0.0;
     double named = 0.0;
+    bool isAcross = false; // a pair whose limbs names put on one side
     for (const KindredPair& one : parts_.pairs) {
-      addVotes(one.pair.positive, 1.0, votes, named);
-      addVotes(one.pair.negative, -1.0, votes, named);
+      double ofPositive = 0.0;
+      double ofNegative = 0.0;
+      addVotes(one.pair.positive, 1.0, ofPositive, named);
+      addVotes(one.pair.negative, -1.0, ofNegative, named);
+      votes += ofPositive + ofNegative;
+      isAcross = isAcross || ofPositive * ofNegative < 0.0;
+    }
+    if (isAcross) {
+      sides.warnings.emplace_back(
+          "joint names put both limbs of a pair on one side: are front and hind limbs, and "
+          "left and right, right?");
     }
     if (named < 2.0 || std::abs(votes) < 0.5 * named) {
       if (!parts_.axis.frontIsTold) {

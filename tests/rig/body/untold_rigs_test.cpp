@@ -375,3 +375,18 @@ TEST_CASE("Where no name tells whether a bird's front limbs are arms or wings, t
   nameByKeys(body);
   CHECK_FALSE(warnsOf(detectBody(build(body).scene), "arms or wings"));
 }
+
+TEST_CASE("Where names put both legs of a pair on one side, that is asked") {
+  SyntheticBiped body = makeManyLegged(4);
+  nameByKeys(body);
+  REQUIRE(detectBody(build(body).scene).warnings.empty());
+  for (int row = 0; row < 4; ++row) { // the fore half of the body is called left
+    for (const auto& [side, sign] : sides) {
+      for (const char* const bone : {"coxa", "femur", "tibia", "tarsus"}) {
+        const std::string key = bone + std::to_string(row) + side;
+        body.names[key] = bone + std::to_string(row) + (sign > 0.0 ? "a" : "b") + (row < 2 ? "_L" : "_R");
+      }
+    }
+  }
+  CHECK(warnsOf(detectBody(build(body).scene), "both limbs of a pair on one side"));
+}
