@@ -44,9 +44,6 @@ double confidenceOf(const Body& body, const LimbPlace& place) {
   return limb == nullptr ? 0.0 : limb->confidence;
 }
 
-const LimbPlace leftLeg{LimbKind::leg, LimbSide::left};
-const LimbPlace rightLeg{LimbKind::leg, LimbSide::right};
-
 } // namespace
 
 TEST_CASE("A root in the middle of a serpent or below it is no part of its row") {
@@ -136,28 +133,6 @@ TEST_CASE("An insect whose front and hind legs are alike has three pairs, and it
   CHECK_FALSE(warnsOf(detectBody(build(body).scene), "nothing tells"));
 }
 
-TEST_CASE("Legs that are called left and right by names with a running number are paired by these names") {
-  SyntheticBiped body = makeManyLegged(4);
-  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
-    return joint.key.starts_with("antenna") || joint.key.starts_with("tail");
-  });
-  int number = 0;
-  for (SyntheticJoint& joint : body.joints) {
-    joint.position.z -= joint.key == "head" ? 0.0 : 0.075; // rows alike before and behind the middle
-    body.names[joint.key] = joint.key + "_" + std::to_string(number++);
-  }
-  body.turn = axisAngle(Vec3(0, 1, 0), pi / 2.0);
-  const BuiltBiped built = build(body);
-  const Body read = detectBody(built.scene);
-  REQUIRE(read.plan == "spider");
-  for (const Limb& limb : read.limbs) {
-    if (limb.kind == LimbKind::leg) {
-      const std::string key = keyOf(built, limb.joints.front());
-      CHECK(key.ends_with(limb.side == LimbSide::left ? ".l" : ".r"));
-    }
-  }
-}
-
 TEST_CASE("Wings beside arms that no name tells apart are doubted in words, named ones are not") {
   SyntheticBiped body = makeBody({.fingers = false});
   addRows(body, "wing", "spine2", {0.06, 1.43, -0.12}, {0.22, 0.03, -0.02}, 4);
@@ -220,7 +195,7 @@ TEST_CASE("A lizard stands on four legs although its tail hangs through the grou
       add(body, stem + std::string("3") + side, stem + std::string("2") + side, {sign * 0.18, 0.01, z});
     }
   }
-  const double drop = GENERATE(0.0, 0.06);
+  const double drop = GENERATE(0.0, 0.1);
   std::string above = "hips";
   for (int i = 0; i < 4; ++i) {
     const std::string key = "tail" + std::to_string(i);
@@ -231,26 +206,6 @@ TEST_CASE("A lizard stands on four legs although its tail hangs through the grou
   CHECK(detectBody(build(body).scene).plan == "quadruped");
 }
 
-TEST_CASE("Who bows is no bird for a strand of hair that hangs on the head") {
-  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
-  const Quat bow = axisAngle(Vec3(1, 0, 0), 55.0 * pi / 180.0);
-  const Vec3 waist = jointOf(body, "spine0").position;
-  for (SyntheticJoint& joint : body.joints) {
-    if (joint.position.y > waist.y + 1e-6) {
-      joint.position = waist + bow * (joint.position - waist);
-    }
-  }
-  const Vec3 head = jointOf(body, "head").position;
-  std::string above = "head";
-  for (int i = 0; i < 6; ++i) {
-    const std::string key = "strand" + std::to_string(i);
-    add(body, key, above, head + Vec3(0.0, 0.1 - 0.1 * i, -0.1 - 0.06 * i));
-    above = key;
-  }
-  body.tubes = true;
-  CHECK(detectBody(build(body).scene).plan == "biped");
-}
-
 TEST_CASE("A small body far from a root at the origin is read as one that stands at it") {
   SyntheticBiped body = makeBody({.fingers = false});
   body.tubes = true;
@@ -259,37 +214,6 @@ TEST_CASE("A small body far from a root at the origin is read as one that stands
   }
   const BuiltBiped built = build(body);
   checkArmsAndLegs(built, detectBody(built.scene));
-}
-
-TEST_CASE("Six legs called front, middle and back ones are an insect's, however high the knees stand") {
-  SyntheticBiped body = makeManyLegged(3);
-  const std::array<std::string, 3> rows{"Front", "Mid", "Back"};
-  nameByKeys(body);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (const auto& [side, sign] : sides) {
-      int number = 1;
-      for (const char* const bone : {"coxa", "femur", "tibia", "tarsus"}) {
-        const std::string key = bone + std::to_string(row) + side;
-        body.names[key] = rows[row] + "Leg" + std::to_string(number++) + (side == ".l" ? "_L" : "_R");
-        jointOf(body, key).position.y *= std::string(bone) == "femur" ? 1.6 : 1.0;
-      }
-    }
-  }
-  std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("antenna"); });
-  CHECK(detectBody(build(body).scene).plan == "insect");
-}
-
-TEST_CASE("Limbs that names call legs are no arms without a doubt, however the beast stands") {
-  SyntheticBiped body = makeHorse();
-  nameByKeys(body);
-  for (const auto& [side, sign] : sides) {
-    body.names["scapula" + side] = "front_thigh" + side;
-    body.names["forearmLeg" + side] = "front_shin" + side;
-    body.names["frontKnee" + side] = "front_foot" + side;
-  }
-  body.turn = axisAngle(Vec3(1, 0, 0), -pi / 2.0); // its file lost which way is up
-  const Body read = detectBody(build(body).scene);
-  CHECK((read.plan == "quadruped" || (read.planConfidence < 0.5 && warnsOf(read, "quadruped"))));
 }
 
 TEST_CASE(
@@ -320,24 +244,6 @@ TEST_CASE("Where nothing tells which way a body faces, its sides are asked for")
   CHECK_FALSE(warnsOf(detectBody(build(body).scene), "nothing tells"));
 }
 
-TEST_CASE("A foot under the root of a body of rigid parts belongs to its leg as well") {
-  SyntheticBiped body = makeBody({.toes = false, .fingers = false});
-  body.tubes = true;
-  body.withSkin = false;
-  body.rigid = true;
-  for (const auto& [side, sign] : sides) {
-    SyntheticJoint& foot = jointOf(body, "foot" + side);
-    SyntheticJoint& shin = jointOf(body, "shin" + side);
-    foot.parent = "root";
-    foot.flesh = {0.0, -0.05, 0.15};
-    shin.flesh = 0.9 * (foot.position - shin.position);
-  }
-  const BuiltBiped built = build(body);
-  const Body read = detectBody(built.scene);
-  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
-  CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
-}
-
 TEST_CASE("A joint on the upper arm that is called biceps continues it, and no arm begins there") {
   SyntheticBiped body = makeNamedBody("3ds Max Biped", {.fingers = false});
   body.withMesh = false;
@@ -351,22 +257,6 @@ TEST_CASE("A joint on the upper arm that is called biceps continues it, and no a
   const Body read = detectBody(built.scene);
   CHECK(describe(built, read, biped::leftArm).starts_with("upperArm.l "));
   CHECK(describe(built, read, biped::rightArm).starts_with("upperArm.r "));
-}
-
-TEST_CASE("Who is read as a bird by a row behind that is no tail by name, and has arms by name, is doubted") {
-  SyntheticBiped body = makeBird();
-  nameByKeys(body);
-  for (const auto& [side, sign] : sides) {
-    body.names["wing0" + side] = "upperArm" + side;
-    body.names["wing1" + side] = "foreArm" + side;
-    body.names["wing2" + side] = "hand" + side;
-    body.names["wing3" + side] = "finger" + side;
-  }
-  REQUIRE(detectBody(build(body).scene).planConfidence > 0.5); // its tail is named
-  body.names["tail0"] = "row0";
-  body.names["tail1"] = "row1";
-  const Body read = detectBody(build(body).scene);
-  CHECK((read.plan == "biped" || (read.planConfidence < 0.5 && warnsOf(read, "person"))));
 }
 
 TEST_CASE("Where no name tells whether a bird's front limbs are arms or wings, that is asked") {
