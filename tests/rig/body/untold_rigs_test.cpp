@@ -280,3 +280,27 @@ TEST_CASE("Where names put both legs of a pair on one side, that is asked") {
   }
   CHECK(warnsOf(detectBody(build(body).scene), "both limbs of a pair on one side"));
 }
+
+TEST_CASE("Limbs that names call legs are no arms without a doubt, however the beast stands") {
+  SyntheticBiped body = makeBody({.toes = false, .fingers = false});
+  applyNames(body, {"a bear on its hind legs",
+                    "L",
+                    "R",
+                    {{"hips", "Hips"},
+                     {"spine0", "Spine0"},
+                     {"spine1", "Spine1"},
+                     {"spine2", "Spine2"},
+                     {"neck0", "Neck"},
+                     {"head", "Head"},
+                     {"clavicle", "Shoulder.%"},
+                     {"upperArm", "front_thigh.%"},
+                     {"foreArm", "front_shin.%"},
+                     {"hand", "front_foot.%"},
+                     {"thigh", "thigh.%"},
+                     {"shin", "shin.%"},
+                     {"foot", "foot.%"}}});
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "hand" + side).position.x = sign * 0.85;
+  }
+  CHECK(warnsOf(detectBody(build(body).scene), "its arms are called legs"));
+}
