@@ -71,6 +71,7 @@ bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp
       body.limbs, [&](const Limb& limb) { return (isArm(limb) || isLeg(limb)) && goesDown(limb); });
   return body.isBiped && downwards == 4 && std::abs(bodyUp.y) < flattest * glm::length(bodyUp);
 }
+
 bool hasLegsForArms(const Scene& scene, const Body& body) {
   constexpr double shorter = 0.7; // than the legs: nothing stands on such arms
   int legs = 0;
