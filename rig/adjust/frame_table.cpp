@@ -1,6 +1,7 @@
 #include "rig/adjust/frame_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -61,11 +62,14 @@ bool FrameTable::covers(const std::vector<NodeIndex>& nodes) const {
 
 const FrameState* FrameTable::find(double timeSeconds) const {
   const std::vector<double>& times = extent_.timesSeconds;
+  auto nearest = std::lower_bound(times.begin(), times.end(), timeSeconds);
+  if (nearest != times.begin() &&
+      (nearest == times.end() || timeSeconds - *(nearest - 1) < *nearest - timeSeconds)) {
+    --nearest;
+  }
   // Keys are stored in single precision, and on a loop a time of the next turn comes back a rounding away.
-  const double rounding = keyTimeRounding(timeSeconds);
-  const auto found = std::lower_bound(times.begin(), times.end(), timeSeconds - rounding);
-  return found != times.end() && *found <= timeSeconds + rounding
-             ? &frames_[static_cast<std::size_t>(found - times.begin())]
+  return nearest != times.end() && std::abs(*nearest - timeSeconds) <= keyTimeRounding(timeSeconds)
+             ? &frames_[static_cast<std::size_t>(nearest - times.begin())]
              : nullptr;
 }
 

@@ -49,7 +49,7 @@ public:
   [[nodiscard]] const Extent& extent() const { return extent_; }
   /// Whether every one of the nodes is filled in.
   [[nodiscard]] bool covers(const std::vector<NodeIndex>& nodes) const;
-  /// The frame at this time, but for rounding; null where there is none.
+  /// The frame nearest to this time, within the rounding of key times; null where there is none.
   [[nodiscard]] const FrameState* find(double timeSeconds) const;
   /// Returns the same as NodeSampler::skeleton.
   [[nodiscard]] const Scene& skeleton() const { return skeleton_; }

@@ -57,8 +57,8 @@ Corners fromLongestEdge(Corners corners) {
 
 Steps fewestSteps(const Corners& corners, double cube) {
   const double edge = glm::distance(corners[0], corners[1]);
-  const double area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  return {stepsFor(edge, cube), stepsFor(edge > 0.0 ? area / edge : 0.0, cube)};
+  const double twiceArea = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  return {stepsFor(edge, cube), stepsFor(edge > 0.0 ? twiceArea / edge : 0.0, cube)};
 }
 
 void markEvenly(const VoxelGrid& grid, const Corners& corners, Cubes& surface) {
@@ -84,12 +84,12 @@ void markSparingly(const VoxelGrid& grid, const Corners& corners, Cubes& surface
   }
 }
 
-// How the triangles of a mesh are looked at.
-enum class Looking { evenly, sparingly };
+// How points are spread over a triangle to find the cubes that it passes.
+enum class Spread { even, sparing };
 
 // What filling a grid with triangles costs: points on them, and lines that may meet them.
 double costOf(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles, double cube,
-              Looking looking) {
+              Spread spread) {
   constexpr double line = 0.3; // of a point
   double cost = 0.0;
   for (const Triangle& triangle : triangles) {
@@ -97,7 +97,7 @@ double costOf(std::span<const glm::vec3> positions, const std::vector<Triangle>&
     const Vec3 box = (glm::max(glm::max(corners[0], corners[1]), corners[2]) -
                       glm::min(glm::min(corners[0], corners[1]), corners[2])) /
                      cube;
-    const Steps steps = looking == Looking::evenly ? evenSteps(corners, cube) : fewestSteps(corners, cube);
+    const Steps steps = spread == Spread::even ? evenSteps(corners, cube) : fewestSteps(corners, cube);
     cost += steps.points() + line * (box.x * box.y + box.y * box.z + box.z * box.x);
   }
   return cost;
@@ -109,8 +109,8 @@ double mostCost(const std::vector<Triangle>& triangles) {
 }
 
 // The cubes that a triangle passes.
-void markTriangle(const VoxelGrid& grid, const Corners& corners, Looking looking, Cubes& surface) {
-  if (looking == Looking::evenly) {
+void markTriangle(const VoxelGrid& grid, const Corners& corners, Spread spread, Cubes& surface) {
+  if (spread == Spread::even) {
     markEvenly(grid, corners, surface);
   } else {
     markSparingly(grid, fromLongestEdge(corners), surface);
@@ -178,13 +178,13 @@ struct Filling {
 };
 
 Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                const VoxelGrid& grid, Looking looking) {
+                const VoxelGrid& grid, Spread spread) {
   Filling made;
   VoxelBody& body = made.body;
   body.grid = grid;
   Cubes surface(grid.cubeCount(), 0);
   for (const Triangle& triangle : triangles) {
-    markTriangle(grid, cornersOf(positions, triangle), looking, surface);
+    markTriangle(grid, cornersOf(positions, triangle), spread, surface);
   }
   const Cubes reached = reachedFromOutside(grid, surface);
   const Cubes votes = votesOfLines(grid, positions, triangles);
@@ -202,7 +202,7 @@ Filling filling(std::span<const glm::vec3> positions, const std::vector<Triangle
 // As many cubes along the longest side as a mesh of so few triangles shows anything by: what it encloses is
 // measured with large ones.
 int cubesThatShow(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                  const Bounds& box, int cubesAlong, Looking looking) {
+                  const Bounds& box, int cubesAlong, Spread spread) {
   constexpr int large = 32;
   const double most = 2e5 + 300.0 * static_cast<double>(triangles.size());
   const double whole = std::pow(cubesAlong, 3.0);
@@ -210,7 +210,7 @@ int cubesThatShow(std::span<const glm::vec3> positions, const std::vector<Triang
     return cubesAlong;
   }
   const double inner =
-      static_cast<double>(filling(positions, triangles, gridAround(box.low, box.high, large), looking).inner);
+      static_cast<double>(filling(positions, triangles, gridAround(box.low, box.high, large), spread).inner);
   const double finest = inner > 0.0 ? large * std::cbrt(most / inner) : cubesAlong;
   return std::clamp(static_cast<int>(finest), large, cubesAlong);
 }
@@ -303,14 +303,14 @@ Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions, const std::vec
     return Error{"the mesh is too far from the origin for its size", "", "move it to the origin"};
   }
   const double cube = longest / cubesAlong;
-  const bool isCheap = costOf(positions, triangles, cube, Looking::evenly) <= mostCost(triangles);
-  const Looking looking = isCheap ? Looking::evenly : Looking::sparingly;
-  if (!isCheap && costOf(positions, triangles, cube, looking) > mostCost(triangles)) {
+  const bool isCheap = costOf(positions, triangles, cube, Spread::even) <= mostCost(triangles);
+  const Spread spread = isCheap ? Spread::even : Spread::sparing;
+  if (!isCheap && costOf(positions, triangles, cube, spread) > mostCost(triangles)) {
     return Error{"its triangles cross the whole mesh a great many times", "",
                  "export it again: they seem to join the wrong vertices"};
   }
-  const int along = cubesThatShow(positions, triangles, {low, high}, cubesAlong, looking);
-  VoxelBody body = filling(positions, triangles, gridAround(low, high, along), looking).body;
+  const int along = cubesThatShow(positions, triangles, {low, high}, cubesAlong, spread);
+  VoxelBody body = filling(positions, triangles, gridAround(low, high, along), spread).body;
   body.depths = depthsOf(body);
   return body;
 }

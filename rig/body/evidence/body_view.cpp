@@ -124,7 +124,7 @@ private:
     for (std::size_t i = 0; i < clouds_.size(); ++i) {
       const Vec3 place = positionOf(bindPose_.worlds[i]);
       const bool isNear =
-          flesh.empty() || glm::distance(place, glm::clamp(place, flesh.low, flesh.high)) < reach;
+          !(reach > 0.0) || glm::distance(place, glm::clamp(place, flesh.low, flesh.high)) < reach;
       if (possible_[i] && isNear) {
         bounds.add(place);
       }
@@ -355,12 +355,13 @@ private:
     std::vector<DetachedFoot> feet = possibleFeet(floor, top);
     std::set<int> carriers; // of feet that are sure
     for (const DetachedFoot& foot : feet) {
-      if (foot.isSure) {
+      if (foot.isSure && view_.parentOf(foot.joint) >= 0) {
         carriers.insert(view_.parentOf(foot.joint));
       }
     }
-    std::erase_if(feet,
-                  [&](const DetachedFoot& foot) { return !carriers.contains(view_.parentOf(foot.joint)); });
+    std::erase_if(feet, [&](const DetachedFoot& foot) {
+      return !foot.isSure && !carriers.contains(view_.parentOf(foot.joint));
+    });
     std::set<int> legsWithFeet;
     // Each leg its foot first, then what is beside one, as a heel.
     for (const bool isBeside : {false, true}) {

@@ -1,6 +1,6 @@
 #include "rig/body/evidence/skeletons.h"
 
-#include <algorithm>
+#include <set>
 
 namespace stretch::rig::body {
 

@@ -230,9 +230,14 @@ double offsetAlong(const std::vector<Pair>& pairs, const BodyView& view, const V
   return weightedMedian(std::move(offsets));
 }
 
-// How much of what lies off a plane, by the length of bones, has a counterpart beyond it: the fore half of a
-// body is no image of the hind one, however alike their legs are.
-double imageShare(const BodyView& view, const MirrorPlane& plane) {
+// What lies off a plane, in the length of bones, and the share of it that has a counterpart beyond: the fore
+// half of a body is no image of the hind one, however alike their legs are.
+struct Images {
+  double outside = 0.0;
+  double share = 0.0;
+};
+
+Images imagesIn(const BodyView& view, const MirrorPlane& plane) {
   constexpr double off = 0.02;  // of the body
   constexpr double near = 0.03; // of the body
   constexpr int most = 400;     // joints that are looked at
@@ -251,14 +256,17 @@ double imageShare(const BodyView& view, const MirrorPlane& plane) {
     outside += bone;
     met += isMet ? bone : 0.0;
   }
-  return outside > 0.0 ? met / outside : 0.0;
+  return {outside, outside > 0.0 ? met / outside : 0.0};
 }
 
 Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
   constexpr double clearly = 0.25; // a larger share of images
-  constexpr double whole = 0.95; // all has an image: where the middle legs of an insect lie in the plane, its
-                                 // head and abdomen have none
-  constexpr double slightly = 0.08;
+  // Where all has an image, as much lies off the plane and no names tell left from right: the middle legs of
+  // an insect lie in the plane across it, and its head and abdomen have no image there.
+  constexpr double whole = 0.95;
+  constexpr double slightly = 0.08; // a larger share of images
+  const bool isNamed =
+      std::ranges::any_of(view.names, [](const NameEvidence& name) { return name.side != Side::none; });
   constexpr double least = 0.2; // of the best support
   double total = 0.0;
   for (const Pair& pair : pairs) {
@@ -277,15 +285,17 @@ Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
       best = pairs[i].direction;
     }
   }
-  const double shareOfBest = imageShare(view, {best, offsetAlong(pairs, view, best)});
+  constexpr double asMuch = 0.8;
+  const Images ofBest = imagesIn(view, {best, offsetAlong(pairs, view, best)});
   double mostAhead = 0.0;
   Vec3 chosen = best;
   for (const auto& [here, direction] : others) {
     const bool isOther = std::abs(glm::dot(direction, best)) < 0.9;
-    const double share = isOther && here > least * bestSupport
-                             ? imageShare(view, {direction, offsetAlong(pairs, view, direction)})
-                             : 0.0;
-    const double ahead = share - shareOfBest - (share > whole ? slightly : clearly);
+    const Images images = isOther && here > least * bestSupport
+                              ? imagesIn(view, {direction, offsetAlong(pairs, view, direction)})
+                              : Images{};
+    const bool isWhole = images.share > whole && images.outside > asMuch * ofBest.outside && !isNamed;
+    const double ahead = images.share - ofBest.share - (isWhole ? slightly : clearly);
     if (ahead > mostAhead) {
       mostAhead = ahead;
       chosen = direction;

@@ -194,12 +194,13 @@ struct Combination {
   double relation = 0.0;
 };
 
-// The best score of those that have other arms, or other legs, than a pair: none of their joints.
-double bestOfOthers(const BodyView& view, const std::vector<Combination>& all, const LimbPair& pair,
-                    const LimbPair* Combination::*part) {
-  double best = 2.0 * missingPair;
+// The best score of those that have other arms, or other legs, than a pair: none of their joints. Nothing
+// where there are no others.
+std::optional<double> bestOfOthers(const BodyView& view, const std::vector<Combination>& all,
+                                   const LimbPair& pair, const LimbPair* Combination::*part) {
+  std::optional<double> best;
   for (const Combination& one : all) {
-    if (one.score > best && one.*part != nullptr && !overlap(view, *(one.*part), pair)) {
+    if ((!best || one.score > *best) && one.*part != nullptr && !overlap(view, *(one.*part), pair)) {
       best = one.score;
     }
   }
@@ -271,11 +272,13 @@ BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
   best.relation = most->relation;
   if (most->arms != nullptr) {
     best.arms = *most->arms;
-    best.armsAhead = most->score - bestOfOthers(view, all, *most->arms, &Combination::arms);
+    const auto others = bestOfOthers(view, all, *most->arms, &Combination::arms);
+    best.armsAhead = others ? most->score - *others : best.armsAhead;
   }
   if (most->legs != nullptr) {
     best.legs = *most->legs;
-    best.legsAhead = most->score - bestOfOthers(view, all, *most->legs, &Combination::legs);
+    const auto others = bestOfOthers(view, all, *most->legs, &Combination::legs);
+    best.legsAhead = others ? most->score - *others : best.legsAhead;
   }
   return best;
 }

@@ -160,28 +160,43 @@ bool isBetter(const Finding& finding, const Finding& than) {
   return finding.weight() > than.weight() + 1e-9;
 }
 
+// Whether two bodies stand in one place, as clothes with a skeleton of their own do.
+bool isSamePlace(const BindPose& bindPose, const Body& a, const Body& b) {
+  constexpr double near = 0.1; // of a limb
+  return std::ranges::any_of(a.limbs, [&](const Limb& limb) {
+    const Limb* const other = limbAt(b.limbs, limb);
+    return other != nullptr &&
+           glm::distance(positionOf(bindPose.worlds[at(limb.joints.front())]),
+                         positionOf(bindPose.worlds[at(other->joints.front())])) < near * limb.restLength;
+  });
+}
+
 // Of several skeletons that are each a biped, the one that is read best: limbs of two bodies make none.
 std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose) {
   const std::vector<NodeIndex> skeletons = skeletonsApart(scene);
   if (skeletons.size() < 2) {
     return std::nullopt;
   }
-  std::optional<Finding> best;
-  int bipeds = 0;
+  std::vector<Finding> bipeds;
   for (const NodeIndex top : skeletons) {
     Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
-    if (finding.result.isBiped) {
-      finding.skeleton = top;
-      ++bipeds;
-      best = !best || isBetter(finding, *best) ? std::move(finding) : std::move(best);
+    finding.skeleton = top;
+    const bool isKnown = std::ranges::any_of(
+        bipeds, [&](const Finding& other) { return isSamePlace(bindPose, other.result, finding.result); });
+    if (finding.result.isBiped && !isKnown) {
+      bipeds.push_back(std::move(finding));
     }
   }
-  if (bipeds < 2) {
+  if (bipeds.size() < 2) {
     return std::nullopt;
   }
-  best->result.warnings.push_back(std::to_string(bipeds) +
-                                  " characters in the file: the limbs are those of " +
-                                  nodeNames(scene, {best->skeleton}));
+  Finding best = bipeds.front();
+  for (const Finding& finding : bipeds) {
+    best = isBetter(finding, best) ? finding : best;
+  }
+  best.result.warnings.push_back("at least " + std::to_string(bipeds.size()) +
+                                 " characters in the file: the limbs are those of " +
+                                 nodeNames(scene, {best.skeleton}));
   return best;
 }
 
@@ -239,6 +254,7 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
     return;
   }
   Body& result = finding.result;
+  result.warnings.clear(); // of joints and sides that the table answers
   std::vector<Limb> limbs = table.limbs;
   // The table leaves the neck out where there is none; the others it must name.
   for (const LimbPlace& missing :
@@ -492,7 +508,9 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  body::tellDoubts(scene, bindPose, finding);
+  if (table.limbs.empty()) {
+    body::tellDoubts(scene, bindPose, finding);
+  }
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }

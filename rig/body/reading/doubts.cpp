@@ -50,7 +50,12 @@ bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& rea
 bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   bool hasArms = false;
   bool hasTail = false;
+  double longestArm = 0.0;
   for (const Limb& limb : reading.limbs) {
+    longestArm = isArm(limb) ? std::max(longestArm, limb.restLength) : longestArm;
+  }
+  for (const Limb& limb : reading.limbs) {
+    hasTail = hasTail || (limb.kind == LimbKind::tail && limb.restLength > longestArm);
     for (const NodeIndex joint : limb.joints) {
       const std::string& name = scene.nodes[at(joint)].name;
       hasArms = hasArms || (isArm(limb) && readName(name).role(Role::upperArm) >= 0.5);

@@ -16,7 +16,8 @@ void doubt(Body& result, const std::string& why);
 /// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
 [[nodiscard]] bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
 
-/// Whether what was read as a bird may be a person who lies or bows: names call its arms so, and none a tail.
+/// Whether what was read as a bird may be a person who lies or bows: names call its arms so, and it has no
+/// tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
 /// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.

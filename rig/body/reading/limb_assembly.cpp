@@ -86,7 +86,7 @@ double confidenceOf(const BodyView& view, const LimbGuess& guess, const LimbPair
       alike ? std::min(pair.negative->shapePenalty, pair.positive->shapePenalty) : guess.shapePenalty;
   const double shape = std::exp(-0.6 * std::max(0.0, penalty)) * mirror;
   constexpr double contradictedShare = 0.75;
-  constexpr double heldShare = 0.45; // most that a limb gets whose hand is missing and a thing stands in for
+  constexpr double heldShare = 0.45; // at most, of a limb that ends at a thing instead of a hand or foot
   const bool endsAtThing = guess.end >= 0 && (view.name(guess.end).accessory || view.name(guess.end).twist);
   const double most = endsAtThing ? heldShare : 1.0;
   return std::min(most, combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) *

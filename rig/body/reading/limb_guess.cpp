@@ -68,9 +68,7 @@ private:
     return view_.movesMesh(candidate) && !name.finger && !name.accessory;
   }
 
-  // The second half of an upper arm or thigh: a joint in line with the one above, of the same name but for
-  // its number. The limb starts at the first.
-  // Whether a joint's longest bone leads on as the one that leads to it, as that of a joint on a bone does.
+  // Whether a bone of a joint leads on as the one that leads to it, as that of a joint on a bone does.
   [[nodiscard]] bool goesStraightOn(int above, int joint) const {
     constexpr double inLine = 0.995; // cosine
     const Vec3 first = view_.at(joint) - view_.at(above);
@@ -81,13 +79,17 @@ private:
            });
   }
 
+  // The second half of an upper arm or thigh: a joint below one of the same name but for its number, or an
+  // upper arm in line with one. The limb starts at the first. A thigh in line with a hip is none: both words
+  // name it.
   [[nodiscard]] bool continuesBone(int joint) const {
     const int above = view_.parentOf(joint);
     const Role role = region_ == Region::arm ? Role::upperArm : Role::thigh;
     const auto word = [](const std::string& key) { return key.substr(0, key.find('#')); };
     return above >= 0 && view_.movesMesh(above) && view_.name(joint).role(role) >= 0.8 &&
            view_.name(above).role(role) >= 0.8 && view_.name(above).side == view_.name(joint).side &&
-           (word(view_.name(above).key) == word(view_.name(joint).key) || goesStraightOn(above, joint));
+           (word(view_.name(above).key) == word(view_.name(joint).key) ||
+            (region_ == Region::arm && goesStraightOn(above, joint)));
   }
 
   [[nodiscard]] bool isBone(const Vec3& from, const Vec3& to) const {

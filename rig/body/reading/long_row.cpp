@@ -1,7 +1,6 @@
 #include "rig/body/reading/long_row.h"
 
 #include <algorithm>
-#include <array>
 
 #include <glm/geometric.hpp>
 
@@ -20,13 +19,11 @@ bool isEven(const Extremity& row) {
   return longest < std::max(0.45, 1.5 / bones) * row.length;
 }
 
-bool hasNamedLimbs(const BodyView& view) {
+bool hasNamedLegs(const BodyView& view) {
   constexpr double clear = 0.8;
   const auto isNamed = [&](Side side) {
     return std::ranges::any_of(view.names, [&](const NameEvidence& name) {
-      return name.side == side &&
-             std::ranges::any_of(std::array{Role::thigh, Role::shin, Role::upperArm, Role::foreArm},
-                                 [&](Role role) { return name.role(role) >= clear; });
+      return name.side == side && std::max(name.role(Role::thigh), name.role(Role::shin)) >= clear;
     });
   };
   return isNamed(Side::left) && isNamed(Side::right);
@@ -47,7 +44,8 @@ bool startsAtAnchor(const BodyView& view, const Extremity& row) {
   const double shortBone = 0.06 * row.length;
   const double hardlyABone = view.hasVertices ? shortBone : std::min(shortBone, 0.3 * meanBone);
   const bool turnsBack = glm::dot(first, row.points[2] - row.points[1]) < 0.0;
-  return glm::length(first) < hardlyABone || glm::length(first) > longer * longest || turnsBack;
+  const bool isOff = view.hasVertices && (glm::length(first) > longer * longest || turnsBack);
+  return glm::length(first) < hardlyABone || isOff;
 }
 
 } // namespace stretch::rig::body

@@ -9,12 +9,13 @@ namespace stretch::rig::body {
 /// hips it is far.
 [[nodiscard]] bool isEven(const Extremity& row);
 
-/// Whether both sides have joints that only a body with arms or legs has, such as a thigh: it is no serpent,
-/// though it may have lost others.
-[[nodiscard]] bool hasNamedLimbs(const BodyView& view);
+/// Whether joints of both sides are called thigh or shin: such a body is no serpent, though it may have lost
+/// others. Fins are called arms.
+[[nodiscard]] bool hasNamedLegs(const BodyView& view);
 
 /// Whether the first joint of a row carries the body and is no part of it: it moves no vertices, and hardly
-/// has a bone, or one that leads from a root in the middle or on the ground to an end of the body.
+/// has a bone, or, where others move vertices, one that leads from a root in the middle or on the ground to
+/// an end of the body.
 [[nodiscard]] bool startsAtAnchor(const BodyView& view, const Extremity& row);
 
 } // namespace stretch::rig::body

@@ -332,7 +332,8 @@ private:
     }
   }
 
-  // Whether anything but a joint's name tells which end of a body on legs is the head.
+  // Whether the joints ahead, left and right by their names or the shape tell which end of a body on legs is
+  // the head. Of one that does not stand on them it is doubted anyway.
   [[nodiscard]] bool isFrontTold(const Extremity& head) const {
     constexpr double clearShape = 0.4;
     constexpr double clearRow = 0.4; // less than one limb or ear that hangs on the row

@@ -192,7 +192,7 @@ private:
     }
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
-    return isMost && row != nullptr && !hasLongLimbs() && !hasNamedLimbs(view_) && isEven(*row) &&
+    return isMost && row != nullptr && !hasLongLimbs() && !hasNamedLegs(view_) && isEven(*row) &&
            row->path.size() >= leastJoints && row->path.size() <= mostJoints + 1 &&
            row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
@@ -430,7 +430,6 @@ private:
     }
     Extremity row = *longest;
     while (row.path.size() > 2 && startsAtAnchor(view_, row)) {
-      row.length -= glm::distance(row.points[0], row.points[1]);
       row.path.erase(row.path.begin());
       row.points.erase(row.points.begin());
     }

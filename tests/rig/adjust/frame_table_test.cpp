@@ -60,6 +60,11 @@ TEST_CASE("a time that a file rounds to single precision finds the frame that it
   CHECK(source.find(static_cast<double>(static_cast<float>(5.2))) == source.find(5.2));
   CHECK(source.find(third) != nullptr);
   CHECK(source.find(third)->timeSeconds == third);
+  const double beside = third + 1e-8; // the key of another trail
+  const FrameTable close(moving.scene, moving.clip,
+                         FrameTable::extentOf(allNodes(moving.scene), {third, beside}));
+  CHECK(close.find(third)->timeSeconds == third);
+  CHECK(close.find(beside)->timeSeconds == beside);
   CHECK(source.find(third + 1e-6) == nullptr);
   CHECK(source.find(third - 1e-6) == nullptr);
 }

@@ -41,7 +41,8 @@ void addRows(SyntheticBiped& body, const std::string& stem, const std::string& p
 
 double confidenceOf(const Body& body, const LimbPlace& place) {
   const Limb* const limb = findLimb(body, place);
-  return limb == nullptr ? 0.0 : limb->confidence;
+  REQUIRE(limb != nullptr);
+  return limb->confidence;
 }
 
 } // namespace
@@ -86,7 +87,7 @@ TEST_CASE("Where one foot under the root is near its leg, the other one that is 
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
 }
 
-TEST_CASE("A foot under the root belongs to its leg although a guard hangs at the knee, and to no tail") {
+TEST_CASE("A foot under the root belongs to its leg although a kneepad hangs at the knee, and to no tail") {
   SyntheticBiped body = makeNamedBody("Unreal", {.toes = false});
   body.tubes = true;
   for (const auto& [side, sign] : sides) {
@@ -95,11 +96,11 @@ TEST_CASE("A foot under the root belongs to its leg although a guard hangs at th
     foot.parent = "root";
     foot.flesh = {0.0, -0.05, 0.15};
     shin.flesh = 0.9 * (foot.position - shin.position);
-    add(body, "guard" + side, "shin" + side, {sign * 0.1, 0.5, 0.06});
+    add(body, "patella" + side, "shin" + side, {sign * 0.1, 0.5, 0.06});
   }
   std::string above = "hips";
   for (int i = 0; i < 5; ++i) {
-    const std::string key = "cola" + std::to_string(i);
+    const std::string key = "tail" + std::to_string(i);
     add(body, key, above, {-0.02 * i, 0.9 - 0.19 * i, -0.1});
     body.names[key] = key;
     above = key;
@@ -108,7 +109,7 @@ TEST_CASE("A foot under the root belongs to its leg although a guard hangs at th
   const Body read = detectBody(built.scene);
   CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
-  CHECK(describe(built, read, {LimbKind::tail}) == "cola0 cola1 cola2 cola3 -> cola4");
+  CHECK(describe(built, read, {LimbKind::tail}) == "tail0 tail1 tail2 tail3 -> tail4");
 }
 
 TEST_CASE("An insect whose front and hind legs are alike has three pairs, and its middle legs are no tail") {
