@@ -310,6 +310,43 @@ TEST_CASE("Vertices of a skin that no bone moves stay with their mesh") {
   CHECK(loadedText("bones.fbx", test::twoBonesFbx()).scene->nodes.back().name != "Common root");
 }
 
+TEST_CASE("Bones of a skin that the file has no node for are counted, and what they move stays") {
+  const auto skinOf = [](const std::string& first, const std::string& second) {
+    std::string text = test::postCollada();
+    const auto put = [&](const std::string& before, const std::string& at, const std::string& instead) {
+      const std::size_t place = text.find(at);
+      REQUIRE(place != std::string::npos);
+      text.replace(place, at.size(), before + instead);
+    };
+    put("<library_controllers><controller id=\"c\"><skin source=\"#g\"><bind_shape_matrix>1 0 0 0 0 1 0 0 0 "
+        "0 1 0 0 0 0 1</bind_shape_matrix><source id=\"j\"><Name_array "
+        "id=\"j-a\" "
+        "count=\"2\">" +
+            first + " " + second +
+            "</Name_array><technique_common><accessor source=\"#j-a\" count=\"2\" stride=\"1\"><param "
+            "name=\"JOINT\" type=\"name\"/></accessor></technique_common></source><source "
+            "id=\"b\"><float_array "
+            "id=\"b-a\" count=\"32\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 "
+            "1</float_array>"
+            "<technique_common><accessor source=\"#b-a\" count=\"2\" stride=\"16\"><param name=\"TRANSFORM\" "
+            "type=\"float4x4\"/></accessor></technique_common></source><source id=\"w\"><float_array "
+            "id=\"w-a\" "
+            "count=\"1\">1</float_array><technique_common><accessor source=\"#w-a\" count=\"1\" stride=\"1\">"
+            "<param name=\"WEIGHT\" type=\"float\"/></accessor></technique_common></source><joints><input "
+            "semantic=\"JOINT\" source=\"#j\"/><input semantic=\"INV_BIND_MATRIX\" source=\"#b\"/></joints>"
+            "<vertex_weights count=\"3\"><input semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input "
+            "semantic=\"WEIGHT\" source=\"#w\" offset=\"1\"/><vcount>1 1 1</vcount><v>0 0 1 0 1 0</v>"
+            "</vertex_weights></skin></controller></library_controllers>",
+        "<library_animations>", "<library_animations>");
+    put("<instance_controller url=\"#c\"/>", "<instance_geometry url=\"#g\"/>", "");
+    return loadedText("post.dae", text);
+  };
+  constexpr const char* lost = "bones of skins are not in the file: what they move stays";
+  CHECK(tells(skinOf("nobody", "no-one"), std::string("2 ") + lost));
+  CHECK(tells(skinOf("post", "nobody"), std::string("1 ") + lost));
+  CHECK_FALSE(tells(skinOf("post", "post"), lost));
+}
+
 TEST_CASE("Collada opens in metres and Y up, and plays") {
   const gltf::Loaded loaded = loadedText("post.dae", test::postCollada());
   REQUIRE(loaded.clips.size() == 1);
