@@ -12,6 +12,7 @@
 
 #include "app/bind/bind_mesh.h"
 #include "app/bind/body_to_bind.h"
+#include "app/locators/fit_locators.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/source/added_file.h"
 #include "rig/body/evidence/bind_pose.h"
@@ -21,6 +22,7 @@
 #include "tests/support/nodes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/rig/character_file.h"
+#include "tests/support/skinning/tube_person.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -185,6 +187,39 @@ TEST_CASE("A mesh that a clip moves by its node is told of, and one whose joints
   second.name = "second";
   CHECK(told({test::boxer().clips->front(), second}) ==
         std::vector<std::string>{"Trunk is moved by a clip, which no longer moves its mesh Trunk"});
+}
+
+TEST_CASE("What moves the mesh is told of, and not what moves the new joints with it") {
+  const test::TubePerson person = test::tubePerson();
+  Primitive tube;
+  for (const Triangle& triangle : person.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      tube.indices.push_back(static_cast<std::uint32_t>(tube.positions.size()));
+      tube.positions.emplace_back(person.positions[corner]);
+    }
+  }
+  Scene scene;
+  const NodeIndex stage = test::addNode(scene, "Stage", NodeIndex::none, Vec3(0.0));
+  const NodeIndex holder = test::addNode(scene, "Holder", stage, Vec3(0.0));
+  scene.nodes[at(holder)].rest.scale = Vec3(1.0, 1.0, 1.25); // no joints hang below what scales unevenly
+  const NodeIndex body = addMesh(scene, "Body", holder, Vec3(0.0), {tube});
+  Clip clip;
+  clip.endSeconds = 0.5;
+  for (const NodeIndex node : {stage, holder, body}) {
+    clip.tracks.emplace_back(movesOf(node));
+  }
+  const test::TemporaryFolder folder;
+  test::characterFile(scene, {clip}).write(folder / "person.glb");
+  const Document document = test::openedFile(folder / "person.glb");
+  const Result<FittedLocators> fitted = fitLocators(document, "biped");
+  REQUIRE(fitted);
+  const Result<BoundMeshes> bound = bindMeshes(document, {.locators = fitted->locators});
+  REQUIRE(bound);
+  std::vector<std::string> lines = bound->report.warnings;
+  std::erase_if(lines,
+                [](const std::string& line) { return line.find("is moved by a clip") == std::string::npos; });
+  CHECK(lines == std::vector<std::string>{"Body is moved by a clip, which no longer moves its mesh Body",
+                                          "Holder is moved by a clip, which no longer moves its mesh Body"});
 }
 
 TEST_CASE("Matrices that were never set say where their joints stand as soon as something follows them, in "

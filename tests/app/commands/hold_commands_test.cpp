@@ -280,6 +280,27 @@ TEST_CASE("A foot that is in the air is not pinned") {
   CHECK(pinned < 1.8 * last);
 }
 
+TEST_CASE("Feet are planted in the clip that is worked in: the same feet at the same frames of its copy") {
+  Document document = test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_leap.glb");
+  std::vector<Clip> clips = *document.clips;
+  clips.push_back(clips.front());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  std::vector<rig::Pin> first;
+  for (const int clip : {0, 1}) {
+    Session session(document);
+    session.view().clip = clip;
+    REQUIRE(runHold(session, command::holdPinFeet).empty());
+    std::vector<rig::Pin> pins = session.document().holds.pins;
+    REQUIRE_FALSE(pins.empty());
+    for (rig::Pin& pin : pins) {
+      CHECK(pin.clip == clip);
+      pin.clip = 0;
+    }
+    first = clip == 0 ? pins : first;
+    CHECK(pins == first);
+  }
+}
+
 TEST_CASE("The bat of the bundled swing is held by both hands, until one lets go") {
   Session session(test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb"));
   session.view().frame = 10.0;
