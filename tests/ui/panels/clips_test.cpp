@@ -48,6 +48,29 @@ TEST_CASE("One clip of many is found by a part of its name") {
   CHECK(driver.open.character()->view().clip == 61);
 }
 
+TEST_CASE("The parts of the transport stand in one row, one after the other, with one clip and with many") {
+  const bool many = GENERATE(false, true);
+  CAPTURE(many);
+  PanelDriver driver(many ? manyClips() : PanelDriver::bundledCharacter());
+  driver.frames(3);
+  std::vector<const char*> parts{"timeline/loop", "timeline/frame", "timeline/speed", "timeline/rate"};
+  if (many) {
+    parts.push_back("timeline/clip");
+  }
+  parts.push_back("timeline/text");
+  const ui::Item* last = nullptr;
+  for (const char* const part : parts) {
+    CAPTURE(part);
+    const ui::Item* const item = driver.find(part);
+    REQUIRE(item != nullptr);
+    if (last != nullptr) {
+      CHECK(item->centre().y == Approx(last->centre().y).margin(1.0));
+      CHECK(item->min.x >= last->max.x);
+    }
+    last = item;
+  }
+}
+
 TEST_CASE("Enter takes the first clip that holds every typed word, and gives the keys back") {
   PanelDriver driver(manyClips());
   driver.frames(2);

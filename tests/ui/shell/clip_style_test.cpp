@@ -86,6 +86,46 @@ TEST_CASE("The switch of a moment that is left out takes no click, and works aga
   CHECK(withStrength(0.0));
 }
 
+TEST_CASE("Another file ends the dialog of a clip, and nothing of what it showed is left in either") {
+  test::EditorStage stage;
+  ui::ClipStyleState& state = openedDialog(stage);
+  REQUIRE(state.open);
+  REQUIRE_FALSE(stage.session().document().trails.empty()); // shown, not kept
+  stage.openBoxer();
+  stage.settle();
+  CHECK_FALSE(state.open);
+  CHECK(stage.session().document().trails.empty());
+  CHECK_FALSE(stage.session().history().canUndo());
+  // And the next one begins by itself.
+  stage.run(app::command::clipExaggerate);
+  stage.settle();
+  CHECK(state.open);
+  CHECK_FALSE(stage.session().document().trails.empty());
+}
+
+TEST_CASE("Up to nine moments are seen whole, and what is more is scrolled to") {
+  test::EditorStage stage;
+  ui::ClipStyleState& state = openedDialog(stage);
+  const rig::Moment moment = state.moments.at(0);
+  for (const std::size_t count : {1U, 2U, 8U, 9U, 10U, 30U}) {
+    state.moments.assign(count, moment);
+    state.on.assign(count, false);
+    state.made.clear();
+    stage.frames(3);
+    const auto heightOf = [&](std::size_t i) {
+      const ui::Item* const row = stage.shell.items.find("clip-style/moment-" + std::to_string(i));
+      return row == nullptr ? 0.0F : row->max.y - row->min.y;
+    };
+    CAPTURE(count);
+    REQUIRE(heightOf(0) > 0.0F);
+    std::size_t whole = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      whole += heightOf(i) == Approx(heightOf(0)) ? 1 : 0;
+    }
+    CHECK(whole == std::min<std::size_t>(count, 9));
+  }
+}
+
 TEST_CASE("While the list of styles is open Enter keeps nothing, and the arrows leave the style") {
   test::EditorStage stage;
   ui::ClipStyleState& state = openedDialog(stage);

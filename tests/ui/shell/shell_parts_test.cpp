@@ -182,6 +182,32 @@ TEST_CASE("How a file was looked at survives, as far as it still makes sense") {
   CHECK(read.clip == 0);
 }
 
+TEST_CASE("The trail that was worked on is selected again, none where there is none of that number") {
+  app::Document document = test::boxer();
+  for (const int number : {1, 2}) {
+    rig::Trail trail;
+    trail.id = number;
+    trail.limb = "left-arm";
+    document.trails.push_back(trail);
+  }
+  const auto selectedBy = [&](const std::string& text) {
+    app::ViewState view;
+    ViewBookmark now;
+    ViewBookmarks kept;
+    readView(text, document, view, now, kept);
+    return view.selection.trail();
+  };
+  for (const int number : {0, 1, 2}) {
+    app::ViewState view;
+    view.selection.editTrails().trail = number;
+    CHECK(selectedBy(viewText(view, {}, {})) == number);
+  }
+  for (const char* const text : {R"({})", R"({"trail": 3})", R"({"trail": -1})", R"({"trail": "1"})"}) {
+    CAPTURE(text);
+    CHECK(selectedBy(text) == 0);
+  }
+}
+
 TEST_CASE("Recent files are kept once each, the newest first") {
   UiState ui;
   for (int i = 0; i < 20; ++i) {

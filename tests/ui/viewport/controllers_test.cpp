@@ -92,6 +92,58 @@ TEST_CASE("G moves the selected controller by what is typed, in one undo step, a
   CHECK(glm::length(boxer.place("left-hand") - before) < 1e-9);
 }
 
+TEST_CASE("Locators are moved and turned by what is typed, with their counterparts while they mirror") {
+  app::Document document = test::boxer();
+  for (const char* const name : {"spine", "leftHand", "rightHand"}) {
+    rig::Locator locator;
+    locator.name = name;
+    locator.position = Vec3(name[0] == 'l' ? 1.0 : name[0] == 'r' ? -1.0 : 0.0, 1.5, 0.0);
+    document.locators.list.push_back(locator);
+  }
+  const app::PullMotion motion = GENERATE(app::PullMotion::move, app::PullMotion::turn);
+  const bool mirrors = GENERATE(false, true);
+  CAPTURE(motion == app::PullMotion::turn, mirrors);
+  app::Session session(document);
+  session.view().showLocators = true;
+  session.view().mirrorLocators = mirrors;
+  session.view().cameraAxes = Mat3(1.0);
+  app::selectLocators(session, {"leftHand"});
+  const auto press = [&](Tool& tool, const std::string& keys) {
+    std::istringstream words(keys);
+    for (std::string word; words >> word;) {
+      REQUIRE(pressToolKey(session, tool, {*app::parseChord(word), 0}));
+    }
+  };
+  Tool tool;
+  REQUIRE(startControllerTool(session, tool, {motion, {}, {}, false}));
+  press(tool, "Z 3 0");
+  const auto isPut = [&](const char* name, double step) {
+    const rig::Locator& before = *rig::findLocator(document.locators, name);
+    const rig::Locator& after = *rig::findLocator(session.document().locators, name);
+    const bool moves = motion == app::PullMotion::move;
+    const double angle = moves ? 0.0 : step * pi / 180.0;
+    CAPTURE(name);
+    CHECK(glm::length(after.position - before.position - Vec3(0.0, 0.0, moves ? std::abs(step) : 0.0)) <
+          1e-9);
+    if (!moves) {
+      CHECK(glm::length(after.orientation * Vec3(1.0, 0.0, 0.0) -
+                        Vec3(std::cos(angle), std::sin(angle), 0.0)) < 1e-9);
+    }
+  };
+  isPut("leftHand", 30.0);
+  isPut("rightHand", mirrors ? -30.0 : 0.0);
+  isPut("spine", 0.0);
+  press(tool, "Esc");
+  CHECK(session.document().locators == document.locators);
+  REQUIRE(startControllerTool(session, tool, {motion, {}, {}, false}));
+  press(tool, "Z 3 0 Enter");
+  isPut("leftHand", 30.0);
+  CHECK(session.history().undoLabel() ==
+        (motion == app::PullMotion::move ? "Move leftHand" : "Turn leftHand"));
+  session.undo();
+  CHECK(session.document().locators == document.locators);
+}
+
 TEST_CASE("A controller that is dragged stays under the mouse") {
   PosedBoxer boxer;
   app::selectController(boxer.session, "left-hand", false);

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
@@ -64,4 +66,27 @@ TEST_CASE("A point of the overlays is as many pixels as the theme's scale says")
     CHECK(stage.viewport.view.viewport.widthPixels == Approx(stage.viewport.box.width()));
     CHECK(stage.viewport.view.viewport.heightPixels == Approx(stage.viewport.box.height()));
   }
+}
+
+TEST_CASE("The colours of a stretch are explained at length, in one row where the picture is narrow, and not "
+          "at all in "
+          "a narrower one") {
+  test::GuiPainter painter;
+  const auto legendAt = [&](float width) {
+    test::GuiStage stage(painter, ThemeKind::dark, width, 240.0F);
+    stage.open.open(test::PanelDriver::bundledCharacter());
+    stage.ui.overlays.heatMap = true;
+    stage.showViewport();
+    const Item* const legend = stage.items.find("viewport/stretch-legend");
+    return legend == nullptr ? ImVec2(0.0F, 0.0F)
+                             : ImVec2(legend->max.x - legend->min.x, legend->max.y - legend->min.y);
+  };
+  const ImVec2 whole = legendAt(640.0F);
+  const ImVec2 row = legendAt(std::floor(1.5F * whole.x) - 2.0F);
+  REQUIRE(row.x > 0.0F);
+  CHECK(legendAt(std::ceil(1.5F * whole.x) + 2.0F).y == whole.y);
+  CHECK(row.y < whole.y);
+  CHECK(row.x < whole.x);
+  CHECK(legendAt(std::ceil(1.5F * row.x) + 2.0F).y == row.y);
+  CHECK(legendAt(std::floor(1.5F * row.x) - 2.0F).x == 0.0F);
 }

@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
 #include <imgui.h>
 
@@ -59,6 +65,41 @@ struct Strip {
   TimelineModel model;
   Layout layout;
 };
+
+/// What a timeline draws: the corners of everything, without soft edges, so that a triangle is three of them.
+std::vector<ImDrawVert> drawnCorners(const Theme& theme, const Layout& layout, const TimelineModel& model) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.DisplaySize = {800.0F, 300.0F};
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+  ImGui::GetStyle().AntiAliasedFill = false;
+  ImGui::NewFrame();
+  ItemRegistry items;
+  ImGui::SetNextWindowPos({0.0F, 0.0F});
+  ImGui::SetNextWindowSize(io.DisplaySize);
+  ImGui::Begin("timeline", nullptr, ImGuiWindowFlags_NoDecoration);
+  draw({theme, items}, layout, model);
+  const ImVector<ImDrawVert>& all = ImGui::GetWindowDrawList()->VtxBuffer;
+  std::vector<ImDrawVert> corners(all.begin(), all.end());
+  ImGui::End();
+  ImGui::EndFrame();
+  return corners;
+}
+
+/// Tips of the arrows at the seam of a loop, from left to right, pixels.
+std::vector<float> seamTips(const Strip& strip) {
+  std::vector<float> tips;
+  for (const ImDrawVert& corner : drawnCorners(strip.theme, strip.layout, strip.model)) {
+    if (corner.col == strip.theme.colours.accent && corner.pos.y == strip.layout.ruler.max.y - 5.0F) {
+      tips.push_back(corner.pos.x);
+    }
+  }
+  std::ranges::sort(tips);
+  return tips;
+}
 
 } // namespace
 
@@ -275,4 +316,51 @@ TEST_CASE("A sound has a lane of its own below the moments, in which the playhea
     const Hit hit = strip.hit({strip.layout.frames.toPixel(30.0), strip.layout.sound.centre().y});
     CHECK(hit.part == TimelinePart::playhead);
   }
+}
+
+TEST_CASE("Arrows at the ends of a loop lead to its first frame and on from its last, where both are seen") {
+  Strip strip;
+  const auto tips = [&] { return seamTips(strip); };
+  const auto at = [&](double frame) { return strip.layout.frames.toPixel(frame); };
+  CHECK(tips().empty());
+  strip.model.loops = true;
+  strip.model.clip = {10.0, 50.0};
+  // Six pixels long; the second begins one pixel behind the last frame, so that both are told apart.
+  CHECK(tips() == std::vector<float>{at(10.0), at(50.0) + 7.0F});
+  strip.model.clip = {0.0, 50.0};
+  const bool hasRoom = at(0.0) - 6.0F >= strip.layout.track.min.x;
+  CHECK(tips().size() == (hasRoom ? 2U : 1U));
+  strip.model.clip = {-20.0, 50.0};
+  CHECK(tips() == std::vector<float>{at(50.0) + 7.0F});
+  strip.model.clip = {10.0, 90.0};
+  CHECK(tips() == std::vector<float>{at(10.0)});
+}
+
+TEST_CASE("The name of a sound keeps clear of its wave, however long it is") {
+  Strip strip;
+  TimelineSound sound;
+  sound.frames = {0.0, 60.0};
+  sound.peak = [](double, double) { return std::pair(-0.5F, 0.5F); };
+  const auto nameEnds = [&](const std::string& name) {
+    sound.label = name;
+    strip.model.sound = sound;
+    strip.layout = layoutOf(strip.theme, {{0.0F, 0.0F}, {724.0F, 200.0F}}, strip.model, 100.0F);
+    const Rect lane = strip.layout.sound;
+    float end = 0.0F;
+    for (const ImDrawVert& corner : drawnCorners(strip.theme, strip.layout, strip.model)) {
+      const bool isBeside = corner.pos.x < strip.layout.track.min.x + 3.0F * strip.theme.unit();
+      const bool isInside = std::abs(corner.pos.y - lane.centre().y) < 0.45F * lane.height();
+      if (isBeside && isInside && corner.col == strip.theme.colours.quietText) {
+        end = std::max(end, corner.pos.x);
+      }
+    }
+    return end;
+  };
+  const float room = strip.layout.track.min.x - strip.theme.unit();
+  const float shortEnd = nameEnds("Hm");
+  CHECK(shortEnd > 0.0F);
+  CHECK(shortEnd < room - 20.0F);
+  const float longEnd = nameEnds("A recording of the whole evening, second take");
+  CHECK(longEnd > room - 20.0F);
+  CHECK(longEnd <= room);
 }

@@ -19,10 +19,12 @@ float hintWidth(const PanelContext& context, const KeyHint& hint) {
   return cap + theme.px(6.0F) + textSize(theme.fonts.label, hint.does).x + theme.px(14.0F);
 }
 
+constexpr float afterText = 20.0F; ///< Points.
+
 /// What texts leave free at the row's end while a tool runs: room for its first hints, which end it.
 float roomForHints(const PanelContext& context) {
   constexpr std::size_t needed = 4;
-  float room = 0.0F;
+  float room = context.theme.px(afterText);
   const std::vector<KeyHint>& hints = context.status.keyHints;
   for (std::size_t i = 0; i < std::min(needed, hints.size()); ++i) {
     room += hintWidth(context, hints[i]);
@@ -43,7 +45,7 @@ void statusText(PanelContext& context, const std::string& id, const std::string&
   drawText(widgets, context.theme.fonts.label, place.box, colour, text);
   const bool cut = textSize(context.theme.fonts.label, text).x > width;
   tooltip(widgets, cut ? Help{text, help.text, help.keyText} : help);
-  ImGui::SameLine(0.0F, context.theme.px(20.0F));
+  ImGui::SameLine(0.0F, context.theme.px(afterText));
 }
 
 std::string controllersText(const app::Session& session) {

@@ -1,0 +1,56 @@
+// What each text of the status bar tells under the mouse, whole and where it is cut.
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/ui/drawn.h"
+#include "tests/support/ui/panel_driver.h"
+
+using namespace stretch;
+
+namespace {
+
+std::string toldUnder(test::PanelDriver& driver, const std::string& id) {
+  driver.frames(2);
+  CAPTURE(id);
+  REQUIRE(driver.find(id) != nullptr);
+  CHECK(driver.find(id)->explained);
+  driver.moveTo(id);
+  driver.frames(40);
+  return test::tooltipWords();
+}
+
+} // namespace
+
+TEST_CASE("Each text of the status bar tells under the mouse what it stands for") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  CHECK_THAT(toldUnder(driver, "status/selection"), Catch::Contains("What is selected"));
+  driver.ui.overlays.shadeAs = ui::ShadeAs::three;
+  CHECK_THAT(toldUnder(driver, "status/shade-as"), Catch::Contains("turn normals"));
+  driver.status.busyText = "Binding";
+  driver.status.busyFraction = 0.5F;
+  CHECK_THAT(toldUnder(driver, "status/busy"), Catch::Contains("Work in progress"));
+  driver.status.modalText = "left arm x3.00";
+  CHECK_THAT(toldUnder(driver, "status/modal"), Catch::Contains("Esc restores"));
+  CHECK(driver.find("status/selection") == nullptr); // the tool names its limb itself
+}
+
+TEST_CASE("A text of the status bar that is cut is read whole under the mouse, and leaves room for the first "
+          "keys") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  driver.status.modalText = "left arm";
+  for (int i = 0; i < 24; ++i) {
+    driver.status.modalText += ", axis " + std::to_string(i);
+  }
+  driver.status.keyHints = {
+      {"Enter", "keep"}, {"Esc", "restore"}, {"X", "axis x"}, {"Y", "axis y"}, {"Z", "axis z"}};
+  CHECK_THAT(toldUnder(driver, "status/modal"), Catch::Contains("axis 23"));
+  for (const char* const key : {"Enter", "Esc", "X", "Y"}) {
+    CAPTURE(key);
+    CHECK(driver.find(std::string("status/hint/") + key) != nullptr);
+  }
+  CHECK(driver.find("status/hint/Z") == nullptr);
+  driver.status.modalText = "left arm";
+  CHECK_THAT(toldUnder(driver, "status/modal"), Catch::Contains("What is being done"));
+  CHECK(driver.find("status/hint/Z") != nullptr);
+}
