@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -94,6 +95,19 @@ TEST_CASE("A foreign mesh comes with its places, normals, colours and every set 
   CHECK(pairAt("TEXCOORD_0", 5) == 1.0F);
   CHECK(pairAt("TEXCOORD_1", 0) == 0.75F);
   CHECK(pairAt("TEXCOORD_1", 1) == 0.125F);
+}
+
+TEST_CASE("Bounds of a foreign mesh are the least and the greatest of its places, wherever these come") {
+  std::vector<Vec3> places{Vec3(2.0, -1.0, 0.0), Vec3(-3.0, 4.0, 1.0), Vec3(0.0, 0.5, -5.0)};
+  std::ranges::rotate(places, places.begin() + GENERATE(0, 1, 2));
+  ForeignScene scene;
+  scene.addTriangle("skin", places);
+  scene.show(scene.addNode(scene.root(), "body"), 0);
+  const MadeOfForeign made = test::madeOfForeign(scene);
+  const Json& attributes = made.json["meshes"][0]["primitives"][0]["attributes"];
+  const Json& accessor = made.json["accessors"][attributes["POSITION"].get<std::size_t>()];
+  CHECK(accessor["min"] == Json{-3, -1, -5});
+  CHECK(accessor["max"] == Json{2, 4, 1});
 }
 
 TEST_CASE("A face that is no triangle, or names a vertex that is not there, is left out") {
