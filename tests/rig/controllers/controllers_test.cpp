@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "rig/controllers/finger_joints.h"
 #include "tests/support/nodes.h"
 
 using namespace stretch;
@@ -248,4 +249,27 @@ TEST_CASE("Joints of a skin below the hips that no limb has are controllers, mar
   CHECK(ids(node(2)) == ToldLines{"g", "h", "i"});
   scene.nodes[7].name = "g"; // Two of one name.
   CHECK(ids(node(2)) == ToldLines{"#6", "#7", "i"});
+}
+
+TEST_CASE("Fingers are the chains below the hand that do not branch, those below a joint of the palm too") {
+  Scene scene = chainOfNodes(); // upper arm, lower arm, hand are "a", "b", "c"
+  scene.nodes[2].children.clear();
+  const auto below = [&](NodeIndex parent) {
+    const NodeIndex made = test::addNode(scene, "joint", parent, {0.0, 0.1, 0.0});
+    scene.skins[0].joints.push_back(made);
+    scene.skins[0].inverseBind.emplace_back(1.0);
+    return made;
+  };
+  const NodeIndex thumb = below(node(2));
+  const NodeIndex palm = below(node(2));
+  const NodeIndex thumbTip = below(thumb);
+  const NodeIndex innerPalm = below(palm);
+  const NodeIndex index = below(palm);
+  const NodeIndex ring = below(innerPalm);
+  const NodeIndex little = below(innerPalm);
+  const NodeIndex indexTip = below(index);
+  const Limb arm = limbOf({LimbKind::arm, LimbSide::left}, {node(0), node(1)}, node(2), 2.0);
+  using Chains = std::vector<std::vector<NodeIndex>>;
+  CHECK(fingerChains(scene, arm) == Chains{{thumb, thumbTip}, {ring}, {little}, {index, indexTip}});
+  CHECK(fingerJoints(scene, arm) == std::vector<NodeIndex>{thumb, thumbTip, ring, little, index, indexTip});
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -268,11 +269,16 @@ TEST_CASE("a pulled sphere moves the hand by its offset, one at the pivot fades 
   CHECK(glm::length(handOffset(moving, middle, 12.0) - Vec3(0.05, 0.1, -0.02)) < 1e-5);
   CHECK(miss(moving, middle, 5.0) == 0.0);
 
-  trail.settings.spheres = {{6.0, Vec3(0.05, 0.1, -0.02)}};
-  const MotionState pivot = solved(moving, {trail});
-  CHECK(glm::length(handOffset(moving, pivot, 6.0) - Vec3(0.05, 0.1, -0.02)) < 1e-5);
-  CHECK(glm::length(handOffset(moving, pivot, 4.0) - 0.5 * Vec3(0.05, 0.1, -0.02)) < 1e-5);
-  CHECK(miss(moving, pivot, 2.0) < 1e-6);
+  // Before the range where that begins at the pivot, after it where it ends there.
+  for (const auto& [pivot, frame, away] : {std::tuple(Pivot::start, 6.0, -1.0), {Pivot::end, 18.0, 1.0}}) {
+    CAPTURE(frame);
+    trail.settings.pivot = pivot;
+    trail.settings.spheres = {{frame, Vec3(0.05, 0.1, -0.02)}};
+    const MotionState pulled = solved(moving, {trail});
+    CHECK(glm::length(handOffset(moving, pulled, frame) - Vec3(0.05, 0.1, -0.02)) < 1e-5);
+    CHECK(glm::length(handOffset(moving, pulled, frame + 2.0 * away) - 0.5 * Vec3(0.05, 0.1, -0.02)) < 1e-5);
+    CHECK(miss(moving, pulled, frame + 4.0 * away) < 1e-6);
+  }
 }
 
 TEST_CASE("past the last key a stretched limb is held, as the keys of the file hold it") {
