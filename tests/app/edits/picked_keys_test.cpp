@@ -6,6 +6,7 @@
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/pose/offset_edits.h"
+#include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/refusal.h"
 
@@ -360,4 +361,32 @@ TEST_CASE("A key of the clip that is a thousand heights away is refused, one bes
   const Document sized = made(insertKeys(test::boxer(), 0, sizes, 5.0)).document;
   CHECK(made(setKeyValue(sized, 0, keyOf(sizes.front(), 0, 2U), 999.0)).picked.size() == 1);
   CHECK(test::refusal(setKeyValue(sized, 0, keyOf(sizes.front(), 0, 2U), 1001.0)) == far);
+}
+
+TEST_CASE("Keys stay picked after an edit as far as they are still there, and none of another clip's",
+          "[keys]") {
+  Document fewer = withFistKeys();
+  fewer.adjustments.front().keys.resize(2);
+  Document none = fewer;
+  none.adjustments.clear();
+  const PickedRow arm{punchRow, {{0, ~0U}, {3, ~0U}}};
+  const auto left = [&](const Document& edited, int pickedClip) {
+    Session session(withFistKeys());
+    session.view().pickedKeys = {arm, {fistRow, {{0, 1U}, {1, ~0U}, {2, ~0U}}}};
+    session.view().pickedClip = pickedClip;
+    session.edit(edited, "Delete keys");
+    return session.view().pickedKeys;
+  };
+  CHECK(left(withFistKeys(), 0) == KeySelection{arm, {fistRow, {{0, 1U}, {1, ~0U}, {2, ~0U}}}});
+  CHECK(left(fewer, 0) == KeySelection{arm, {fistRow, {{0, 1U}, {1, ~0U}}}});
+  CHECK(left(none, 0) == KeySelection{arm});
+  CHECK(left(fewer, 1).empty());
+  // What undo takes away is picked no longer, and does not come back with redo.
+  Session session(none);
+  session.edit(fewer, "Pose");
+  session.view().pickedKeys = keyOf(fistRow, 1);
+  session.undo();
+  CHECK(session.view().pickedKeys.empty());
+  session.redo();
+  CHECK(session.view().pickedKeys.empty());
 }
