@@ -167,7 +167,8 @@ TEST_CASE("An animated node gives up its matrix for translation, rotation and sc
   CHECK(glm::length(result.scene->nodes[camera].rest.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)) < 1e-9);
 }
 
-TEST_CASE("Accessors of animation inputs say their bounds, and no new view is strided or targeted") {
+TEST_CASE("Accessors of animation inputs say their bounds, those of outputs none, and no new view is strided "
+          "or targeted") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   const Json changed = patchedOrFail(*file.source, stretchEdits(file)).json;
@@ -175,6 +176,11 @@ TEST_CASE("Accessors of animation inputs say their bounds, and no new view is st
       changed["accessors"][changed["animations"][0]["samplers"][3]["input"].get<std::size_t>()];
   CHECK(input["min"] == Json::array({0.0}));
   CHECK(input["max"] == Json::array({1.0}));
+  for (const std::size_t added : {3U, 4U}) {
+    const Json& output =
+        changed["accessors"][changed["animations"][0]["samplers"][added]["output"].get<std::size_t>()];
+    CHECK_FALSE((output.contains("min") || output.contains("max")));
+  }
   for (std::size_t i = (*file.source->json)["bufferViews"].size(); i < changed["bufferViews"].size(); ++i) {
     CHECK_FALSE(changed["bufferViews"][i].contains("byteStride"));
     CHECK_FALSE(changed["bufferViews"][i].contains("target"));

@@ -1,8 +1,16 @@
 #include "app/auto/held_things.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
+
+#include "app/auto/clip_ground.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -19,6 +27,50 @@ rig::Prop bat() {
   prop.hands = {{"left-arm", {firmness(0.0, 1.0), firmness(8.0, 1.0), firmness(10.0, 0.0)}},
                 {"right-arm", {firmness(5.0, 1.0)}}};
   return prop;
+}
+
+/// The boxer with a stick that is as far from its left hand as each frame says, and no part of the hand.
+template <typename Distance>
+Document withStick(const Distance& distanceAt) {
+  Document document = test::boxer();
+  Scene scene = *document.scene;
+  scene.meshes.push_back({"Stick", {Primitive{}}, {}});
+  const NodeIndex stick = test::addNode(scene, "Stick", NodeIndex::none, {0.0, 0.0, 0.0});
+  scene.nodes[at(stick)].mesh = static_cast<int>(scene.meshes.size()) - 1;
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  Track moves;
+  moves.node = stick;
+  moves.channel = Channel::translation;
+  moves.width = 3;
+  for (int frame = 0; frame <= 20; ++frame) {
+    const Vec3 place = test::endOf(document, "left-arm", frame) + Vec3(0.0, 0.0, distanceAt(frame));
+    moves.times.push_back(static_cast<float>(frame / 30.0));
+    for (int axis = 0; axis < 3; ++axis) {
+      moves.values.push_back(static_cast<float>(place[axis]));
+    }
+  }
+  Clip clip = document.clips->front();
+  clip.tracks.emplace_back(std::move(moves));
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  return document;
+}
+
+/// When a hand holds the stick and lets it go, where a stroke between two frames is exaggerated.
+std::vector<rig::OffsetKey> heldOver(const Document& document, double start, double end) {
+  PlannedTrail planned;
+  planned.trail.limb = "left-arm";
+  planned.trail.settings.startFrame = start;
+  planned.trail.settings.endFrame = end;
+  AutoPlan plan;
+  plan.trails = {planned};
+  const std::vector<rig::Prop> props = propsFor(clipGround(document, 0), plan);
+  REQUIRE(props.size() <= 1);
+  if (props.empty()) {
+    return {};
+  }
+  REQUIRE(props.front().hands.size() == 1);
+  CHECK(props.front().hands.front().limb == "left-arm");
+  return props.front().hands.front().keys;
 }
 
 } // namespace
@@ -54,4 +106,26 @@ TEST_CASE(
   plan.holds.props.push_back(other);
   CHECK_FALSE(areOnProp(plan, "left-arm", "right-arm", 12.0)); // each on one of its own
   CHECK_FALSE(areOnProp(AutoPlan{}, "left-arm", "right-arm", 6.0));
+}
+
+TEST_CASE("A thing that slips in the hand is held on, one that is away for longer than a hand lets go is "
+          "taken again") {
+  using Keys = std::vector<rig::OffsetKey>;
+  const double arm = findLimb(test::boxer(), "left-arm")->restLength;
+  // It slips by a tenth of the arm at each of so many frames after the sixth.
+  const auto slipping = [&](int frames) {
+    return withStick([=](int frame) { return 0.1 + 0.1 * arm * std::clamp(frame - 6, 0, frames); });
+  };
+  for (const int frames : {0, 1, 3}) {
+    CAPTURE(frames);
+    CHECK(heldOver(slipping(frames), 0.0, 5.0) == Keys{firmness(0.0, 1.0)});
+  }
+  CHECK(heldOver(slipping(5), 0.0, 5.0) ==
+        Keys{firmness(0.0, 1.0), firmness(6.0, 1.0), firmness(9.0, 0.0), firmness(11.0, 1.0)});
+  // Held through a stroke's range, a frame more or less; else it is of no matter.
+  CHECK_FALSE(heldOver(slipping(5), 11.0, 20.0).empty());
+  CHECK_FALSE(heldOver(slipping(5), 10.0, 21.0).empty());
+  CHECK(heldOver(slipping(5), 9.0, 20.0).empty());
+  CHECK_FALSE(heldOver(slipping(5), 0.0, 7.0).empty());
+  CHECK(heldOver(slipping(5), 0.0, 8.0).empty());
 }
