@@ -1,6 +1,7 @@
 // MDD point caches, and frames whose numbers have gaps.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -8,8 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/patch/edits.h"
+#include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"
+#include "tests/support/skinning/bodies.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -167,4 +172,44 @@ TEST_CASE("numbers that are missing between frames are told, a step that all kee
   CHECK(numberedFrames({1, 5, 9, 13}).empty());
   CHECK_THAT(numberedFrames({1, 2, 4, 5, 9}), Contains("number 3, 6 to 8"));
   CHECK_THAT(numberedFrames({0, 10, 30, 40}), Contains("number 20:"));
+}
+
+TEST_CASE("frames whose names differ in more than a number have no numbers of which some are missing") {
+  const auto toldOf = [](const std::vector<std::string>& names) {
+    const test::TemporaryFolder folder;
+    for (const std::string& name : names) {
+      folder.write(name, oneTriangle);
+    }
+    const auto sequence = readSequence({folder.path()});
+    REQUIRE(sequence);
+    CHECK(sequence->frameCount() == names.size());
+    return std::ranges::any_of(sequence->warnings, [](const std::string& warning) {
+      return warning.find("number") != std::string::npos;
+    });
+  };
+  CHECK(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_9.obj"}));
+  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "sleeve_9.obj"}));
+  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_last.obj"}));
+  CHECK_FALSE(toldOf({"first.obj", "second.obj", "third.obj"}));
+}
+
+TEST_CASE("a cache of a glTF mesh comes with what that says of its surface, one of an OBJ without") {
+  const test::TemporaryFolder folder;
+  const SkinnedSequence tube = test::wavingTube(4, 3);
+  REQUIRE(gltf::save(encodeGltf(tube).source, folder / "base.glb"));
+  MddFile file;
+  const Result<MeshSequence> bare = readAnimatedGltf(folder / "base.glb");
+  REQUIRE(bare);
+  file.points = static_cast<std::int32_t>(bare->vertexCount);
+  file.samples = 1;
+  file.times = {0.0F};
+  file.numbers.assign(3 * bare->vertexCount, 0.5F);
+  const auto sequence = readSequence({folder / "base.glb", folder.write("run.mdd", file.bytes())});
+  REQUIRE(sequence);
+  CHECK(sequence->frame(0)[bare->vertexCount - 1] == glm::vec3(0.5F));
+  CHECK(sequence->triangles.size() == bare->triangles.size());
+  REQUIRE(sequence->surface != nullptr);
+  CHECK(sequence->surface->triangles.size() == bare->triangles.size());
+  CHECK(sequence->surface->parts.size() == 1);
+  CHECK(readMddOf({})->surface == nullptr);
 }
