@@ -51,7 +51,7 @@ Steps evenSteps(const Corners& corners, double cube) {
 Corners fromLongestEdge(Corners corners) {
   const auto edge = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
   const std::size_t longest = edge(0) >= std::max(edge(1), edge(2)) ? 0 : edge(1) >= edge(2) ? 1 : 2;
-  std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(longest));
+  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(longest), corners.end());
   return corners;
 }
 

@@ -245,6 +245,7 @@ BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
   const std::vector<LimbPair> arms = likelyPairs(view, plane, Region::arm);
   const std::vector<LimbPair> legs = likelyPairs(view, plane, Region::leg);
   std::vector<Combination> all;
+  all.reserve(legs.size());
   for (const LimbPair& leg : legs) {
     all.push_back({nullptr, &leg, leg.score + missingPair, 0.0});
   }

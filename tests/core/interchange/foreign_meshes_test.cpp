@@ -99,7 +99,7 @@ TEST_CASE("A foreign mesh comes with its places, normals, colours and every set 
 
 TEST_CASE("Bounds of a foreign mesh are the least and the greatest of its places, wherever these come") {
   std::vector<Vec3> places{Vec3(2.0, -1.0, 0.0), Vec3(-3.0, 4.0, 1.0), Vec3(0.0, 0.5, -5.0)};
-  std::ranges::rotate(places, places.begin() + GENERATE(0, 1, 2));
+  std::rotate(places.begin(), places.begin() + GENERATE(0, 1, 2), places.end());
   ForeignScene scene;
   scene.addTriangle("skin", places);
   scene.show(scene.addNode(scene.root(), "body"), 0);
