@@ -269,29 +269,33 @@ private:
   }
 
   // Not by a tip that moves nothing, nor by what lies about the joint itself, as a knee's guard does.
-  [[nodiscard]] bool goesOnFrom(int joint, int child) const {
+  [[nodiscard]] bool goesOnByLeaf(int joint, int leaf) const {
     constexpr double about = 0.25; // of the bone before
     const int above = view_.parentOf(joint);
     const double bone = above < 0 ? 0.0 : glm::distance(view_.at(above), view_.at(joint));
-    const bool isLeaf = std::ranges::find(view_.parent, child) == view_.parent.end();
-    return !isLeaf ||
-           (!cloudOf(child).empty() && glm::distance(view_.at(joint), view_.at(child)) > about * bone);
+    return !cloudOf(leaf).empty() && glm::distance(view_.at(joint), view_.at(leaf)) > about * bone;
   }
 
   // Last joints of rows of at least two bones.
   [[nodiscard]] std::vector<int> lastJoints() const {
-    std::vector<bool> hasChild(static_cast<std::size_t>(view_.count()), false);
+    std::vector<bool> isLeaf(static_cast<std::size_t>(view_.count()), true);
+    for (const int parent : view_.parent) {
+      if (parent >= 0) {
+        isLeaf[static_cast<std::size_t>(parent)] = false;
+      }
+    }
+    std::vector<bool> goesOn(isLeaf.size(), false);
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
       const int parent = view_.parentOf(candidate);
-      if (parent >= 0 && goesOnFrom(parent, candidate)) {
-        hasChild[static_cast<std::size_t>(parent)] = true;
+      if (parent >= 0 && (!isLeaf[static_cast<std::size_t>(candidate)] || goesOnByLeaf(parent, candidate))) {
+        goesOn[static_cast<std::size_t>(parent)] = true;
       }
     }
     std::vector<int> last;
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
       const int parent = view_.parentOf(candidate);
       const NameEvidence& name = view_.names[static_cast<std::size_t>(candidate)];
-      if (!hasChild[static_cast<std::size_t>(candidate)] && parent >= 0 && view_.parentOf(parent) >= 0 &&
+      if (!goesOn[static_cast<std::size_t>(candidate)] && parent >= 0 && view_.parentOf(parent) >= 0 &&
           !cloudOf(candidate).empty() && !name.accessory && !name.finger) {
         last.push_back(candidate);
       }

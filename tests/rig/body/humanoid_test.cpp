@@ -49,6 +49,22 @@ TEST_CASE("the VRM humanoid table decides joints and sides, whatever names and f
   CHECK(biped.head == built.node.at("head"));
 }
 
+TEST_CASE("Nothing is asked that the humanoid table answers") {
+  SyntheticBiped body = makeBody({.toes = false, .fingers = false});
+  body.withMesh = false;
+  for (SyntheticJoint& joint : body.joints) {
+    joint.position.z = 0.0;
+  }
+  BuiltBiped built = build(body);
+  REQUIRE_FALSE(detectBody(built.scene).warnings.empty());
+  for (const auto& [bone, key] : table) {
+    built.scene.humanoid[bone] = built.node.at(key);
+  }
+  const Body read = detectBody(built.scene);
+  CHECK(read.warnings.empty());
+  CHECK(read.planConfidence > 0.9);
+}
+
 TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that ends at the head") {
   BuiltBiped built = withTable();
   for (const char* bone : {"neck", "chest", "upperChest"}) {

@@ -14,8 +14,6 @@ using namespace stretch::test;
 
 namespace {
 
-const std::vector<std::pair<std::string, double>> sides{{".l", 1.0}, {".r", -1.0}};
-
 bool warnsOf(const Body& body, const std::string& words) {
   return std::ranges::any_of(
       body.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
@@ -148,14 +146,7 @@ TEST_CASE("Wings beside arms that no name tells apart are doubted in words, name
 
 TEST_CASE("Of two characters in one file the limbs are of one, and that is told") {
   SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
-  const SyntheticBiped other = makeNamedBody("Unreal", {.fingers = false});
-  for (SyntheticJoint joint : other.joints) {
-    body.names["other " + joint.key] = other.names.contains(joint.key) ? other.names.at(joint.key) : "";
-    joint.key = "other " + joint.key;
-    joint.parent = joint.parent.empty() ? "" : "other " + joint.parent;
-    joint.position += Vec3(1.6, 0.0, 0.0);
-    body.joints.push_back(joint);
-  }
+  addOther(body, makeNamedBody("Unreal", {.fingers = false}), {1.6, 0.0, 0.0});
   body.tubes = true;
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);

@@ -238,6 +238,16 @@ SyntheticJoint& jointOf(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
+void addOther(SyntheticBiped& body, const SyntheticBiped& other, const Vec3& moveWorld) {
+  for (SyntheticJoint joint : other.joints) {
+    body.names["other " + joint.key] = other.names.contains(joint.key) ? other.names.at(joint.key) : "";
+    joint.key = "other " + joint.key;
+    joint.parent = joint.parent.empty() ? "" : "other " + joint.parent;
+    joint.position += moveWorld;
+    body.joints.push_back(joint);
+  }
+}
+
 void applyNames(SyntheticBiped& body, const NamingScheme& scheme) {
   for (const SyntheticJoint& joint : body.joints) {
     const std::size_t dot = joint.key.find('.');

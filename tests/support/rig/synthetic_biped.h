@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -18,6 +19,9 @@ struct SyntheticJoint {
   bool movesMesh = true;
   Vec3 flesh{0.0}; ///< How far its mesh reaches beyond it, where the body has tubes.
 };
+
+/// Ends of the keys of both sides, and the sign of their x.
+inline const std::vector<std::pair<std::string, double>> sides{{".l", 1.0}, {".r", -1.0}};
 
 /// A plausible biped, 1.8 units tall, standing in a T-pose on the floor, facing +Z, left at +X.
 struct SyntheticBiped {
@@ -57,6 +61,9 @@ struct BodyOptions {
 /// from it.
 void addTwist(SyntheticBiped& body, const std::string& newKey, const std::string& key,
               const std::string& childKey, double share, bool inChain);
+
+/// Puts another body into the same file, moved; its keys are those of its own with "other " before them.
+void addOther(SyntheticBiped& body, const SyntheticBiped& other, const Vec3& moveWorld);
 
 /// Names of the joints of a scheme: "%" stands for the side.
 struct NamingScheme {

@@ -7,32 +7,15 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/table/selection.h"
-#include "tests/support/app/boxer.h"
-#include "tests/support/ui/mouse_stage.h"
+#include "tests/support/ui/controllers_under_mouse.h"
 #include "ui/viewport/tools.h"
 
 using namespace stretch;
 using namespace stretch::ui;
-
-namespace {
-
-struct HandleStage : test::MouseStage {
-  HandleStage() : MouseStage(test::boxer()) {
-    ui.overlays.controllers = true;
-    session().view().frame = 20.0;
-    frame();
-  }
-  [[nodiscard]] Vec3 placeOf(const std::string& id) const {
-    const ShownController* const shown = findShown(viewport.controllers, id);
-    REQUIRE(shown != nullptr);
-    return shown->placed.placeWorld;
-  }
-};
-
-} // namespace
+using test::ControllersUnderMouse;
 
 TEST_CASE("Handles of a controller are marked while the mouse is on them, and let go of when it leaves") {
-  HandleStage stage;
+  ControllersUnderMouse stage;
   stage.clickAt(stage.placeOf("left-hand"));
   const auto handles = controllerHandles(stage.session(), stage.viewport.controllers);
   REQUIRE(handles);
@@ -54,7 +37,7 @@ TEST_CASE("Handles of a controller are marked while the mouse is on them, and le
 }
 
 TEST_CASE("An arrow of a controller moves it along its axis only") {
-  HandleStage stage;
+  ControllersUnderMouse stage;
   stage.clickAt(stage.placeOf("left-hand"));
   const Vec3 before = stage.placeOf("left-hand");
   const Vec2 at = stage.pixelsOf(before);
@@ -78,7 +61,7 @@ TEST_CASE("An arrow of a controller moves it along its axis only") {
 TEST_CASE(
     "Each handle moves or turns along the world's axes, however what carries the hand is turned, and stays "
     "marked while it is held") {
-  HandleStage stage;
+  ControllersUnderMouse stage;
   app::selectController(stage.session(), "spine-top", false);
   REQUIRE(startControllerTool(stage.session(), stage.tool, {app::PullMotion::turn, {}, {}, false}));
   for (const char* const key : {"Y", "4", "0", "Enter"}) {

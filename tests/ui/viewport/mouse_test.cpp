@@ -6,12 +6,14 @@
 #include "app/commands/table/selection.h"
 #include "core/anim/frames.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/ui/controllers_under_mouse.h"
 #include "tests/support/ui/mouse_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/viewport/tools.h"
 
 using namespace stretch;
 using namespace stretch::ui;
+using test::ControllersUnderMouse;
 
 namespace {
 
@@ -280,27 +282,6 @@ TEST_CASE("A right click opens the menu of what lies under the mouse, and select
   stage.drag({100.0, 500.0}, {160.0, 500.0}, ImGuiMouseButton_Right);
   CHECK(stage.ui.menu.asked == MenuTarget::nothing);
 }
-
-namespace {
-
-/// The boxer with its controllers shown; the playhead is on its punch.
-struct ControllersUnderMouse : test::MouseStage {
-  ControllersUnderMouse() : MouseStage(test::boxer()) {
-    ui.overlays.controllers = true;
-    session().view().frame = 20.0;
-    frame();
-  }
-  [[nodiscard]] Vec3 placeOf(const std::string& id) const {
-    const ShownController* const shown = findShown(viewport.controllers, id);
-    REQUIRE(shown != nullptr);
-    return shown->placed.placeWorld;
-  }
-  [[nodiscard]] const std::vector<std::string>& selected() const {
-    return open.character()->view().selection.controllers();
-  }
-};
-
-} // namespace
 
 TEST_CASE("A click picks a controller alone, with Shift or Ctrl it joins the others, and again it goes") {
   ControllersUnderMouse stage;
