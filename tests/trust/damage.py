@@ -1,4 +1,5 @@
 """Damages files of other programs: bytes anywhere, or values alone, which leaves a file whole enough to be looked at further."""
+import json
 import re
 import struct
 
@@ -107,6 +108,60 @@ def values(content, rng):
         text += b" " * (-len(text) % 4)
         return struct.pack("<4sII", b"glTF", 2, len(content) - length + len(text)) + struct.pack("<I", len(text)) + content[16:20] + text + content[20 + length:]
     return text_values(content, rng)
+
+
+def parts_of_glb(content):
+    """Its text as JSON, and its data."""
+    length = struct.unpack_from("<I", content, 12)[0]
+    return json.loads(content[20:20 + length]), bytearray(content[28 + length:])
+
+
+def glb_of(document, data):
+    text = json.dumps(document, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def numbers_of_data(content, rng):
+    """A .glb with some values of one accessor replaced by odd ones or by others of its own."""
+    document, data = parts_of_glb(content)
+    accessor = rng.choice([one for one in document["accessors"] if "bufferView" in one])
+    view = document["bufferViews"][accessor["bufferView"]]
+    start, end = view.get("byteOffset", 0) + accessor.get("byteOffset", 0), view.get("byteOffset", 0) + view["byteLength"]
+    size = {5120: 1, 5121: 1, 5122: 2, 5123: 2}.get(accessor["componentType"], 4)
+    for _ in range(rng.choice((1, 1, 4, 16))):
+        place, other = (start + size * rng.randrange(max(1, (end - start) // size)) for _ in range(2))
+        value = rng.choice(ODD_REAL[:6] if rng.randrange(8) else ODD_REAL)
+        if accessor["componentType"] == 5126 and rng.randrange(2):
+            data[place:place + 4] = struct.pack("<f", value)
+        else:
+            data[place:place + size] = data[other:other + size]
+    return glb_of(document, data)
+
+
+def leaves_of(thing, name=""):
+    """Each number of a JSON document: what holds it, where there, and under which name."""
+    for key, value in thing.items() if isinstance(thing, dict) else enumerate(thing):
+        called = key if isinstance(key, str) else name
+        if isinstance(value, (dict, list)):
+            yield from leaves_of(value, called)
+        elif isinstance(value, (int, float)):
+            yield thing, key, called
+
+
+def numbers_of_text(content, rng):
+    """A .glb with some numbers of its text replaced by another under the same name, or by an odd one."""
+    document, data = parts_of_glb(content)
+    leaves = list(leaves_of(document))
+    names = sorted({name for _, _, name in leaves})
+    for _ in range(rng.choice((1, 1, 2, 4))):
+        chosen = rng.choice(names)  # names, not numbers, are drawn alike: most numbers are lengths and offsets
+        same = [(thing, key) for thing, key, name in leaves if name == chosen]
+        (thing, key), (other, where) = rng.choice(same), rng.choice(same)
+        odd = rng.choice(ODD) if isinstance(thing[key], int) else rng.choice(ODD_REAL[:6])
+        thing[key] = other[where] if rng.randrange(3) else odd
+    return glb_of(document, data)
 
 
 def damaged(content, rng):
