@@ -75,6 +75,63 @@ TEST_CASE("Things of an autosave are read as long as all of their bytes are ther
   CHECK(gltf::addedFromJson({{"files", whole["files"]}, {"bytes", "no data"}}).empty());
 }
 
+TEST_CASE("A thing of an autosave that says no length, no place or no file of its own is left out") {
+  // One byte, of which its mesh needs none.
+  const Json thing = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+    "buffers": [{"byteLength": 1}]})");
+  gltf::Source source;
+  source.json = Json(thing);
+  source.buffers = {{7}};
+  const Json whole =
+      gltf::addedToJson({{"thing.glb", "thing", {}, std::make_shared<const gltf::Source>(source)}});
+  REQUIRE(gltf::addedFromJson(whole).size() == 1);
+  for (const char* const needed : {"byteLength", "translation", "rotation", "scale", "json"}) {
+    CAPTURE(needed);
+    Json without = whole;
+    REQUIRE(without["files"][0].erase(needed) == 1);
+    CHECK(gltf::addedFromJson(without).empty());
+  }
+  for (const char* const first : {"buffer", "byteOffset"}) { // the first where nothing is said
+    CAPTURE(first);
+    Json without = whole;
+    REQUIRE(without["files"][0].erase(first) == 1);
+    CHECK(gltf::addedFromJson(without).size() == 1);
+  }
+}
+
+TEST_CASE(
+    "A thing hangs in the scene that the file opens with: the named one, else the first, else in none") {
+  const test::TemporaryFolder folder;
+  const gltf::AddedFile thing = addedThing(folder, test::twoSheets());
+  const auto rootsWith = [&](const Json& scenes, int named) {
+    gltf::Source source = *test::loaded(test::twoSheets()).source;
+    Json& json = *source.json;
+    json.erase("scene");
+    json.erase("scenes");
+    if (!scenes.empty()) {
+      json["scenes"] = scenes;
+    }
+    if (named >= 0) {
+      json["scene"] = named;
+    }
+    const Result<gltf::Source> joined = gltf::withAddedFiles(source, {thing});
+    REQUIRE(joined);
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      counts.push_back((*joined->json)["scenes"][i]["nodes"].size());
+    }
+    return counts;
+  };
+  const Json three = {{{"nodes", {0}}}, {{"nodes", {1}}}, {{"nodes", {0}}}};
+  CHECK(rootsWith(three, -1) == std::vector<std::size_t>{2, 1, 1});
+  CHECK(rootsWith(three, 0) == std::vector<std::size_t>{2, 1, 1});
+  CHECK(rootsWith(three, 1) == std::vector<std::size_t>{1, 2, 1});
+  CHECK(rootsWith(three, 2) == std::vector<std::size_t>{1, 1, 2});
+  CHECK(rootsWith(Json::array(), -1).empty());
+}
+
 TEST_CASE("Values that were packed with a filter count as rounded, those without one as they are") {
   const GlbBuilder plain = test::tubeBuilder();
   for (const test::Filters filters : {test::Filters::none, test::Filters::all}) {

@@ -71,6 +71,24 @@ TEST_CASE("A buffer takes no name that the file itself refers to, however that i
   }
 }
 
+TEST_CASE("A buffer takes no name that the file refers to, though nothing has that name or the output is "
+          "that file") {
+  const char* const spelt = GENERATE("walk.bin", "./walk.bin", "in/../walk.bin");
+  CAPTURE(spelt);
+  const TemporaryFolder folder;
+  gltf::Source source = unnamedBuffers(1);
+  (*source.json)["images"] = {{{"uri", spelt}}};
+  source.path = folder / "source.gltf";
+  REQUIRE(gltf::save(source, folder / "walk.gltf"));
+  CHECK(uriOf(jsonIn(folder / "walk.gltf"), 0) == "walk_1.bin");
+  CHECK_FALSE(fs::exists(folder / "walk.bin"));
+  folder.write("walk.bin", "picture");
+  source.path = folder / "walk.gltf"; // which names it, and may replace its own buffers
+  REQUIRE(gltf::save(source, folder / "walk.gltf"));
+  CHECK(uriOf(jsonIn(folder / "walk.gltf"), 0) == "walk_1.bin");
+  CHECK(test::readBytes(folder / "walk.bin").size() == 7);
+}
+
 TEST_CASE("A buffer is written over the file that the output alone named before, and over that of no other") {
   struct Case {
     const char* says;

@@ -114,6 +114,34 @@ TEST_CASE(
   CHECK(std::ranges::count_if(scene->images, [](const Image& image) { return !image.rgba.empty(); }) > 0);
 }
 
+TEST_CASE("Extensions of nodes, meshes and their parts stay behind when a thing is taken, those of materials "
+          "come") {
+  GlbBuilder glb = test::twoSheets();
+  for (const char* const list : {"nodes", "meshes"}) {
+    for (Json& entry : glb.json[list]) {
+      entry["extensions"] = {{"EXT_foo", Json::object()}};
+    }
+  }
+  for (Json& mesh : glb.json["meshes"]) {
+    for (Json& part : mesh["primitives"]) {
+      part["extensions"] = {{"EXT_foo", Json::object()}};
+    }
+  }
+  glb.json["extensionsUsed"].push_back("EXT_foo");
+  gltf::Thing thing;
+  withThing(glb, &thing);
+  const Json& json = thing.source->json;
+  for (const char* const list : {"nodes", "meshes"}) {
+    CAPTURE(list);
+    REQUIRE(json[list].size() == 2);
+    CHECK(std::ranges::none_of(json[list], [](const Json& entry) { return entry.contains("extensions"); }));
+  }
+  for (const Json& mesh : json["meshes"]) {
+    CHECK_FALSE(mesh["primitives"][0].contains("extensions"));
+  }
+  CHECK(std::ranges::any_of(json["materials"], [](const Json& one) { return one.contains("extensions"); }));
+}
+
 TEST_CASE("A file that shows no scene is no thing") {
   GlbBuilder glb = test::twoSheets();
   glb.json.erase("scene");

@@ -264,6 +264,32 @@ TEST_CASE("What the library cannot do with an FBX is told where it shows") {
         std::string::npos);
 }
 
+TEST_CASE("What the reader calls faulty is counted, and the first of it told") {
+  const auto told = [](const std::vector<std::pair<std::string, std::string>>& faults) {
+    std::string text = test::twoBonesFbx();
+    for (const auto& [whole, broken] : faults) {
+      REQUIRE(text.find(whole) != std::string::npos);
+      text.replace(text.find(whole), whole.size(), broken);
+    }
+    const gltf::Loaded loaded = loadedText("bones.fbx", text);
+    const auto line = std::ranges::find_if(loaded.warnings, [](const std::string& one) {
+      return one.find("what the reader calls faulty") != std::string::npos;
+    });
+    return line == loaded.warnings.end() ? std::string() : *line;
+  };
+  CHECK(told({}).empty());
+  const std::pair<std::string, std::string> faces{"PolygonVertexIndex", "PolygonVertexOndex"};
+  const std::pair<std::string, std::string> keys{"KeyValueFloat", "KeyValueFlaat"};
+  const std::pair<std::string, std::string> weights{"Indexes: *2 {\n      a: 0,1",
+                                                    "Indexes: *1 {\n      a: 0"};
+  CHECK_THAT(told({faces}), Catch::Contains("(1 times, first: ") && Catch::Contains("PolygonVertexIndex"));
+  CHECK_THAT(told({keys}), Catch::Contains("(1 times, first: ") && Catch::Contains("KeyValueFloat"));
+  CHECK_THAT(told({weights}), Catch::Contains("(1 times, first: ") && Catch::Contains("index and weight"));
+  // Keys are read before meshes.
+  CHECK_THAT(told({faces, keys}), Catch::Contains("(2 times, first: ") && Catch::Contains("KeyValueFloat") &&
+                                      !Catch::Contains("PolygonVertexIndex"));
+}
+
 TEST_CASE("Meshes of an FBX come with skin, material and morph target") {
   const gltf::Loaded loaded = loadedText("bones.fbx", test::twoBonesFbx());
   const Scene& scene = *loaded.scene;

@@ -218,6 +218,24 @@ TEST_CASE("Vertices follow the bones that move them, in shares of one, and the m
   CHECK_FALSE(attributes.contains("WEIGHTS_1")); // nobody needs a second four
 }
 
+TEST_CASE(
+    "Vertices that no bone moves hang under the root of their mesh, which may be another than the bones'") {
+  const bool isBelowOneRoot = GENERATE(true, false);
+  const bool isWholeBound = GENERATE(true, false);
+  CAPTURE(isBelowOneRoot, isWholeBound);
+  ForeignScene scene;
+  aiNode& hips = scene.addNode(scene.root(), "hips");
+  scene.addNode(scene.addNode(hips, "spine"), "upper");
+  aiNode& clothes = scene.addNode(isBelowOneRoot ? hips : scene.root(), "clothes");
+  aiNode& body = scene.addNode(clothes, "body");
+  aiMesh& mesh = scene.addTriangle("skin", corners);
+  scene.show(body, 0);
+  scene.addBone(mesh, "upper", {{0, 1.0F}, {1, 1.0F}, {isWholeBound ? 2U : 1U, 1.0F}});
+  const MadeOfForeign made = test::madeOfForeign(scene);
+  CHECK(made.meshes.unweightedVertices == (isWholeBound ? 0 : 1));
+  CHECK(made.meshes.spansRoots == (!isBelowOneRoot && !isWholeBound));
+}
+
 TEST_CASE("Of many bones at a vertex the eight strongest stay, the strongest first") {
   const int bones = GENERATE(4, 5, 8, 9);
   CAPTURE(bones);
