@@ -61,6 +61,27 @@ TEST_CASE("A bone of any length meets the cells that its part within the body me
   }
 }
 
+TEST_CASE(
+    "A level bone far longer than a body meets nothing of it above, below or beside its box, however near") {
+  const VoxelBody body = solid();
+  const Vec3 extent = body.grid.size * Vec3(body.grid.counts[0], body.grid.counts[1], body.grid.counts[2]);
+  const Vec3 middle = body.grid.origin + 0.5 * extent;
+  for (const std::size_t along : {0U, 1U, 2U}) {
+    for (const std::size_t off : {(along + 1) % 3, (along + 2) % 3}) {
+      for (const double side : {-1.0, 1.0}) {
+        CAPTURE(along, off, side);
+        Vec3 way(0.0);
+        way[along] = 3e3;
+        Vec3 place = middle;
+        place[off] += side * (0.5 * extent[off] - 1.5 * body.grid.size);
+        CHECK_FALSE(cellsOf(body, place - way, place + way).empty());
+        place[off] += side * 2.0 * body.grid.size;
+        CHECK(cellsOf(body, place - way, place + way).empty());
+      }
+    }
+  }
+}
+
 TEST_CASE("A bone that crosses a body aslant meets as many cells however far it goes on") {
   const VoxelBody body = solid();
   const Vec3 middle =
