@@ -51,7 +51,8 @@ Result<Document> withKeysAt(const Document& document, int clip, const std::vecto
 
 Result<Document> withRow(const Document& document, int clip, const KeyRow& which, const TimeMap& map) {
   KeyedRow row = readRow(document, clip, which);
-  std::erase_if(row.keys, [&](const RowKey& key) { return map.givesWay(key.frame); });
+  // What a slower range comes to cover falls on its end, where the first key stays: the one from its old end,
+  // or of a row that only moves later the one that it was held at.
   for (RowKey& key : row.keys) {
     mapKey(map, row.interpolation == Interpolation::cubicSpline, key);
   }

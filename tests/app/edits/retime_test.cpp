@@ -175,6 +175,38 @@ TEST_CASE("Of what a slower range covers whole nothing is left where the rest st
   CHECK(made->holds.pins[0].time.rangeFrames.y == 14.0);
 }
 
+TEST_CASE(
+    "Keys that a slower range comes to cover give way, and a joint that only moves there is held as before") {
+  const auto climbing = [](const std::vector<double>& frames) {
+    Document document = test::boxer();
+    Track track;
+    track.node = document.body.hips;
+    track.channel = Channel::translation;
+    for (const double frame : frames) {
+      track.times.push_back(static_cast<float>(frame / clipOf(document, 0).framesPerSecond));
+      track.values.insert(track.values.end(), {0.0F, static_cast<float>(frame), 0.0F});
+    }
+    return setTracks(document, 0, {track});
+  };
+  const auto keysAfter = [](const Document& document) {
+    const Result<Document> made = retimed(document, 0, {2.0, 8.0, 12.0, false, {}});
+    INFO(test::refusal(made));
+    REQUIRE(made);
+    std::vector<std::pair<double, double>> keys;
+    for (const RowKey& key : readRow(*made, 0, {document.body.hips, Channel::translation, {}}).keys) {
+      keys.emplace_back(std::round(100.0 * key.frame) / 100.0, std::round(100.0 * key.values[1]) / 100.0);
+    }
+    return keys;
+  };
+  using Keys = std::vector<std::pair<double, double>>;
+  CHECK(keysAfter(climbing({0, 5, 9, 12, 18})) == Keys{{0, 0}, {2, 2}, {8, 5}, {14, 8}, {18, 18}});
+  CHECK(keysAfter(climbing({0, 5, 8, 14, 18})) == Keys{{0, 0}, {2, 2}, {8, 5}, {14, 8}, {18, 18}});
+  CHECK(keysAfter(climbing({9, 12, 18})) == Keys{{14, 9}, {18, 18}});
+  CHECK(keysAfter(climbing({9, 12, 14})) == Keys{{14, 9}});
+  CHECK(keysAfter(climbing({12})) == Keys{{14, 12}});
+  CHECK(keysAfter(climbing({15, 18})) == Keys{{15, 15}, {18, 18}});
+}
+
 TEST_CASE("A trail across the end of a slower range keeps its spheres in order and a release of no less than "
           "nothing") {
   rig::Trail trail = trailOver(2.0, 18.0);
