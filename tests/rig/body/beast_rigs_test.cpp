@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -151,6 +152,25 @@ TEST_CASE("The front of a beast whose joints start at its chest is where its sid
     }
   }
   SECTION("nothing is named") {}
+  checkHorse(body);
+}
+
+TEST_CASE(
+    "Legs of one pair alone that are called front or hind ones do not turn a beast, wherever it stands") {
+  const bool isHind = GENERATE(true, false);
+  const double away = GENERATE(-10.0, 0.0, 10.0);
+  CAPTURE(isHind, away);
+  const std::vector<std::string> hind{"thigh", "calf", "hock", "pastern", "hoof"};
+  SyntheticBiped body = makeHorse();
+  int number = 0;
+  for (SyntheticJoint& joint : body.joints) {
+    const std::string part = joint.key.substr(0, joint.key.find('.'));
+    const bool isOfHind = std::ranges::find(hind, part) != hind.end();
+    const bool isOfFront = part == "scapula" || part == "forearmLeg" || part.starts_with("front");
+    const std::string word = isOfHind && isHind ? "hindLeg" : isOfFront && !isHind ? "frontLeg" : "Bone";
+    body.names[joint.key] = word + std::to_string(++number);
+    joint.position.z += away;
+  }
   checkHorse(body);
 }
 

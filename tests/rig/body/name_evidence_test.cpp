@@ -84,6 +84,28 @@ TEST_CASE("words that only contain another word say nothing, and broken text doe
   CHECK(readName(std::string(100000, 'l')).side == Side::none);
 }
 
+TEST_CASE("of words of two letters only upper, lower and controls are read where they are run together with "
+          "others") {
+  const auto isArm = [](const std::string& name) {
+    return readName(name).role(Role::upperArm) >= 0.5 || readName(name).role(Role::foreArm) >= 0.5;
+  };
+  CHECK(readName("uparm.L").role(Role::upperArm) >= 0.6);
+  CHECK(readName("armup.L").role(Role::upperArm) >= 0.6);
+  CHECK(readName("loarm.L").role(Role::foreArm) >= 0.6);
+  CHECK(readName("armlo.L").role(Role::foreArm) >= 0.6);
+  for (const std::string control : {"ik", "fk"}) {
+    CAPTURE(control);
+    CHECK(readName("hand" + control).control == readName("hand_" + control).control);
+    CHECK(readName(control + "hand").control == readName(control + "_hand").control);
+  }
+  for (const std::string word : {"lf", "rt", "sx", "dx", "pe", "bn", "sk", "jt", "cc"}) {
+    CAPTURE(word);
+    CHECK(isArm("lower_arm_" + word)); // by itself it spoils nothing
+    CHECK_FALSE(isArm("lowerarm" + word));
+    CHECK_FALSE(isArm(word + "lowerarm"));
+  }
+}
+
 TEST_CASE("the names of a mirrored pair share their key") {
   CHECK(readName("Left arm").key == readName("Right arm").key);
   CHECK(readName("mixamorig:LeftArm").key == readName("mixamorig:RightArm").key);

@@ -173,6 +173,10 @@ TEST_CASE("only what a motion changes is keyed, with its source where the clip h
     CHECK_FALSE(channel.isCubic);
   }
   CHECK(chosenFor(moving, part, KeyPlaces::needed, 0.0).channels.empty());
+  // A joint that stands where the one above it stands is not moved by that.
+  MovingBiped folded = moving;
+  folded.scene.nodes[at(folded.node.at("finger1a.r"))].rest.translation = Vec3(0.0);
+  CHECK(chosenFor(folded, part).channels.size() == 2);
   // Of a part whose first node has no keys those of the second count all the same.
   CHECK(chosenFor(moving, partOf(moving, {{5, 20}}, {"finger1b.l", "finger1a.l"})).frames ==
         Frames{{5, 9, 20}});
