@@ -1,4 +1,6 @@
 // Small pieces of compression: rows of bones, groups of faces, the strongest weights, meshes made usable.
+#include <cmath>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
@@ -57,6 +59,43 @@ TEST_CASE("Bones of a tree come parents first, whatever their numbers") {
   CHECK(placeOf(3) < placeOf(0));
   CHECK(placeOf(3) < placeOf(4));
   CHECK(placeOf(0) < placeOf(1));
+}
+
+TEST_CASE(
+    "A bone stretches along the axis of its that lies nearest to it, the first of those that lie as near") {
+  const auto stretchedAxis = [](const Vec3& along) {
+    SkinnedSequence sequence;
+    sequence.bones = {{Vec3(0.0), along}};
+    Influences whole;
+    whole.weights[0] = 1.0F;
+    for (const Vec3& joint : {Vec3(0.0), along}) {
+      for (int i = 0; i < 12; ++i) {
+        sequence.bindPositions.emplace_back(joint * (0.99 + 0.001 * i));
+        sequence.influences.push_back(whole);
+      }
+    }
+    sequence.poses.resize(2);
+    sequence.poses[1].scale = Vec3(1.5);
+    const std::vector<ChainStretch> rows = stretchRows(sequence, LengthModel::measuredMean, 0);
+    REQUIRE(rows.size() == 1);
+    const Vec3 scale = sequence.pose(1, 0).scale;
+    int axis = -1;
+    for (const int i : {0, 1, 2}) {
+      const auto at = static_cast<std::size_t>(i);
+      axis = scale[at] > 1.1 ? i : axis;
+      CHECK((scale[at] > 1.1 || scale[at] == Approx(1.0 / std::sqrt(rows[0].most))));
+    }
+    CHECK(sequence.pose(0, 0).scale == Vec3(1.0));
+    return axis;
+  };
+  CHECK(stretchedAxis({2.0, 1.0, -1.0}) == 0);
+  CHECK(stretchedAxis({1.0, -2.0, 1.0}) == 1);
+  CHECK(stretchedAxis({1.0, 1.0, 2.0}) == 2);
+  CHECK(stretchedAxis({1.0, 1.0, 0.0}) == 0);
+  CHECK(stretchedAxis({-1.0, 1.0, 0.0}) == 0);
+  CHECK(stretchedAxis({0.0, 1.0, 1.0}) == 1);
+  CHECK(stretchedAxis({1.0, 0.0, 1.0}) == 0);
+  CHECK(stretchedAxis({1.0, 1.0, -1.0}) == 0);
 }
 
 TEST_CASE("The middle of what hangs on a bone is the mean of its children's places") {
