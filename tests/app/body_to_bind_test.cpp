@@ -61,6 +61,32 @@ TEST_CASE("Joints to bind are all that limbs need, wherever they hang, and no ha
   CHECK_FALSE(isBound("handle.r"));
 }
 
+TEST_CASE("No joint is hung on what it carries, though a limb is said to go on there") {
+  const test::BuiltBiped built = test::build(test::makeNamedBody("Mixamo"));
+  app::Document document;
+  document.scene = std::make_shared<const Scene>(built.scene);
+  document.body = rig::detectBody(built.scene);
+  const auto parentsOf = [](const app::SkeletonToBind& skeleton) {
+    std::vector<int> parents;
+    for (const skinning::BindJoint& joint : skeleton.joints) {
+      parents.push_back(joint.parent);
+    }
+    return parents;
+  };
+  const std::vector<int> whole = parentsOf(app::ownSkeleton(document));
+  for (const char* const carrier : {"hips", "thigh.l", "spine0"}) {
+    CAPTURE(carrier);
+    app::Document odd = document;
+    const auto leg = std::ranges::find(odd.body.limbs, std::string("left-leg"), &rig::Limb::id);
+    REQUIRE(leg != odd.body.limbs.end());
+    leg->endNode = built.node.at(carrier);
+    const std::vector<int> parents = parentsOf(app::ownSkeleton(odd));
+    REQUIRE(parents.size() == whole.size());
+    const bool isBeside = std::string(carrier) == "spine0"; // which hangs on the shin then
+    CHECK((parents == whole) == !isBeside);
+  }
+}
+
 TEST_CASE(
     "A joint beside the hips that vertices follow is bound, below the joint that its control stands on") {
   test::SyntheticBiped body = test::makeNamedBody("Mixamo");

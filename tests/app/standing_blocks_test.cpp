@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/standing_floor.h"
+#include "rig/motion/evaluate.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/nodes.h"
 
@@ -77,4 +78,46 @@ TEST_CASE("A foot stands on what holds a mesh and stands still, no skin bends an
   CHECK(blocksOf(worn, 0).empty());
   CHECK(blockTopUnder(blocks, Vec3(0.0, 2.0, 1.0)) == 0.5);
   CHECK_FALSE(blockTopUnder(blocks, Vec3(0.3, 2.0, 1.0)));
+}
+
+TEST_CASE("What a hand holds in a clip is nothing to stand on there, and in another clip it is") {
+  BlockNodes nodes;
+  Document document = besideBlock(nodes);
+  rig::Prop prop;
+  prop.node = GENERATE("Block", "Holder");
+  CAPTURE(prop.node);
+  for (const int clip : {0, 1}) {
+    prop.clip = clip;
+    document.holds.props = {prop};
+    CHECK(blocksOf(document, 0).size() == (clip == 0 ? 0 : 1));
+  }
+  prop.clip = 0;
+  prop.node = "Gone";
+  document.holds.props = {prop};
+  CHECK(blocksOf(document, 0).size() == 1);
+}
+
+TEST_CASE("A leg that is lifted stops at the block under its foot, and at the floor beside and above one") {
+  BlockNodes nodes;
+  Document document = besideBlock(nodes);
+  const rig::Limb& leg = *findLimb(document, "left-leg");
+  const double lifted = 25.0;
+  const double floor = floorForLeg(document, 0, leg, lifted)->point.y;
+  const Vec3 ankle = rig::endPosition(leg, rig::sampledFrame(*document.scene, clipOf(document, 0),
+                                                             lifted / clipOf(document, 0).framesPerSecond));
+  const double lowest = *standingFloor(document, 0, rig::bindPlaces(*document.scene)).floor;
+  REQUIRE(ankle.y > lowest + 0.1);
+  const auto floorWith = [&](const Vec3& topOfBlock) {
+    Scene scene = *document.scene;
+    scene.nodes[at(nodes.holder)].rest.translation = topOfBlock - Vec3(0.0, 0.5, 0.0);
+    Document moved = document;
+    moved.scene = std::make_shared<const Scene>(std::move(scene));
+    return floorForLeg(moved, 0, leg, lifted)->point.y;
+  };
+  const double top = 0.5 * (lowest + ankle.y);
+  CHECK(floorWith({ankle.x, top, ankle.z}) == Approx(floor + top - lowest));
+  CHECK(floorWith({ankle.x + 0.24, top, ankle.z - 0.24}) == Approx(floor + top - lowest));
+  CHECK(floorWith({ankle.x + 0.6, top, ankle.z}) == Approx(floor));
+  CHECK(floorWith({ankle.x, ankle.y + 0.05, ankle.z}) == Approx(floor));
+  CHECK(floorWith({ankle.x, lowest - 0.2, ankle.z}) == Approx(floor));
 }

@@ -285,6 +285,34 @@ TEST_CASE("Hands that hold on to each other or to one thing change sides as that
   CHECK(faultsIn(document, plan).empty());
 }
 
+TEST_CASE("A limb that goes along with another one, by the hand or by a thing, is as long as that makes it",
+          "[whole]") {
+  AutoSettings settings = lettingAll();
+  settings.style.arm.most = 1.5;
+  Document document = armsOut();
+  Scene scene = *document.scene;
+  test::addNode(scene, "Stick", NodeIndex::none, {0.0, handsAt, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  AutoPlan plan = planWith({pulled("left-arm", 2, 8, Vec3(-0.7, 0.0, 0.0))});
+  REQUIRE(faultsIn(document, plan, settings).empty());
+  SECTION("one hand holds the other") {
+    rig::Grip grip;
+    grip.time = {{0.0, 20.0}, {0.0, 0.0}};
+    grip.leader = "left-arm";
+    grip.follower = "right-arm";
+    plan.holds.grips = {grip};
+  }
+  SECTION("both hold a stick, which goes half the way") {
+    rig::OffsetKey firm;
+    firm.value = 1.0;
+    rig::Prop stick;
+    stick.node = "Stick";
+    stick.hands = {{"left-arm", {firm}}, {"right-arm", {firm}}};
+    plan.holds.props = {stick};
+  }
+  CHECK(faultsIn(document, plan, settings) == Faults{{0, FaultKind::lengths}});
+}
+
 TEST_CASE("Of several trails that move a limb the weakest is told without which nothing is wrong",
           "[whole]") {
   const Document document = armsOut();

@@ -145,6 +145,22 @@ TEST_CASE("import-clip says in one line what it cannot do, and writes nothing") 
   CHECK_THAT(refusal((folder / "box.glb").string()), Catch::Contains("no skeleton"));
 }
 
+TEST_CASE("A biped's clip is refused by a character that is none and has none of its names, in one line") {
+  const TemporaryFolder folder;
+  Scene post;
+  const NodeIndex foot = test::addNode(post, "Post", NodeIndex::none, Vec3(0.0));
+  const NodeIndex lamp = test::addNode(post, "Lamp", foot, Vec3(0.0, 1.0, 0.0));
+  Clip swing;
+  swing.tracks.emplace_back(test::vectorTrack(lamp, Channel::translation, Interpolation::linear,
+                                              {{0.0, Vec3(0.0, 1.0, 0.0)}, {1.0, Vec3(1.0)}}));
+  test::characterFile(post, {swing}).write(folder / "post.glb");
+  const Document document = openedFile((folder / "post.glb").string());
+  REQUIRE_FALSE(document.body.isBiped);
+  const Result<NewClips> brought = clipsFromFile(document, {punchFile(folder), {}, {}});
+  CHECK_THAT(test::refusal(brought),
+             Catch::Contains("this character is no biped, and 0 of the") && Catch::Contains("post.glb"));
+}
+
 TEST_CASE("Clips that lack the same are told in one line") {
   const TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();

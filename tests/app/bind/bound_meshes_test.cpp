@@ -1,5 +1,6 @@
 // Meshes that are bound to the joints of their file: skins, matrices and weights of small boxes on a boxer.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -267,6 +268,54 @@ TEST_CASE("Matrices that were never set say where their joints stand as soon as 
       }
     }
   }
+}
+
+TEST_CASE("What follows a joint that its skin lacks follows the one above it, which is named once") {
+  const Document whole = dressedAndBound();
+  Scene scene = *whole.scene;
+  const std::string lacking = "LeftForeArm";
+  Skin& skin = scene.skins[at(scene.nodes[at(nodeNamed(scene, "Arms"))].skin)];
+  const auto slot = std::ranges::find(skin.joints, nodeNamed(scene, lacking)) - skin.joints.begin();
+  skin.joints.erase(skin.joints.begin() + slot);
+  skin.inverseBind.erase(skin.inverseBind.begin() + slot);
+  VertexInfluences first;
+  first.weights[0] = 1.0F;
+  for (Mesh& mesh : scene.meshes) {
+    for (Primitive& primitive : mesh.primitives) {
+      std::ranges::fill(primitive.influences, first);
+    }
+  }
+  const Scene bound = sceneOf(boundAt(opened(scene, *test::boxer().clips)));
+  const auto weightsOf = [](const Scene& of, const std::string& mesh, std::size_t primitive,
+                            std::size_t vertex) {
+    std::map<std::string, double> weights;
+    const Node& node = of.nodes[at(nodeNamed(of, mesh))];
+    const VertexInfluences& one = of.meshes[at(node.mesh)].primitives[primitive].influences[vertex];
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      const std::string& joint = of.nodes[at(of.skins[at(node.skin)].joints[one.joints[i]])].name;
+      const bool isNew = one.weights[i] > 0.0F && weights.try_emplace(joint, one.weights[i]).second;
+      CHECK((isNew || (one.weights[i] == 0.0F && one.joints[i] == 0)));
+      CHECK((!isNew || i + 1 == weights.size())); // without a gap
+    }
+    return weights;
+  };
+  std::size_t joined = 0;
+  for (const std::size_t primitive : {0U, 1U}) {
+    for (std::size_t vertex = 0; vertex < 36; ++vertex) {
+      std::map<std::string, double> wanted = weightsOf(*whole.scene, "Arms", primitive, vertex);
+      joined += wanted.contains(lacking) && wanted.contains("LeftArm") ? 1 : 0;
+      if (wanted.contains(lacking)) {
+        wanted["LeftArm"] += wanted[lacking];
+        wanted.erase(lacking);
+      }
+      const std::map<std::string, double> is = weightsOf(bound, "Arms", primitive, vertex);
+      REQUIRE(is.size() == wanted.size());
+      for (const auto& [joint, weight] : wanted) {
+        CHECK(is.at(joint) == Approx(weight).margin(1e-3));
+      }
+    }
+  }
+  CHECK(joined > 0);
 }
 
 TEST_CASE("What a bind needs is asked for in one line") {

@@ -267,6 +267,33 @@ TEST_CASE("With auto-key off a pose is shown until the playhead moves, and a key
   }
 }
 
+TEST_CASE(
+    "Where nothing is posed without a key none is set: what is dragged goes on, and nothing is undone") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  REQUIRE(keyUnkeyedPose(session));
+  CHECK_FALSE(session.history().canUndo());
+  session.begin("Move the hand");
+  const Result<Document> pulled =
+      setOffsets(session.document(), 0, 8.0, moved("left-hand", {0.1, 0.0, 0.0}).offsets, {}, {});
+  REQUIRE(pulled);
+  session.preview(*pulled);
+  REQUIRE(keyUnkeyedPose(session));
+  CHECK(session.isDragging());
+  CHECK(session.document().adjustments.size() == 1);
+  session.commit();
+  CHECK(session.history().undoLabel() == "Move the hand");
+  // With something posed it is the pose that is kept, and what is only tried is not.
+  CHECK(run(session, command::poseAutoKey).empty());
+  REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+  session.begin("Try");
+  session.preview(test::boxer());
+  REQUIRE(keyUnkeyedPose(session));
+  CHECK_FALSE(session.isDragging());
+  CHECK(session.document().adjustments.size() == 2);
+  CHECK(session.history().undoLabel() == "Key the hips");
+}
+
 TEST_CASE("A key is set, gone to and deleted") {
   Session session = posed("hips", {0.0, -0.1, 0.0});
   session.view().frame = 14.0;
