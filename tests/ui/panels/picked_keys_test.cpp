@@ -119,6 +119,96 @@ TEST_CASE("Picked keys are let go of when something else is selected") {
   CHECK(stage.picked() == 0);
 }
 
+TEST_CASE("Picked keys are let go of when another clip or another controller of the same limb is looked at") {
+  KeysOfBoxer stage("F6");
+  app::Session& session = stage.session();
+  app::Document document = session.document();
+  std::vector<Clip> clips = *document.clips;
+  clips.push_back(clips.front());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  session.restore(std::move(document));
+  app::selectControllers(session, {"left-hand"});
+  stage.frames(2);
+  const app::KeySelection picks{{app::KeyRow{NodeIndex(3), Channel::rotation, {}}, {{0, 1U}}}};
+  app::pickKeys(session, picks, false);
+  stage.frames(2);
+  REQUIRE(stage.picked() == 1);
+  SECTION("the clip") {
+    session.view().clip = static_cast<int>(session.document().clips->size()) - 1;
+  }
+  SECTION("the controller") {
+    session.view().selection.setControllers({"left-elbow"});
+  }
+  SECTION("neither") {
+    stage.frames(2);
+    CHECK(stage.picked() == 1);
+    app::pickKeys(session, {}, false);
+  }
+  stage.frames(2);
+  CHECK(stage.picked() == 0);
+}
+
+TEST_CASE("Undo brings back what was picked where the same clip is looked at, and nothing in another one") {
+  KeysOfBoxer stage("F6");
+  app::Session& session = stage.session();
+  app::Document document = session.document();
+  std::vector<Clip> clips = *document.clips;
+  const auto copy = static_cast<int>(clips.size());
+  clips.push_back(clips.front());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  session.restore(std::move(document));
+  stage.frames(2);
+  stage.click("graph-key/Z/2");
+  REQUIRE(stage.picked() == 1);
+  const Result<app::EditedKeys> moved =
+      app::moveKeys(session.document(), 0, app::pickedKeys(session), {.value = 0.01});
+  REQUIRE(moved);
+  session.edit(moved->document, "Move");
+  app::pickKeys(session, {}, false);
+  stage.frames(2);
+  const bool looksElsewhere = GENERATE(false, true);
+  session.view().clip = looksElsewhere ? copy : 0;
+  stage.frames(2);
+  stage.press("Ctrl+Z");
+  REQUIRE(session.history().position() == 0);
+  CHECK(session.view().clip == (looksElsewhere ? copy : 0));
+  CHECK(stage.picked() == (looksElsewhere ? 0 : 1));
+}
+
+TEST_CASE("Undo brings back no picks of what was undone and done otherwise since") {
+  KeysOfBoxer stage("F6");
+  app::Session& session = stage.session();
+  const auto moveKey = [&](const char* key, double frames) {
+    app::pickKeys(session, {}, false);
+    stage.click(key);
+    const Result<app::EditedKeys> moved =
+        app::moveKeys(session.document(), session.view().clip, app::pickedKeys(session), {.frames = frames});
+    REQUIRE(moved);
+    session.edit(moved->document, "Move");
+    app::pickKeys(session, moved->picked, false);
+    stage.frames(2);
+  };
+  moveKey("graph-key/Z/1", 0.25);
+  moveKey("graph-key/Z/2", 0.25);
+  stage.press("Ctrl+Z");
+  CHECK(stage.picked() == 1); // Of the step that stands.
+  stage.press("Ctrl+Z");
+  // Two other steps within one frame: the first of them had no frame in which its picks could be seen.
+  const app::KeySelection all =
+      app::allKeys(session.document(), session.view().clip, app::rowsOfSelection(session));
+  for (const double value : {0.01, 0.02}) {
+    const Result<app::EditedKeys> raised =
+        app::moveKeys(session.document(), session.view().clip, all, {.value = value});
+    REQUIRE(raised);
+    session.edit(raised->document, "Raise");
+  }
+  app::pickKeys(session, {}, false);
+  stage.frames(2);
+  stage.press("Ctrl+Z");
+  CHECK(session.history().position() == 1);
+  CHECK(stage.picked() == 0);
+}
+
 TEST_CASE("Undo and redo of a retime bring back what was picked before and after it") {
   KeysOfBoxer stage("F6");
   stage.click("graph-key/Z/3");

@@ -258,3 +258,54 @@ TEST_CASE("Page up and down change how far a pose is taken, and Space mirrors it
   stage.pressWidgetKey(ImGuiKey_Space);
   CHECK_FALSE(stage.library().mirrored);
 }
+
+TEST_CASE("Space and the switch show the tried pose mirrored at once, and both take it back") {
+  Library stage;
+  app::selectControllers(stage.session(), {"left-hand"});
+  stage.tryFirst();
+  const Vec3 plain = stage.hand();
+  const bool byKey = GENERATE(true, false);
+  const auto turnOver = [&] {
+    if (byKey) {
+      stage.pressWidgetKey(ImGuiKey_Space);
+    } else {
+      stage.click("pose-library/mirrored");
+    }
+    stage.frames(2);
+  };
+  turnOver();
+  CHECK(stage.library().mirrored);
+  CHECK(glm::length(stage.hand() - plain) > 0.02);
+  turnOver();
+  CHECK_FALSE(stage.library().mirrored);
+  CHECK(glm::length(stage.hand() - plain) < 1e-9);
+}
+
+TEST_CASE("The arrows bring the chosen pose into sight, and the wheel goes on from there") {
+  Library stage;
+  stage.open();
+  std::vector<app::LibraryPose> many;
+  for (int i = 0; i < 30; ++i) {
+    many.push_back(stage.library().poses.front());
+  }
+  stage.library().poses = many;
+  stage.frames(2);
+  const auto topOf = [&](int place) {
+    const Item* const card = stage.shell.items.find("pose-library/pose-" + std::to_string(place));
+    return card == nullptr ? -1e6F : card->min.y;
+  };
+  const float firstTop = topOf(0);
+  ImGui::GetIO().MousePos = stage.shell.items.find("pose-library/pose-0")->centre();
+  stage.library().chosen = 26;
+  stage.pressWidgetKey(ImGuiKey_RightArrow);
+  stage.frames(3);
+  REQUIRE(stage.library().chosen == 27);
+  CHECK(stage.shell.items.find("pose-library/pose-27") != nullptr);
+  CHECK(topOf(0) != firstTop);
+  const float shown = topOf(27);
+  ImGui::GetIO().MouseWheel = 1.0F;
+  stage.frame();
+  ImGui::GetIO().MouseWheel = 0.0F;
+  stage.frames(3);
+  CHECK(topOf(27) > shown + 10.0F);
+}
