@@ -286,6 +286,38 @@ TEST_CASE("A recipe's reference stands in the picture, and one that is not there
   CHECK_FALSE(fs::exists(folder / "none.png"));
 }
 
+TEST_CASE("The file that stands beside another has neither its reference, nor its weights' colours") {
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  REQUIRE(ui::writePng(folder / "film-1.png", ui::filled(16, 16, {0.0F, 1.0F, 0.0F})));
+  const std::string recipe =
+      folder
+          .write("recipe.json", R"({"version": 1, "references": {"images": {"first_image": "film-1.png"}}})")
+          .string();
+  const auto picture = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"--beside", dummy, "--frame", "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    REQUIRE_FALSE(drawn(dummy, folder, words).empty());
+    return ui::readImage(folder / "out.png").value();
+  };
+  const Image plain = picture({});
+  const auto differing = [&](const Image& image, int from, int to) {
+    REQUIRE(image.rgba.size() == plain.rgba.size());
+    int count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+      const int x = static_cast<int>(i / 4) % image.width;
+      count += x >= from && x < to && image.rgba[i] != plain.rgba[i] ? 1 : 0;
+    }
+    return count;
+  };
+  const std::vector<std::string> more = GENERATE_COPY(std::vector<std::string>{"--trails", recipe},
+                                                      std::vector<std::string>{"--weights", "LeftHand"});
+  const Image changed = picture(more);
+  CAPTURE(more);
+  CHECK(differing(changed, 0, plain.width / 2 - 2) == 0);
+  CHECK(differing(changed, plain.width / 2 + 2, plain.width) > 20);
+}
+
 TEST_CASE("A video is heard with the clip's sound, from where the film begins in it, as loud as it is set") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder programs;

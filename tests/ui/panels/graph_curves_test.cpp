@@ -185,6 +185,34 @@ TEST_CASE("Frames are sampled by quarters as far as the view and the clip go, to
   }
 }
 
+TEST_CASE("Offsets of the clip that is looked at are drawn over its curves, those of another clip are not",
+          "[graph-curves]") {
+  for (const int clip : {0, 1}) {
+    CAPTURE(clip);
+    GraphStage stage(&test::withArmsGraph);
+    stage.graph().channels = GraphChannels::rotation;
+    app::Document document = stage.session().document();
+    std::vector<Clip> clips = *document.clips;
+    clips.push_back(clips.front());
+    document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+    rig::Adjustment lifted;
+    lifted.clip = clip;
+    lifted.controller = "left-hand";
+    lifted.rangeFrames = Vec2(0.0, 24.0);
+    lifted.keys = {{.frame = 0.0, .move = Vec3(0.0, 0.1, 0.0)}};
+    document.adjustments = {lifted};
+    stage.session().edit(std::move(document), "Lift");
+    stage.session().view().clip = 0;
+    const GraphSubject joint = ui::graphSubjects(stage.context).front();
+    const std::vector<Curve> curves = stage.curves(joint);
+    REQUIRE(curves.size() == 3);
+    for (const Curve& curve : curves) {
+      CHECK(curve.before.empty() == (clip != 0));
+    }
+    checkPoints(stage, curves, &Curve::points, Channel::rotation, clip != 0);
+  }
+}
+
 TEST_CASE("A limb's length is that from its base to its end, and the source's beside it where they differ",
           "[graph-curves]") {
   for (const auto& [state, moves] :

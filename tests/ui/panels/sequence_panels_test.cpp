@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/command_ids.h"
 #include "tests/support/skinning/bodies.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/sequence/sequence_rows.h"
 #include "ui/widgets/scatter_plot.h"
@@ -83,6 +86,49 @@ TEST_CASE("While a compression is made there is progress and a way to stop it") 
   CHECK(panels.driver.find("sequence/progress") != nullptr);
   CHECK(panels.driver.find(ui::command::sequenceCancel) != nullptr);
   CHECK(panels.driver.find(ui::command::sequenceCompress) == nullptr);
+}
+
+TEST_CASE("The progress of a compression is told in percent of it, up to its end") {
+  SequencePanels panels;
+  app::SequenceSession& session = *panels.driver.open.sequence();
+  app::SequenceDocument document = session.document();
+  document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(60, 2.0, 0.06, 0.05));
+  document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
+  session.restore(std::move(document));
+  REQUIRE(session.startCompression());
+  double most = 0.0;
+  for (int frames = 0; frames < 20000 && most < 60.0; ++frames) {
+    const double before = session.compressedShare();
+    panels.driver.frame();
+    const double after = session.compressedShare();
+    for (const std::string& words : test::shownWords()) {
+      if (words.starts_with("Compressing ")) {
+        CHECK_THAT(words, Catch::EndsWith(" %"));
+        const double percent = std::stod(words.substr(std::string("Compressing ").size()));
+        CHECK(percent >= 100.0 * before - 0.5);
+        CHECK(percent <= 100.0 * after + 0.5);
+        most = std::max(most, percent);
+      }
+    }
+  }
+  CHECK(most >= 60.0); // All of it is told until it is taken up.
+  session.cancelWork();
+}
+
+TEST_CASE("A skeleton that was taken is told by its file and how many bones it has, one of them as one") {
+  SequencePanels panels;
+  const int bones = GENERATE(1, 2, 7);
+  app::SequenceDocument document = panels.driver.open.sequence()->document();
+  document.skeletonFile = "folder/tail.glb";
+  document.settings.skeleton.resize(static_cast<std::size_t>(bones));
+  panels.driver.open.sequence()->edit(std::move(document), "Take the skeleton");
+  panels.driver.frames(3);
+  const std::vector<std::string> words = test::shownWords();
+  const std::string wanted = "tail.glb, " + std::to_string(bones) + (bones == 1 ? " bone" : " bones");
+  CHECK(std::ranges::count(words, wanted) == 1);
+  CHECK(panels.driver.find("sequence/bones") == nullptr);
+  panels.driver.click(app::command::skeletonLeave);
+  CHECK(panels.driver.requested.back() == app::command::skeletonLeave);
 }
 
 TEST_CASE("Numbers of the elastic model are typed, and an empty field leaves them to the program") {

@@ -364,3 +364,23 @@ TEST_CASE("The name of a sound keeps clear of its wave, however long it is") {
   CHECK(longEnd > room - 20.0F);
   CHECK(longEnd <= room);
 }
+
+TEST_CASE("A bar of a trail that was applied has a check mark at its end, where it is wide enough for one") {
+  const double frames = GENERATE(2.0, 3.0, 10.0); // Of ten pixels each.
+  const auto marked = [&](bool isApplied) {
+    Strip strip;
+    strip.model.bars = {
+        {.id = 1, .start = 20.0, .end = 20.0 + frames, .windowStart = 20.0, .windowEnd = 20.0 + frames}};
+    strip.model.bars.front().applied = isApplied;
+    const ImVec2 end = strip.onBar(0, 20.0 + frames);
+    int corners = 0;
+    for (const ImDrawVert& corner : drawnCorners(strip.theme, strip.layout, strip.model)) {
+      const bool isNear =
+          corner.pos.x > end.x - 24.0F && corner.pos.x < end.x && std::abs(corner.pos.y - end.y) < 8.0F;
+      corners += isNear && corner.col == strip.theme.colours.text ? 1 : 0;
+    }
+    return corners;
+  };
+  CAPTURE(frames);
+  CHECK((marked(true) > marked(false)) == (frames > 2.6));
+}
