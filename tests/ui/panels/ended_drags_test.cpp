@@ -46,10 +46,10 @@ struct HeldField {
 TEST_CASE("What takes a panel's drag back ends it: letting go afterwards keeps nothing") {
   HeldField held(GENERATE(false, true));
   CAPTURE(held.isSequence);
-  held.driver.open.with(false, [](auto& session) {
+  REQUIRE(held.driver.open.with(false, [](auto& session) {
     session.cancel();
     return true;
-  });
+  }));
   held.driver.frame();
   CHECK_FALSE(held.driver.ui.panelDrag);
   held.driver.releaseMouse();

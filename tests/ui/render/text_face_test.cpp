@@ -34,8 +34,10 @@ TEST_CASE("Letters have the colour that they are asked for, over whatever lies u
   if (face.widthOf("I") == 0) {
     return; // A system without any font writes nothing.
   }
-  for (const glm::vec4& colour : {glm::vec4(1.0F, 0.5F, 0.25F, 1.0F), {0.2F, 1.0F, 0.6F, 1.0F},
-                                  {0.0F, 0.3F, 1.0F, 1.0F}, {1.0F, 0.6F, 0.2F, 0.5F}}) {
+  for (const glm::vec4& colour : {glm::vec4(1.0F, 0.5F, 0.25F, 1.0F),
+                                  {0.2F, 1.0F, 0.6F, 1.0F},
+                                  {0.0F, 0.3F, 1.0F, 1.0F},
+                                  {1.0F, 0.6F, 0.2F, 0.5F}}) {
     for (const float ground : {0.0F, 1.0F}) {
       CAPTURE(colour.r, colour.g, colour.b, colour.a, ground);
       Image image = filled(120, 100, glm::vec3(ground));
@@ -43,8 +45,8 @@ TEST_CASE("Letters have the colour that they are asked for, over whatever lies u
       face.write(image, 10, 80, "III", colour);
       const Channels after = channelsOf(image);
       for (std::size_t channel = 0; channel < 3; ++channel) {
-        const double wanted = 255.0 * std::lerp(double(ground), double(colour[static_cast<int>(channel)]),
-                                                double(colour.a));
+        const double wanted =
+            255.0 * std::lerp(double(ground), double(colour[static_cast<int>(channel)]), double(colour.a));
         CAPTURE(channel);
         CHECK((ground == 0.0F ? after.most : after.least)[channel] == Approx(wanted).margin(1.0));
         CHECK((ground == 0.0F ? after.least : after.most)[channel] == before.least[channel]);

@@ -19,15 +19,15 @@ using namespace stretch::ui;
 
 namespace {
 
-constexpr float width = 800.0F;
-constexpr float height = 600.0F;
+constexpr float pictureWide = 800.0F;
+constexpr float pictureHigh = 600.0F;
 
 /// The boxer from the front, and what is drawn over its picture, without soft edges.
 struct OverPicture {
   explicit OverPicture(app::Document document) : gui(ImGui::CreateContext(&test::PanelDriver::fonts())) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.DisplaySize = {width, height};
+    io.DisplaySize = {pictureWide, pictureHigh};
     io.DeltaTime = 1.0F / 60.0F;
     applyStyle(theme);
     ImGui::GetStyle().AntiAliasedFill = false;
@@ -35,7 +35,7 @@ struct OverPicture {
     open.open(std::move(document));
     viewport.camera.target = Vec3(0.0, 1.0, 0.0);
     viewport.camera.projection = ProjectionKind::orthographic;
-    viewport.box = {{0.0F, 0.0F}, {width, height}};
+    viewport.box = {{0.0F, 0.0F}, {pictureWide, pictureHigh}};
   }
   ~OverPicture() { ImGui::DestroyContext(gui); }
   OverPicture(const OverPicture&) = delete;
@@ -47,10 +47,10 @@ struct OverPicture {
     ImGui::NewFrame();
     items.clear();
     ViewportContext context{{open, ui, theme, commands, requested, items, status}, viewport, tool};
-    viewport.view = makeView(viewport.camera, {double(width), double(height), 1.0});
+    viewport.view = makeView(viewport.camera, {double(pictureWide), double(pictureHigh), 1.0});
     updateShownTrails(session(), viewport.shown);
     ImGui::SetNextWindowPos({0.0F, 0.0F});
-    ImGui::SetNextWindowSize({width, height});
+    ImGui::SetNextWindowSize({pictureWide, pictureHigh});
     ImGui::Begin("picture", nullptr, ImGuiWindowFlags_NoDecoration);
     drawViewportLabels(context, session().shownAt(session().view().frame));
     const ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -121,7 +121,7 @@ TEST_CASE("The part of the view cube under the mouse lies lit on each face that 
     const Rect box = stage.boxOf(light);
     CHECK(double(box.width()) == Approx(part.across * halfEdge).margin(0.1));
     CHECK(double(box.height()) == Approx(part.up * halfEdge).margin(0.1));
-    const ImVec2 middle{width - 46.0F, 46.0F};
+    const ImVec2 middle{pictureWide - 46.0F, 46.0F};
     CHECK((box.centre().x > middle.x + 1.0F) == (part.side[0] > 0));
     CHECK((box.centre().y < middle.y - 1.0F) == (part.side[1] > 0));
   }
@@ -178,8 +178,8 @@ TEST_CASE(
   CAPTURE(moved.x, moved.y);
   CHECK(box.width() == Approx(side).margin(1.0));
   CHECK(box.height() == Approx(side).margin(1.0));
-  CHECK(box.min.x == Approx(std::min(moved.x + 24.0F, width - side - unit)).margin(1.0));
-  CHECK(box.min.y == Approx(std::clamp(moved.y - 0.5F * side, unit, height - side - unit)).margin(1.0));
+  CHECK(box.min.x == Approx(std::min(moved.x + 24.0F, pictureWide - side - unit)).margin(1.0));
+  CHECK(box.min.y == Approx(std::clamp(moved.y - 0.5F * side, unit, pictureHigh - side - unit)).margin(1.0));
 }
 
 TEST_CASE("No curve of an ease is shown while something else is typed") {
@@ -211,7 +211,8 @@ TEST_CASE("The legend explains the selected trail first, in its colour, and show
   const auto lineOf = [&](ImU32 colour) {
     Rect box{{1e9F, 1e9F}, {-1e9F, -1e9F}};
     for (const ImDrawVert& corner : stage.corners) {
-      if (corner.col == colour && corner.pos.x > width - 150.0F && corner.pos.y > height - 120.0F) {
+      if (corner.col == colour && corner.pos.x > pictureWide - 150.0F &&
+          corner.pos.y > pictureHigh - 120.0F) {
         box.min = {std::min(box.min.x, corner.pos.x), std::min(box.min.y, corner.pos.y)};
         box.max = {std::max(box.max.x, corner.pos.x), std::max(box.max.y, corner.pos.y)};
       }

@@ -82,63 +82,77 @@ bool isNothingMarked(const ViewportState& viewport) {
          viewport.hoveredLimb.empty() && !viewport.hoveredEnd && viewport.hoveredJoint == NodeIndex::none;
 }
 
+enum class Mark { tangent, sphere, trail, controller, limb, axis };
+
+/// The first of the two trails with its last sphere selected.
+struct MarkedTrails : TwoTrails {
+  MarkedTrails() {
+    app::selectTrail(session(), viewport.shown.trails.front().id);
+    spheres = app::placedSpheres(session(), session().view().selection.trail());
+    session().view().selection.editTrails().spheres = {spheres.back().frame};
+    frame();
+    REQUIRE_FALSE(viewport.tangents.handles.empty());
+  }
+  /// Points at something of a kind until it is marked.
+  void mark(Mark kind) {
+    ui.overlays.controllers = kind == Mark::controller;
+    frame();
+    switch (kind) {
+    case Mark::tangent:
+      pointAt(Vec3(viewport.tangents.handles.front().tipWorld));
+      REQUIRE(viewport.hoveredTangent);
+      break;
+    case Mark::sphere:
+      pointAt(spheres.front().positionWorld);
+      REQUIRE(viewport.hoveredSphere);
+      break;
+    case Mark::trail:
+      markOtherTrail();
+      break;
+    case Mark::controller:
+      session().view().selection.dropTrail();
+      pointAt(viewport.controllers.back().placed.placeWorld);
+      REQUIRE_FALSE(viewport.hoveredController.empty());
+      break;
+    case Mark::limb:
+      pointAt(middleOfArm());
+      REQUIRE(viewport.hoveredLimb == "right-arm");
+      break;
+    case Mark::axis:
+      for (double up = 20.0; up < 70.0 && !viewport.hoveredAxis; up += 2.0) {
+        pointAt(pixelsOf(spheres.back().positionWorld) - Vec2(0.0, up));
+      }
+      REQUIRE(viewport.hoveredAxis);
+      break;
+    }
+  }
+
+private:
+  void markOtherTrail() {
+    session().view().selection.dropSpheres();
+    const ShownTrail other = viewport.shown.trails.back();
+    for (double at = other.startFrame; at < other.endFrame && viewport.hoveredTrail == 0; at += 0.5) {
+      pointAt(pointOnTrail(other, at, true));
+    }
+    REQUIRE(viewport.hoveredTrail != 0);
+  }
+  [[nodiscard]] Vec3 middleOfArm() {
+    const rig::Limb& arm = *app::findLimb(session().document(), "right-arm");
+    const FrameState& pose = session().shownAt(session().view().frame);
+    return 0.5 * (positionOf(pose.worlds[at(arm.joints[0])]) + positionOf(pose.worlds[at(arm.joints[1])]));
+  }
+
+  std::vector<app::PlacedSphere> spheres;
+};
+
 } // namespace
 
 TEST_CASE("What was marked under the mouse is so no longer when the mouse leaves, whatever it was") {
-  TwoTrails stage;
-  app::Session& session = stage.session();
-  app::selectTrail(session, stage.viewport.shown.trails.front().id);
-  const std::vector<app::PlacedSphere> spheres =
-      app::placedSpheres(session, session.view().selection.trail());
-  session.view().selection.editTrails().spheres = {spheres.back().frame};
-  stage.frame();
-  REQUIRE_FALSE(stage.viewport.tangents.handles.empty());
-  const Vec3 tangent = stage.viewport.tangents.handles.front().tipWorld;
-  enum class Mark { tangent, sphere, trail, controller, limb, axis };
-  const Mark mark =
+  MarkedTrails stage;
+  const Mark kind =
       GENERATE(Mark::tangent, Mark::sphere, Mark::trail, Mark::controller, Mark::limb, Mark::axis);
-  const rig::Limb* const arm = app::findLimb(session.document(), "right-arm");
-  const Vec3 shoulder = positionOf(session.shownAt(19.0).worlds[at(arm->joints[0])]);
-  const Vec3 elbow = positionOf(session.shownAt(19.0).worlds[at(arm->joints[1])]);
-  const ShownTrail& other = stage.viewport.shown.trails.back();
-  CAPTURE(static_cast<int>(mark));
-  stage.ui.overlays.controllers = mark == Mark::controller;
-  stage.frame();
-  switch (mark) {
-  case Mark::tangent:
-    stage.pointAt(tangent);
-    REQUIRE(stage.viewport.hoveredTangent);
-    break;
-  case Mark::sphere:
-    stage.pointAt(spheres.front().positionWorld);
-    REQUIRE(stage.viewport.hoveredSphere);
-    break;
-  case Mark::trail:
-    session.view().selection.dropSpheres();
-    for (double at = other.startFrame; at < other.endFrame && stage.viewport.hoveredTrail == 0; at += 0.5) {
-      stage.pointAt(pointOnTrail(other, at, true));
-    }
-    REQUIRE(stage.viewport.hoveredTrail != 0);
-    break;
-  case Mark::controller:
-    session.view().selection.dropTrail();
-    REQUIRE_FALSE(stage.viewport.controllers.empty());
-    stage.pointAt(stage.viewport.controllers.back().placed.placeWorld);
-    REQUIRE_FALSE(stage.viewport.hoveredController.empty());
-    break;
-  case Mark::limb:
-    stage.pointAt(glm::mix(shoulder, elbow, 0.5));
-    REQUIRE(stage.viewport.hoveredLimb == "right-arm");
-    break;
-  case Mark::axis: {
-    const Vec2 at = stage.pixelsOf(spheres.back().positionWorld);
-    for (double along = 20.0; along < 70.0 && !stage.viewport.hoveredAxis; along += 2.0) {
-      stage.pointAt(at - Vec2(0.0, along));
-    }
-    REQUIRE(stage.viewport.hoveredAxis);
-    break;
-  }
-  }
+  CAPTURE(static_cast<int>(kind));
+  stage.mark(kind);
   SECTION("out of the picture") {
     stage.over = false;
     stage.frame();
