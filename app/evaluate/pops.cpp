@@ -4,12 +4,15 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "app/evaluate/free_turns.h"
 #include "core/base/index.h"
 #include "core/math/rotation.h"
+#include "rig/controllers/controller.h"
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 
@@ -84,6 +87,12 @@ private:
   std::vector<double> turns_; // degrees
 };
 
+// Of a slow clip each frame holds more.
+double inFrames(double degrees, double framesPerSecond) {
+  constexpr double usualRate = 24.0;
+  return degrees * std::max(1.0, usualRate / framesPerSecond);
+}
+
 std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, const Jolts& moved) {
   constexpr double told = 4.0;         // times the ends
   constexpr double ofSource = 2.0;     // times what the joint does in the source
@@ -96,7 +105,7 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
     const bool isOurs = joint > ofSource * source.around(k, &Jolt::joint);
     if (isOurs && joint > smallest * limb.restLength && joint > told * ends &&
         joint / ends > (worst ? worst->times : 0.0)) {
-      worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends};
+      worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends, 0.0, 0.0, {}};
     }
   }
   return worst;
@@ -105,19 +114,150 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
 std::optional<LimbPop> worstTurn(const rig::Limb& limb, const Jolts& source, const Jolts& moved,
                                  double framesPerSecond) {
   constexpr double ofSource = 2.0;
-  constexpr double more = 45.0;      // degrees: less looks like haste
-  constexpr double usualRate = 24.0; // of a slower clip each frame holds more
+  constexpr double more = 45.0; // degrees: less looks like haste
   std::optional<LimbPop> worst;
-  double most = more * std::max(1.0, usualRate / framesPerSecond);
+  double most = inFrames(more, framesPerSecond);
   for (std::size_t k = 0; k < moved.turns().size(); ++k) {
     const double turned = moved.turns()[k];
     const double before = source.turnAround(k);
     if (turned - ofSource * before > most) {
       most = turned - ofSource * before;
-      worst = LimbPop{limb.id, static_cast<double>(k + 1), 0.0, turned, before};
+      worst = LimbPop{limb.id, static_cast<double>(k + 1), 0.0, turned, before, {}};
     }
   }
   return worst;
+}
+
+// Whether a limb is turned on purpose between two times, by its pole or by a trail of its own.
+class Meant {
+public:
+  Meant(const rig::Limb& limb, const rig::MotionState& motion)
+      : curves_(motion.adjustments.curves), pole_(rig::poleController(limb)) {
+    for (const rig::SolvedTrail& trail : motion.trails) {
+      if (trail.active && trail.limb.id == limb.id) {
+        windows_.emplace_back(motion.loops ? motion.startSeconds : trail.windowStartSeconds,
+                              motion.loops ? motion.endSeconds : trail.windowEndSeconds);
+      }
+    }
+  }
+  [[nodiscard]] bool between(double startSeconds, double endSeconds) const {
+    const auto poleAt = [&](double seconds) { return rig::offsetAt(curves_, pole_, seconds).move; };
+    return poleAt(startSeconds) != poleAt(endSeconds) ||
+           std::ranges::any_of(windows_, [&](const auto& window) {
+             return window.first <= endSeconds && startSeconds <= window.second;
+           });
+  }
+
+private:
+  const rig::OffsetCurves& curves_;
+  std::string pole_;
+  std::vector<std::pair<double, double>> windows_; // seconds; of its trails
+};
+
+// What hips and chest carry goes along with them even where it hangs elsewhere.
+std::vector<NodeIndex> carriersOf(const Scene& scene, const rig::Limb& limb, const rig::MotionState& motion) {
+  std::vector<NodeIndex> nodes{scene.nodes[at(limb.joints.front())].parent, motion.hips};
+  if (motion.adjustments.body) {
+    nodes.push_back(motion.adjustments.body->chest);
+  }
+  std::erase(nodes, NodeIndex::none);
+  return nodes;
+}
+
+// One limb over the frames that are looked at, in the clip and as it is moved.
+class Watched {
+public:
+  Watched(const Scene& scene, const rig::Limb& limb, const rig::MotionState& motion)
+      : limb_(limb), carriers_(carriersOf(scene, limb, motion)), meant_(limb, motion),
+        framesPerSecond_(motion.framesPerSecond) {}
+
+  void add(std::int64_t frame, const FrameState& before, const FrameState& after) {
+    constexpr double most = 5.0; // degrees
+    TurnedLimb source = turnedLimb(limb_, carriers_, before);
+    TurnedLimb moved = turnedLimb(limb_, carriers_, after);
+    source_.add(source.points);
+    moved_.add(moved.points);
+    if (!lastMoved_.points.empty()) {
+      const auto seconds = [&](std::int64_t of) { return static_cast<double>(of) / framesPerSecond_; };
+      const FreeTurn turn =
+          freeTurn({lastSource_, source}, {lastMoved_, moved}, inFrames(most, framesPerSecond_));
+      if (turn.degrees > 0.0 && !meant_.between(seconds(frame - 1), seconds(frame))) {
+        turns_.emplace_back(frame, turn);
+      }
+    } else {
+      first_ = frame;
+    }
+    lastSource_ = std::move(source);
+    lastMoved_ = std::move(moved);
+  }
+
+  // Its pop, else its flip; and its turns at other frames.
+  void tell(std::vector<LimbPop>& pops) const {
+    std::optional<LimbPop> pop = worstPop(limb_, source_, moved_);
+    pop = pop ? pop : worstTurn(limb_, source_, moved_, framesPerSecond_);
+    if (pop) {
+      pop->frame += static_cast<double>(first_);
+      pops.push_back(*pop);
+    }
+    const double told = pop ? pop->frame : -1.0;
+    if (const LimbPop turns = freeTurns(told); !turns.freeFrames.empty()) {
+      pops.push_back(turns);
+    }
+  }
+
+private:
+  [[nodiscard]] LimbPop freeTurns(double toldFrame) const {
+    LimbPop all{limb_.id, 0.0, 0.0, 0.0, 0.0, {}};
+    double most = 0.0;
+    for (const auto& [frame, turn] : turns_) {
+      if (static_cast<double>(frame) == toldFrame) {
+        continue;
+      }
+      all.freeFrames.push_back(frame);
+      if (turn.excess() > most) {
+        most = turn.excess();
+        all.frame = static_cast<double>(frame);
+        all.turnDegrees = turn.degrees;
+        all.sourceDegrees = turn.sourceDegrees;
+      }
+    }
+    return all;
+  }
+
+  const rig::Limb& limb_;
+  std::vector<NodeIndex> carriers_;
+  Meant meant_;
+  double framesPerSecond_ = 0.0;
+  std::int64_t first_ = 0; // frame
+  Jolts source_;
+  Jolts moved_;
+  TurnedLimb lastSource_;
+  TurnedLimb lastMoved_;
+  std::vector<std::pair<std::int64_t, FreeTurn>> turns_; // by the frame that each comes to
+};
+
+// "frame 3", "frames 3 to 5 and 9"; at least one, in order.
+std::string framesInWords(const std::vector<std::int64_t>& frames) {
+  std::vector<std::string> runs;
+  for (std::size_t i = 0; i < frames.size();) {
+    std::size_t last = i;
+    while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) {
+      ++last;
+    }
+    runs.push_back(last == i
+                       ? fmt::format("{}", frames[i])
+                       : fmt::format("{} {} {}", frames[i], last == i + 1 ? "and" : "to", frames[last]));
+    i = last + 1;
+  }
+  return fmt::format("{} {}", frames.size() == 1 ? "frame" : "frames", fmt::join(runs, ", "));
+}
+
+std::string turnWarning(const std::string& limb, const LimbPop& pop) {
+  const std::string worst =
+      pop.freeFrames.size() > 1 ? fmt::format(" within frame {:g}", pop.frame) : " within it";
+  return fmt::format("the {} turns at {} though its ends do not make it: by {:.0f} degrees{}, {:.0f} in the "
+                     "clip; move its pole there, or let it reach less far",
+                     limb, framesInWords(pop.freeFrames), pop.turnDegrees, worst, pop.sourceDegrees);
 }
 
 } // namespace
@@ -126,26 +266,23 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
                               const FrameSpan& frames) {
   std::vector<rig::Limb> limbs;
   std::ranges::copy_if(document.body.limbs, std::back_inserter(limbs), rig::hasElbowOrKnee);
-  std::vector<Jolts> source(limbs.size());
-  std::vector<Jolts> moved(limbs.size());
+  const Scene& scene = *document.scene;
+  std::vector<Watched> watched;
+  std::ranges::transform(limbs, std::back_inserter(watched),
+                         [&](const rig::Limb& limb) { return Watched(scene, limb, motion); });
   const Clip& clip = clipOf(document, motion.clip);
   const std::int64_t first = std::max<std::int64_t>(frames.first, 0);
   for (std::int64_t frame = first; frame <= std::min(frames.last, frameCount(clip) - 1); ++frame) {
     const double seconds = static_cast<double>(frame) / clip.framesPerSecond;
-    const FrameState before = rig::sampledFrame(*document.scene, clip, seconds);
-    const FrameState after = rig::evaluateMotion(*document.scene, clip, motion, seconds);
+    const FrameState before = rig::sampledFrame(scene, clip, seconds);
+    const FrameState after = rig::evaluateMotion(scene, clip, motion, seconds);
     for (std::size_t i = 0; i < limbs.size(); ++i) {
-      source[i].add(rig::limbPoints(limbs[i], before));
-      moved[i].add(rig::limbPoints(limbs[i], after));
+      watched[i].add(frame, before, after);
     }
   }
   std::vector<LimbPop> pops;
-  for (std::size_t i = 0; i < limbs.size(); ++i) {
-    std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i]);
-    if (pop = pop ? pop : worstTurn(limbs[i], source[i], moved[i], clip.framesPerSecond); pop) {
-      pop->frame += static_cast<double>(first);
-      pops.push_back(*pop);
-    }
+  for (const Watched& limb : watched) {
+    limb.tell(pops);
   }
   return pops;
 }
@@ -153,6 +290,9 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
 std::string popWarning(const LimbPop& pop) {
   std::string limb = pop.limb;
   std::ranges::replace(limb, '-', ' ');
+  if (!pop.freeFrames.empty()) {
+    return turnWarning(limb, pop);
+  }
   if (pop.turnDegrees > 0.0) {
     return fmt::format("the {} flips at frame {:g}: it turns by {:.0f} degrees within a frame, {:.0f} in the "
                        "clip; one that is folded until its end passes its base does so: let it fold less far",

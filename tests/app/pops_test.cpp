@@ -1,12 +1,18 @@
 #include "app/evaluate/pops.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/session.h"
+#include "core/base/index.h"
+#include "core/math/rotation.h"
+#include "core/math/transform.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/naming_schemes.h"
 
@@ -144,4 +150,65 @@ TEST_CASE("A leg that is folded until its foot passes its hip flips, and is told
   CHECK(popWarning(over[1]).starts_with("the right leg flips at frame 11: it turns by 174 degrees within a "
                                         "frame, 0 in the clip; "));
   CHECK(turnedBy(0.8).empty()); // folded more, and not past its hip
+}
+
+namespace {
+
+rig::OffsetKey movedTo(double frame, const Vec3& move) {
+  rig::OffsetKey key;
+  key.frame = frame;
+  key.move = move;
+  return key;
+}
+
+double thighTurn(const Document& posed, double frame) {
+  const NodeIndex thigh = findLimb(posed, "left-leg")->joints.front();
+  const rig::MotionState motion = prepareMotion(posed, 0);
+  const auto turnAt = [&](double at) {
+    return rotationOf(evaluate(posed, motion, at / 24.0).worlds[stretch::at(thigh)]);
+  };
+  return angleBetween(turnAt(frame - 1.0), turnAt(frame)) * 180.0 / pi;
+}
+
+const rig::Adjustment sunkHips{"hips", 0, std::nullopt, {lowered(0, 0.1)}};
+
+} // namespace
+
+TEST_CASE("A knee that its pole leads round is meant to turn, and not told of") {
+  const rig::Adjustment pole{
+      "left-knee", 0, std::nullopt, {movedTo(0, Vec3(0.0)), movedTo(12, Vec3(1.5, 0.0, -0.45))}};
+  const Document posed = posedBy({sunkHips, pole});
+  REQUIRE(thighTurn(posed, 6.0) > 5.5);
+  const std::vector<LimbPop> told = limbPops(posed, prepareMotion(posed, 0), {});
+  CHECK(std::ranges::all_of(told, [](const LimbPop& pop) { return pop.freeFrames.empty(); }));
+}
+
+TEST_CASE("A knee that goes round as its foot passes its pole is told of with each of these frames") {
+  const rig::Adjustment pole{"left-knee", 0, std::nullopt, {movedTo(0, Vec3(0.03, 0.0, -0.4))}};
+  const rig::Adjustment foot{
+      "left-foot", 0, std::nullopt, {movedTo(0, Vec3(0.0)), movedTo(36, Vec3(0.0, 0.0, 0.2))}};
+  const Document posed = posedBy({sunkHips, pole, foot});
+  std::vector<std::int64_t> wanted;
+  double most = 0.0;
+  for (std::int64_t frame = 1; frame <= 47; ++frame) {
+    const double turn = thighTurn(posed, static_cast<double>(frame));
+    most = std::max(most, turn);
+    if (turn > 5.0) {
+      wanted.push_back(frame);
+    }
+  }
+  const std::vector<LimbPop> told = limbPops(posed, prepareMotion(posed, 0), {});
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].limb == "left-leg");
+  CHECK(wanted.size() > 3);
+  CHECK(told[0].freeFrames == wanted);
+  CHECK(told[0].turnDegrees == Approx(most).epsilon(0.01)); // of the shin, which turns with it
+  CHECK(told[0].sourceDegrees == Approx(0.0).margin(0.1));
+  CHECK(popWarning(told[0]).starts_with(
+      fmt::format("the left leg turns at frames {} to {} though its ends do not make it: by {:.0f} degrees "
+                  "within frame {:g}, 0 in the clip; ",
+                  wanted.front(), wanted.back(), most, told[0].frame)));
+  const std::vector<LimbPop> late = limbPops(posed, prepareMotion(posed, 0), {wanted[1], 47});
+  REQUIRE(late.size() == 1);
+  CHECK(late[0].freeFrames == std::vector<std::int64_t>(wanted.begin() + 2, wanted.end()));
 }

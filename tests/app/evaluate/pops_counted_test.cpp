@@ -87,7 +87,7 @@ std::optional<LimbPop> counted(const rig::Limb& limb, const Points& source, cons
     const bool isOurs = joint > 2.0 * hardest(source, frame, inner);
     if (isOurs && joint > 0.01 * limb.restLength && joint > 4.0 * end &&
         (!worst || joint / end > worst->times)) {
-      worst = LimbPop{limb.id, static_cast<double>(frame), joint / end};
+      worst = LimbPop{limb.id, static_cast<double>(frame), joint / end, 0.0, 0.0, {}};
     }
   }
   double most = std::max(45.0, 45.0 * 24.0 / rate);
@@ -98,7 +98,7 @@ std::optional<LimbPop> counted(const rig::Limb& limb, const Points& source, cons
     }
     if (const double now = turned(moved, frame); now - 2.0 * before > most) {
       most = now - 2.0 * before;
-      worst = LimbPop{limb.id, static_cast<double>(frame), 0.0, now, before};
+      worst = LimbPop{limb.id, static_cast<double>(frame), 0.0, now, before, {}};
     }
   }
   return worst;
@@ -148,6 +148,7 @@ TEST_CASE(
         still += found.empty() ? 1 : 0;
         for (std::size_t i = 0; i < found.size(); ++i) {
           CHECK(found[i].limb == wanted[i].limb);
+          CHECK(found[i].freeFrames == wanted[i].freeFrames);
           CHECK(found[i].frame == wanted[i].frame);
           CHECK(found[i].times == Approx(wanted[i].times));
           CHECK(found[i].turnDegrees == Approx(wanted[i].turnDegrees));
