@@ -30,8 +30,9 @@ namespace {
 using gltf::Json;
 
 constexpr const char* hiddenVerb = "read-foreign-file";
-constexpr std::uintmax_t bytesOfOne = 64; // As docs/trust.md says of every file.
-constexpr std::uintmax_t bytesOfAny = 400ULL << 20U; // Half of what it says: to touch memory is what costs time.
+constexpr std::uintmax_t bytesOfOne = 64;            // As docs/trust.md says of every file.
+constexpr std::uintmax_t bytesOfAny = 400ULL << 20U; // Half of what it says: to touch memory is what costs
+                                                     // time.
 constexpr rlim_t processorSeconds = 60;
 constexpr int longestSilence = 120'000; // Milliseconds: one that waits, and uses no processor, is ended too.
 
