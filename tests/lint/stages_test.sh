@@ -55,3 +55,11 @@ echo "3 passed, 1 failed, 2 skipped" >"$log"
 counts_of "$log"
 expect "counts" "$passed $failed $skipped" "4 2 2"
 rm "$log"
+
+# Checks on real files that take minutes have one turn of three, and none is forgotten; the quick ones run each time.
+all=$("$root/tests/data/run" none folder --names | sort)
+turns=$(for i in 0 1 2; do "$root/tests/data/run" none folder --turn "$i/3" --names | grep -v '^left out: '; done | sort)
+expect "checks that have a turn" "$(uniq <<<"$turns")" "$all"
+expect "times that a quick check runs" "$(grep -c '^corpus$' <<<"$turns")" 3
+expect "times that a long check runs" "$(grep -c '^pose$' <<<"$turns")" 1
+expect "what is left out" "$("$root/tests/data/run" none folder --turn 1/3 --names | grep -c '^left out: ')" 7
