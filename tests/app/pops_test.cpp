@@ -212,3 +212,32 @@ TEST_CASE("A knee that goes round as its foot passes its pole is told of with ea
   REQUIRE(late.size() == 1);
   CHECK(late[0].freeFrames == std::vector<std::int64_t>(wanted.begin() + 2, wanted.end()));
 }
+
+TEST_CASE("A knee that goes round is told of but where a trail of its own leg acts") {
+  const rig::Adjustment pole{"left-knee", 0, std::nullopt, {movedTo(0, Vec3(0.03, 0.0, -0.4))}};
+  const rig::Adjustment foot{
+      "left-foot", 0, std::nullopt, {movedTo(0, Vec3(0.0)), movedTo(36, Vec3(0.0, 0.0, 0.2))}};
+  Document posed = posedBy({sunkHips, pole, foot});
+  const std::vector<LimbPop> before = limbPops(posed, prepareMotion(posed, 0), {});
+  REQUIRE(before.size() == 1);
+  const std::vector<std::int64_t> all = before[0].freeFrames;
+  REQUIRE(all.size() > 3);
+  const auto framesWithTrailOf = [&](const std::string& limb) {
+    rig::Trail trail;
+    trail.id = 1;
+    trail.limb = limb;
+    trail.settings.startFrame = static_cast<double>(all.front()) - 3.0;
+    trail.settings.endFrame = static_cast<double>(all.back()) + 3.0;
+    trail.exaggerated = true;
+    trail.connected = true;
+    Document moving = posed;
+    moving.trails.push_back(trail);
+    std::vector<std::int64_t> told;
+    for (const LimbPop& pop : limbPops(moving, prepareMotion(moving, 0), {})) {
+      told.insert(told.end(), pop.freeFrames.begin(), pop.freeFrames.end());
+    }
+    return told;
+  };
+  CHECK(framesWithTrailOf("left-leg").empty());
+  CHECK(framesWithTrailOf("right-leg") == all);
+}
