@@ -224,6 +224,7 @@ void FileWork::show(FileUser& user) {
   path_ = session != nullptr ? read.paths.back() : pathOf(user.open().sequence()->document());
   if (session != nullptr) {
     stamp(path_, read.stamp);
+    openedSource_ = session->document().source;
   } else {
     stampedPath_.clear(); // Nothing is saved over a sequence: changes by others do not matter.
     stamp_.reset();
@@ -282,6 +283,7 @@ void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   user.tell(Tone::success, "Saved " + path.filename().string() + missText(*done));
   tellLeftOut(user, *user.open().character());
   path_ = path; // What is open now: unsaved work from here on is kept aside for it.
+  openedSource_ = user.open().character()->document().source;
   stamp(path, stampOf(path));
   forgetKeptAside();
   user.saved(path);
@@ -385,14 +387,22 @@ void FileWork::restore(FileUser& user, const fs::path& autosave) {
   Session& session = *user.open().character();
   Result<Document> restored = withAutosave(session.document(), autosave);
   const std::optional<WorkPlace> where = placeOfAutosave(autosave);
-  removeAutosave(autosave);
-  if (restored) {
-    session.edit(std::move(restored).value(), "Restore unsaved work");
-    showWhereWorkWas(session, where);
-    user.tell(Tone::success, "The unsaved work is back");
-  } else {
-    user.tell(Tone::error, restored.error().line());
+  if (!restored) { // A file that is put right, or another version of this program, may take it.
+    user.tell(Tone::error,
+              fmt::format("The unsaved work stays in {}: {}", autosave.string(), restored.error().line()));
+    return;
   }
+  removeAutosave(autosave);
+  const std::vector<std::string>& before = session.document().warnings;
+  std::vector<std::string> leftOut;
+  std::ranges::copy_if(restored->warnings, std::back_inserter(leftOut), [&](const std::string& warning) {
+    return std::ranges::find(before, warning) == before.end();
+  });
+  session.edit(std::move(restored).value(), "Restore unsaved work");
+  showWhereWorkWas(session, where);
+  user.tell(Tone::success,
+            leftOut.empty() ? "The unsaved work is back" : "What fits of the unsaved work is back");
+  tellWarnings(user, leftOut);
 }
 
 void FileWork::offerAutosave(const fs::path& file) {
@@ -435,7 +445,12 @@ void FileWork::keepAside(FileUser& user, double nowSeconds) {
   keptAsideSeconds_ = nowSeconds;
   const fs::path file = autosavePath(path_);
   const WorkPlace place = placeOf(session->view());
-  const Status written = writeText(file, autosaveText(document, place, path_));
+  const bool isChanged = document.source != openedSource_;
+  const bool isKept = keptAside_ && keptAside_->document.source == document.source;
+  Status written = isChanged && !isKept ? keepSourceAside(*document.source, file) : Status(Success{});
+  if (written) {
+    written = writeText(file, autosaveText(document, place, path_, isChanged));
+  }
   if (written) {
     keptAside_ = KeptAside{file, document, place};
   } else if (!keepFailureTold_) {

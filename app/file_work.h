@@ -158,11 +158,12 @@ private:
   State state_;
   std::optional<Opening> opening_;
   std::filesystem::path path_;
-  std::filesystem::path stampedPath_;  ///< File whose stamp is kept.
-  std::optional<FileStamp> stamp_;     ///< Stamp of the file as last read or written.
-  bool changeTold_ = false;            ///< The user knows that the file changed.
-  std::optional<KeptAside> keptAside_; ///< As it was kept the last time that it could be.
-  bool keepFailureTold_ = false;       ///< The last try failed, and the user knows.
+  std::filesystem::path stampedPath_;                ///< File whose stamp is kept.
+  std::optional<FileStamp> stamp_;                   ///< Stamp of the file as last read or written.
+  bool changeTold_ = false;                          ///< The user knows that the file changed.
+  std::shared_ptr<const gltf::Source> openedSource_; ///< The source as the file has it.
+  std::optional<KeptAside> keptAside_;               ///< As it was kept the last time that it could be.
+  bool keepFailureTold_ = false;                     ///< The last try failed, and the user knows.
   double keptAsideSeconds_ = -1e9;
 };
 

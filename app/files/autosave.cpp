@@ -15,6 +15,7 @@
 #include "app/files/user_files.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/json/json_integers.h"
+#include "core/gltf/patch/edits.h"
 #include "core/gltf/source/added_file.h"
 #include "core/gltf/source/json_text.h"
 
@@ -32,6 +33,28 @@ fs::path autosaveFolder() {
 std::string absoluteText(const fs::path& path) {
   std::error_code ignored;
   return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+/// A folder of its own, as pictures may come to lie beside it.
+fs::path sourceBeside(const fs::path& autosave) {
+  return fs::path(autosave).replace_extension("source") / "source.glb";
+}
+
+/// The document on the source that was kept beside the autosave, as if it had been opened from its own file.
+Result<Document> onKeptSource(Document document, const fs::path& autosave) {
+  Result<gltf::Loaded> loaded = gltf::load(sourceBeside(autosave), gltf::Tolerance::warn);
+  if (!loaded) {
+    return loaded.error();
+  }
+  gltf::Source source = *loaded->source;
+  source.path = document.source->path;
+  document.source = std::make_shared<const gltf::Source>(std::move(source));
+  document.scene = loaded->scene;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
+  document.sourceClips = nullptr;
+  document.importedClips = 0; // It has them.
+  document.body = bodyOfSource(document);
+  return document;
 }
 
 /// The file's content; null when it is none of ours.
@@ -79,18 +102,28 @@ fs::path autosavePath(const fs::path& source) {
   return autosaveFolder() / fmt::format("{}-{}.json", nameFor(source), getpid());
 }
 
-std::string autosaveText(const Document& document, const WorkPlace& place, const fs::path& source) {
+std::string autosaveText(const Document& document, const WorkPlace& place, const fs::path& source,
+                         bool hasSource) {
   return Json{
       {"version", 1},
       {"source", absoluteText(source)},
       {"process", static_cast<long>(getpid())},
       {"began", beginOf(getpid())},
       {"work", workOf(document)},
+      {"patched", hasSource},
       {"imported_clips", importedClipsToJson(document)},
       {"added", document.addedFiles.empty() ? Json() : gltf::addedToJson(document.addedFiles)},
       {"view",
        {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Status keepSourceAside(const gltf::Source& source, const fs::path& autosave) {
+  const fs::path file = sourceBeside(autosave);
+  std::error_code problem;
+  fs::create_directories(file.parent_path(), problem);
+  return problem ? Status(Error{"cannot be made: " + problem.message(), file.parent_path().string(), ""})
+                 : gltf::save(source, file);
 }
 
 std::optional<WorkPlace> placeOfAutosave(const fs::path& autosave) {
@@ -132,7 +165,13 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
     return Error{"the unsaved work cannot be read", autosave.string(), "go on with the file as it was saved"};
   }
   Document restored = withoutWork(document);
-  if (json.contains("imported_clips")) {
+  if (json.value("patched", Json()) == true) {
+    Result<Document> with = onKeptSource(restored, autosave);
+    if (!with) {
+      return with.error();
+    }
+    restored = std::move(with).value();
+  } else if (json.contains("imported_clips")) {
     Result<Document> with = withImportedClips(restored, json["imported_clips"]);
     if (!with) {
       return with.error();
@@ -156,6 +195,7 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
 void removeAutosave(const fs::path& autosave) {
   std::error_code ignored;
   fs::remove(autosave, ignored);
+  fs::remove_all(sourceBeside(autosave).parent_path(), ignored);
 }
 
 } // namespace stretch::app

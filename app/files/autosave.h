@@ -8,8 +8,8 @@
 
 namespace stretch::app {
 
-/// Work that was not saved when the program went away. The work is small (trails and settings, not the
-/// character), so it is written to the side every few seconds.
+/// Work that was not saved when the program went away. The work is small (trails and settings), so it is
+/// written to the side every few seconds; the character itself only when a rig or a binding has changed it.
 struct Autosave {
   std::filesystem::path file;   ///< Path of the autosave itself.
   std::filesystem::path source; ///< File that was being edited.
@@ -28,9 +28,14 @@ struct WorkPlace {
   friend bool operator==(const WorkPlace&, const WorkPlace&) = default;
 };
 
-/// The autosave as text: what was edited, by which process, the work, and where it was worked.
+/// The autosave as text: what was edited, by which process, the work, and where it was worked. `hasSource`:
+/// the document's source is kept beside it (keepSourceAside).
 [[nodiscard]] std::string autosaveText(const Document& document, const WorkPlace& place,
-                                       const std::filesystem::path& source);
+                                       const std::filesystem::path& source, bool hasSource = false);
+
+/// Writes a source that is another than its file's, as after a rig was built or a mesh bound, beside its
+/// autosave.
+[[nodiscard]] Status keepSourceAside(const gltf::Source& source, const std::filesystem::path& autosave);
 
 /// Nothing where the autosave does not say.
 [[nodiscard]] std::optional<WorkPlace> placeOfAutosave(const std::filesystem::path& autosave);
@@ -41,7 +46,7 @@ struct WorkPlace {
 /// The document with the autosaved work in place of its own.
 [[nodiscard]] Result<Document> withAutosave(const Document& document, const std::filesystem::path& autosave);
 
-/// Forgets it: the work was saved, or the user does not want it.
+/// Forgets it, and what was kept beside it: the work was saved, or the user does not want it.
 void removeAutosave(const std::filesystem::path& autosave);
 
 } // namespace stretch::app

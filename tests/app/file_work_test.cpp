@@ -507,3 +507,40 @@ TEST_CASE(
   const Document saved = openDocument(desk.file("mine.glb").string()).value();
   CHECK(saved.adjustments.size() == 1);
 }
+
+TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is left out of it is told") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.update(desk, 10.0);
+  const fs::path file = autosavePath(desk.file("a.glb"));
+  gltf::Json kept = gltf::Json::parse(*readText(file));
+  kept["process"] = static_cast<long>(getppid());
+  kept["began"] = 1U;
+  const bool isRefused = GENERATE(true, false);
+  if (isRefused) {
+    kept["work"]["version"] = 1000;
+  } else {
+    kept["work"]["adjustments"] = {
+        {{"controller", "no such controller"}, {"clip", 0}, {"keys", {{{"frame", 3}, {"move", {0, 1, 0}}}}}}};
+  }
+  REQUIRE(writeText(file, kept.dump()));
+  FileWork next;
+  desk.document = OpenDocument();
+  desk.openNow(next, "a.glb");
+  REQUIRE(next.question().kind == Kind::restore);
+  desk.told.clear();
+  next.answer(desk, FileAnswer::restore);
+  CHECK(fs::exists(file) == isRefused);
+  CHECK(desk.isEdited() != isRefused);
+  if (isRefused) {
+    REQUIRE(desk.told.size() == 1);
+    CHECK(desk.lastTone() == Tone::error);
+    CHECK_THAT(desk.told.back().second, Catch::Contains(file.string()));
+  } else {
+    REQUIRE(desk.told.size() == 2);
+    CHECK(desk.told[0].second == "What fits of the unsaved work is back");
+    CHECK(desk.lastTone() == Tone::warning);
+  }
+}
