@@ -39,7 +39,7 @@ constexpr int mostGroups = 1000000;
 Status checkKeys(const Json& json) {
   const std::vector<std::string> known{"version", "clip",    "units",       "frames_per_second",
                                        "trails",  "elastic", "adjustments", "pins",
-                                       "grips",   "props",   "references"};
+                                       "grips",   "props",   "references",  "loops"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
@@ -63,6 +63,9 @@ Status checkKeys(const Json& json) {
   if (json.contains("frames_per_second") &&
       !(json["frames_per_second"].is_number() && json["frames_per_second"].get<double>() > 0.0)) {
     return Error{"is not a rate", "frames_per_second", "give a number above 0, or leave it out"};
+  }
+  if (json.contains("loops") && !json["loops"].is_boolean()) {
+    return Error{json["loops"].dump() + " is neither true nor false", "loops", "give one, or leave it out"};
   }
   if (json.contains("clip") && !json["clip"].is_string()) {
     return Error{json["clip"].dump() + " is not the name of a clip", "clip",
@@ -191,6 +194,16 @@ Status readGroup(const Json& json, rig::Trail& trail) {
   return Success{};
 }
 
+Status readControlFrames(const Json& json, rig::Trail& trail) {
+  const auto isNumber = [](const Json& entry) { return entry.is_number(); };
+  if (!json.is_array() || !std::ranges::all_of(json, isNumber)) {
+    return Error{"is not a list of frames", "control_frames", "give numbers, such as [24, 27.5, 30]"};
+  }
+  trail.controlFrames = json.get<std::vector<double>>();
+  std::ranges::sort(trail.controlFrames);
+  return Success{};
+}
+
 Status readTrailRange(const Json& json, const rig::Limb& limb, Document& document, rig::Trail& trail) {
   if (!json.contains("range")) {
     const Vec2 range = defaultRange(document, trail.clip, limb);
@@ -210,12 +223,16 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   trail.clip = clip;
   trail.settings = usualTrail(document, *limb);
   const double lengthUnit = inMetres ? 1.0 : limb->restLength;
-  Status read = trailFromJson(json, lengthUnit, {"limb", "colour", "group"}, trail.settings);
+  Status read =
+      trailFromJson(json, lengthUnit, {"limb", "colour", "group", "control_frames"}, trail.settings);
   if (read && json.contains("colour")) {
     read = readColour(json["colour"], trail);
   }
   if (read && json.contains("group")) {
     read = readGroup(json["group"], trail);
+  }
+  if (read && json.contains("control_frames")) {
+    read = readControlFrames(json["control_frames"], trail);
   }
   if (read) {
     read = readTrailRange(json, *limb, document, trail);
@@ -318,6 +335,7 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   }
   Recipe recipe;
   recipe.clip = *clip;
+  recipe.loops = json.value("loops", false);
   // The recipe's frames are read as those of a clip that is worked on at its rate, and then counted in the
   // clip's.
   const double rate = clipOf(document, *clip).framesPerSecond;
@@ -379,13 +397,20 @@ Json recipeToJson(const Document& document, int clip) {
   if (ownRate(document, clip) != clipOf(document, clip).framesPerSecond) {
     json["frames_per_second"] = clipOf(document, clip).framesPerSecond;
   }
+  if (isLooping(document, clip)) {
+    json["loops"] = true;
+  }
   json["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     const rig::Limb* const limb = findLimb(document, trail.limb);
-    if (trail.clip == clip && limb != nullptr) {
+    const bool isAside = trail.exaggerated && !trail.connected; // like weight that is off
+    if (trail.clip == clip && limb != nullptr && !isAside) {
       Json entry = trailToJson(trail.settings, limb->restLength);
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
+      if (!trail.controlFrames.empty()) {
+        entry["control_frames"] = trail.controlFrames;
+      }
       if (!groupMembers(document, trail.id).empty()) {
         entry["group"] = trail.group;
       }

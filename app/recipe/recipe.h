@@ -11,6 +11,7 @@ namespace stretch::app {
 /// A recipe (docs/recipes.md): an edit that can be replayed on another clip or character.
 struct Recipe : Things { // Trails have no ids; limbs exist in the document.
   int clip = 0;
+  bool loops = false;  ///< The clip is marked as a loop.
   Reference reference; ///< Without images and sound where the recipe has none.
 };
 

@@ -1,6 +1,7 @@
 #include "app/recipe/replay.h"
 
 #include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/reference/reference_edits.h"
 
 namespace stretch::app {
@@ -16,7 +17,8 @@ Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) 
   Reference reference = referenceOf(document, recipe.clip);
   reference.images = recipe.reference.images.file.empty() ? reference.images : recipe.reference.images;
   reference.sound = recipe.reference.sound.file.empty() ? reference.sound : recipe.reference.sound;
-  return place(withReference(document, reference), things, Entry::request);
+  const Document changed = recipe.loops ? setLooping(document, recipe.clip, true) : document;
+  return place(withReference(changed, reference), things, Entry::request);
 }
 
 } // namespace stretch::app

@@ -329,3 +329,49 @@ TEST_CASE(
   CHECK(written["turn_slope"][1].get<double>() == Approx(3.0));
   CHECK(written["turn"][1].get<double>() == Approx(15.0));
 }
+
+TEST_CASE(
+    "A recipe of the editor keeps where control spheres stand and whether the clip loops, and leaves out "
+    "what is kept aside") {
+  Document document = test::boxer();
+  const Result<Recipe> punch = read(punchRecipe());
+  REQUIRE(punch);
+  Result<PlacedTrails> placed = withRecipe(document, *punch);
+  REQUIRE(placed);
+  document = setLooping(placed->document, 0, true);
+  findTrail(document, placed->trailIds[0])->controlFrames = {2.0, 4.5, 8.0};
+  rig::Trail aside = *findTrail(document, placed->trailIds[0]);
+  aside.id = 0;
+  aside.limb = "right-arm";
+  aside.connected = false;
+  const Result<PlacedTrails> both = placeTrails(document, {&aside, 1}, Entry::request);
+  REQUIRE(both);
+
+  const Json json = recipeToJson(both->document, 0);
+  CHECK(json["trails"].size() == 1);
+  CHECK(json["loops"] == true);
+  const Result<Recipe> again = read(json);
+  REQUIRE(again);
+  REQUIRE(again->trails.size() == 1);
+  CHECK(again->trails[0].controlFrames == std::vector<double>{2.0, 4.5, 8.0});
+  const Result<PlacedTrails> replayed = withRecipe(test::boxer(), *again);
+  REQUIRE(replayed);
+  CHECK(isLooping(replayed->document, 0));
+  CHECK(findTrail(replayed->document, replayed->trailIds[0])->controlFrames ==
+        std::vector<double>{2.0, 4.5, 8.0});
+  CHECK_FALSE(recipeToJson(withRecipe(test::boxer(), *punch)->document, 0).contains("loops"));
+}
+
+TEST_CASE("Frames of control spheres and the loop of a recipe are refused where they are something else") {
+  Json json = punchRecipe();
+  json["trails"][0]["control_frames"] = {1, "two"};
+  REQUIRE_FALSE(read(json));
+  CHECK_THAT(read(json).error().line(),
+             Catch::Contains("control_frames") && Catch::Contains("list of frames"));
+  json["trails"][0]["control_frames"] = 3;
+  CHECK_FALSE(read(json));
+  json["trails"][0].erase("control_frames");
+  json["loops"] = 1;
+  REQUIRE_FALSE(read(json));
+  CHECK_THAT(read(json).error().line(), Catch::Contains("loops"));
+}

@@ -13,6 +13,7 @@
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/edits/pose/offset_edits.h"
 #include "app/edits/pose/selection_set_edits.h"
 #include "ui/panels/context/panel_support.h"
@@ -219,6 +220,7 @@ bool hasWork(const Shell& shell) {
   const app::Document& document = shell.open.character()->document();
   const int clip = shell.open.character()->view().clip;
   return app::hasWeight(document, clip) || !app::adjustedIds(document, clip).empty() ||
+         !app::holdsOfClip(document.holds, clip).empty() ||
          std::ranges::any_of(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
 }
 
@@ -331,7 +333,7 @@ std::vector<ShellCommand> fileCommands() {
           askingFor(FilePurpose::saveFilm)),
       shellCommand(command::recipeSave, "Save a recipe",
                    "Writes the clip's poses, trails and weight, to be replayed on another clip or character.",
-                   {}, {hasWork, "make a trail or pose a controller first"},
+                   {}, {hasWork, "make a trail, pose a controller or pin a limb first"},
                    askingFor(FilePurpose::saveRecipe)),
       shellCommand(command::recipeLoad, "Replay a recipe",
                    "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
