@@ -104,17 +104,6 @@ Status checkWays(const ExaggerateArguments& arguments, const CommandLine& line) 
   return checkTrailOptions(line);
 }
 
-// Trails that the file held and that the document has no more.
-void warnOfReplaced(const Document& before, const Document& document, gltf::Json& report) {
-  for (const rig::Trail& trail : before.trails) {
-    if (findTrail(document, trail.id) == nullptr) {
-      report["warnings"].push_back(
-          fmt::format("{}: the trail from {:g} to {:g} that the file holds gives way to the new one",
-                      trail.limb, trail.settings.startFrame, trail.settings.endFrame));
-    }
-  }
-}
-
 // Places trails and tells what became of them.
 Result<gltf::Json> exaggerated(const Recipe& recipe, bool loops, Document& document) {
   Result<PlacedTrails> placed =
@@ -124,7 +113,7 @@ Result<gltf::Json> exaggerated(const Recipe& recipe, bool loops, Document& docum
   }
   const Document before = std::exchange(document, std::move(placed->document));
   gltf::Json report = exaggerationJson(document, recipe.clip, placed->trailIds);
-  warnOfReplaced(before, document, report);
+  addGaveWay(before, document, report);
   if (!recipe.adjustments.empty() || !recipe.holds.empty()) {
     addPoseReport(document, recipe.clip, recipe.adjustments, report);
   }
@@ -180,6 +169,7 @@ Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
     return known.error();
   }
   gltf::Json clips = gltf::Json::array();
+  const Document before = document;
   const auto character = std::make_shared<CharacterFacts>(document);
   for (int clip = 0; clip < static_cast<int>(document.clips->size()); ++clip) {
     clips.push_back(exaggeratedWherePossible(requests, clip, arguments.loops, character, document));
@@ -188,7 +178,9 @@ Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
     return Error{"none of the limbs can be exaggerated in any clip", "--all-clips",
                  "exaggerate one --clip to see why"};
   }
-  return gltf::Json{{"clips", std::move(clips)}, {"warnings", documentWarnings(document)}};
+  gltf::Json report{{"clips", std::move(clips)}, {"warnings", documentWarnings(document)}};
+  addGaveWay(before, document, report);
+  return report;
 }
 
 void printClips(const gltf::Json& report) {

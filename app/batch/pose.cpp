@@ -177,11 +177,15 @@ Status runPose(const PoseArguments& arguments) {
   if (!posed) {
     return posed.error();
   }
+  Json replaced{{"warnings", Json::array()}};
+  addGaveWay(*document, *posed, replaced);
   Json taken = Json::object();
   if (Status took = takePose(arguments.library, recipe->clip, *posed, taken); !took) {
     return took;
   }
   Json report = poseJson(*posed, *recipe);
+  report["warnings"].insert(report["warnings"].end(), replaced["warnings"].begin(),
+                            replaced["warnings"].end());
   if (!taken.empty()) {
     report["pose"] = std::move(taken);
   }

@@ -13,6 +13,7 @@
 #include "app/evaluate/stopped.h"
 #include "app/evaluate/way_back.h"
 #include "app/schema/schema_json.h"
+#include "app/things/place.h"
 #include "core/gltf/json/json.h"
 #include "rig/limb.h"
 
@@ -179,6 +180,12 @@ gltf::Json documentWarnings(const Document& document) {
     warnings.push_back(warning);
   }
   return warnings;
+}
+
+void addGaveWay(const Document& before, const Document& after, gltf::Json& report) {
+  for (const std::string& line : gaveWay(before, after)) {
+    report["warnings"].push_back(line);
+  }
 }
 
 void printWarnings(const gltf::Json& warnings) {

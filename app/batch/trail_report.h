@@ -24,6 +24,8 @@ void printExaggeration(const gltf::Json& report);
 [[nodiscard]] gltf::Json addedFilesToJson(const Document& document);
 
 [[nodiscard]] gltf::Json documentWarnings(const Document& document);
+/// Adds what of `before` gave way (gaveWay) to a report's warnings.
+void addGaveWay(const Document& before, const Document& after, gltf::Json& report);
 
 /// Each of the list on standard error.
 void printWarnings(const gltf::Json& warnings);

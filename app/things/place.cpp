@@ -1,6 +1,7 @@
 #include "app/things/place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -73,10 +74,14 @@ void putIn(std::vector<T>& list, T thing) {
   list.push_back(std::move(thing));
 }
 
-// By hand a trail is refused what it meets; everything else gives way to what an editor sets.
 template <typename T>
-bool givesWayTo(Entry entry) {
-  return entry == Entry::request || (entry == Entry::hand && !isThing<T, rig::Trail>);
+std::string gaveWayText(const T& old) {
+  const Vec2 span = spanOf(old);
+  const std::string frames =
+      std::isfinite(span.x) ? fmt::format("from {:g} to {:g}", span.x, span.y) : "over the whole clip";
+  const bool many = isThing<T, rig::Adjustment>;
+  return fmt::format("{}: the {} {} that {} there {} way to the new one{}", subjectOf(old), kindTitle<T>(),
+                     frames, many ? "were" : "was", many ? "give" : "gives", many ? "s" : "");
 }
 
 template <typename T>
@@ -96,7 +101,7 @@ Status placeAll(const Ground& ground, const std::vector<T>& wanted, Placed& plac
       return meeting(thing, *twice);
     }
     const auto met = std::ranges::find_if(list, isMet);
-    if (met != list.end() && !givesWayTo<T>(ground.entry)) {
+    if (met != list.end() && ground.entry != Entry::request) {
       return meeting(thing, *met);
     }
     if constexpr (isThing<T, rig::Trail>) {
@@ -127,6 +132,21 @@ Result<Placed> place(const Document& document, const Things& wanted, Entry entry
 
 Result<Placed> place(const Document& document, const Things& wanted, Entry entry) {
   return place(document, wanted, entry, document);
+}
+
+std::vector<std::string> gaveWay(const Document& before, const Document& after) {
+  std::vector<std::string> lines;
+  eachList(before, [&](const auto& list) {
+    using T = typename std::remove_cvref_t<decltype(list)>::value_type;
+    const std::vector<T>& now = listOf<T>(after);
+    for (const T& old : list) {
+      const bool isMet = std::ranges::any_of(now, [&](const T& thing) { return meets(thing, old); });
+      if (!isThing<T, WeightedLimb> && isMet && std::ranges::find(now, old) == now.end()) {
+        lines.push_back(gaveWayText(old));
+      }
+    }
+  });
+  return lines;
 }
 
 Result<Document> documentOf(Result<Placed> placed) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace stretch::app {
 /// Who brings the things, which decides what happens to those that are in their way.
 enum class Entry {
   request, ///< Command line, recipe or command: what meets them gives way.
-  hand,    ///< The editor: a trail that would overlap is refused; of other things as `request`.
+  hand,    ///< The editor's ranges and new trails: an overlap is refused.
   file,    ///< Saved work: an overlap is refused; a range may lie outside the clip, which other programs may
            ///< have cut.
 };
@@ -31,6 +32,9 @@ struct Placed {
 [[nodiscard]] Result<Placed> place(const Document& document, const Things& wanted, Entry entry,
                                    const Document& before);
 [[nodiscard]] Result<Placed> place(const Document& document, const Things& wanted, Entry entry);
+
+/// One line for each thing of `before`, weight left out, in whose place `after` has another one.
+[[nodiscard]] std::vector<std::string> gaveWay(const Document& before, const Document& after);
 
 /// Answers the document alone.
 [[nodiscard]] Result<Document> documentOf(Result<Placed> placed);

@@ -425,7 +425,8 @@ void addPropFile(Shell& shell, const std::filesystem::path& path) {
 
 void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
   app::Document document = shell.open.character()->document();
-  const Result<app::Recipe> recipe = app::loadRecipe(path, document);
+  const Result<app::Recipe> recipe =
+      app::loadRecipe(path, document, shell.open.character()->view().clip); // whatever it was made from
   if (!recipe) {
     tell(shell, ToastKind::error, recipe.error().line());
     return;
@@ -435,9 +436,12 @@ void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::error, changed.error().line());
     return;
   }
+  const std::vector<std::string> replaced = app::gaveWay(document, changed->document);
   shell.open.character()->edit(std::move(changed->document), "Replay a recipe");
-  shell.open.character()->view().clip = recipe->clip;
   tell(shell, ToastKind::success, fmt::format("{} trails from the recipe", recipe->trails.size()));
+  for (const std::string& line : replaced) {
+    tell(shell, ToastKind::warning, capitalised(line));
+  }
 }
 
 } // namespace stretch::ui

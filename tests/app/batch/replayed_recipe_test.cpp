@@ -127,9 +127,8 @@ TEST_CASE("A trail that gives way to a new one is told, others that the file hol
   const test::VerbAnswer answer = test::runVerb(
       {"exaggerate", first, "-o", second, "--limb", "left-arm", "--range", "25:30", "--scale", "2"});
   REQUIRE(answer.exitCode == 0);
-  CHECK_THAT(answer.told,
-             Catch::Contains("left-arm: the trail from 21 to 27 that the file holds gives way") &&
-                 !Catch::Contains("right-arm"));
+  CHECK_THAT(answer.told, Catch::Contains("left-arm: the trail from 21 to 27 that was there gives way") &&
+                              !Catch::Contains("right-arm"));
 }
 
 TEST_CASE("A limb that does not get as long as asked names the setting of its trail by which") {
@@ -146,4 +145,30 @@ TEST_CASE("A limb that does not get as long as asked names the setting of its tr
   CHECK(kept(R"(,"switch":0.5)") == "by its stretch switch");
   CHECK(kept(R"(,"spheres":[{"frame":27,"offset":[0,0.2,0]}])") == "by the sphere at its tip");
   CHECK(kept(R"(,"spheres":[{"frame":23,"offset":[0,0.2,0]}])").empty());
+}
+
+TEST_CASE("Poses and holds that give way to those of a recipe are told, in exaggerate and in pose") {
+  const test::TemporaryFolder folder;
+  const auto recipe = [](const std::string& rangeOfHips, const std::string& pin, const std::string& hand) {
+    return R"({"version":1,"trails":[],"adjustments":[{"controller":"hips","keys":[{"frame":22,"move":[0,-0.1,0]}])" +
+           rangeOfHips + R"(},{"controller":")" + hand +
+           R"(","range":[2,9],"keys":[{"frame":5,"move":[0,0.1,0]}]}],"pins":[{"limb":"left-leg","range":)" +
+           pin + "}]}";
+  };
+  const std::string first = (folder / "first.glb").string();
+  const std::string before = folder.write("before.json", recipe("", "[0,30]", "left-hand")).string();
+  const std::string after =
+      folder.write("after.json", recipe(R"(,"range":[20,24])", "[30,34]", "right-hand")).string();
+  REQUIRE(test::exitCodeOf({"pose", dummy, "-o", first, "--recipe", before}) == 0);
+  for (const char* const verb : {"pose", "exaggerate"}) {
+    CAPTURE(verb);
+    const test::VerbAnswer answer =
+        test::runVerb({verb, first, "-o", (folder / "second.glb").string(), "--recipe", after});
+    REQUIRE(answer.exitCode == 0);
+    CHECK_THAT(
+        answer.told,
+        Catch::Contains("hips: the offsets over the whole clip that were there give way to the new ones") &&
+            Catch::Contains("left-leg: the pin from 0 to 30 that was there gives way to the new one") &&
+            !Catch::Contains("left-hand: the offsets"));
+  }
 }

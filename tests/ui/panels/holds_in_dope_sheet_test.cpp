@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/rows/timeline_model.h"
 
@@ -61,4 +62,21 @@ TEST_CASE("Holds over the whole clip, as things in a file's hands, stand below t
 TEST_CASE("The timeline has all holds below the keys") {
   PanelDriver driver(fourPins());
   CHECK(modelOf(driver, ui::RowDetail::selection).rowsAbove == 0);
+}
+
+TEST_CASE("A range that is typed digit by digit leaves its other end where it is") {
+  PanelDriver driver(fourPins());
+  app::Session& session = *driver.open.character();
+  app::selectLimb(session, "right-leg", false);
+  driver.frames(3);
+  REQUIRE(driver.find("holds/1/range-last") != nullptr);
+  driver.doubleClick("holds/1/range-last");
+  driver.frames(2);
+  for (const char* const digit : {"2", "5"}) {
+    driver.type(digit);
+    driver.frames(2);
+  }
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(2);
+  CHECK(session.document().holds.pins.at(1).time.rangeFrames == Vec2(5.0, 25.0));
 }

@@ -59,7 +59,9 @@ void holdRows(PanelContext& context, const std::string& id, const ShownHold& hol
   pairRow(context, id,
           {"range", "Range", "First and last frame over which it is held.", last, hold.time.rangeFrames},
           [&](const EditPhase& phase, const Vec2& wanted) {
-            const Vec2 range(std::min(wanted.x, wanted.y), std::max(wanted.x, wanted.y));
+            // Neither end takes the other along: a number may be typed whose first digit lies beyond it.
+            const Vec2& now = hold.time.rangeFrames;
+            const Vec2 range(std::min(wanted.x, now.y), std::max(wanted.y, now.x));
             editHold(context, phase, "Change the range of a hold", hold.place,
                      [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
           });
