@@ -34,7 +34,7 @@ std::vector<std::string> heldTargets(const Session& session) {
   const rig::ControllerList list = controllersOf(session.document());
   for (const std::string& id : session.view().selection.controllers()) {
     const rig::Controller* const controller = list.controller(id);
-    if (controller != nullptr) {
+    if (controller != nullptr && std::ranges::find(limbs, controller->limb) == limbs.end()) {
       limbs.push_back(controller->limb);
     }
   }
@@ -224,16 +224,31 @@ Status holdProp(Session& session) {
   return finish(session, placeHolds(session.document(), wanted), "Hold the prop");
 }
 
-// What the hand holds at the playhead; places in the list of props.
+// Of the last key at the frame or before it, else of the first one.
+double firmnessAt(const rig::PropHand& hand, double frame) {
+  double value = hand.keys.empty() ? 0.0 : hand.keys.front().value;
+  for (const rig::OffsetKey& key : hand.keys) {
+    value = key.frame <= frame + frameTolerance ? key.value : value;
+  }
+  return value;
+}
+
+bool isHolding(const rig::Prop& prop, const rig::PropHand& hand, const ViewState& view) {
+  const Vec2 touched = prop.time ? rig::touchedFrames(*prop.time) : Vec2(view.frame);
+  return prop.clip == view.clip && touched.x <= view.frame && view.frame <= touched.y &&
+         firmnessAt(hand, view.frame) > 0.0;
+}
+
+// What the hands hold at the playhead; places in the list of props.
 std::vector<std::size_t> propsInHand(const Session& session) {
   std::vector<std::size_t> held;
   const std::vector<std::string> arms = selectedArms(session);
   const std::vector<rig::Prop>& props = session.document().holds.props;
   for (std::size_t i = 0; i < props.size(); ++i) {
     const bool isIn = std::ranges::any_of(props[i].hands, [&](const rig::PropHand& hand) {
-      return std::ranges::find(arms, hand.limb) != arms.end();
+      return std::ranges::find(arms, hand.limb) != arms.end() && isHolding(props[i], hand, session.view());
     });
-    if (isIn && props[i].clip == session.view().clip) {
+    if (isIn) {
       held.push_back(i);
     }
   }
@@ -244,10 +259,10 @@ bool hasPropInHand(const Session& session) {
   return hasTargetArms(session) && !propsInHand(session).empty();
 }
 
-// Firm up to the frame, let go over the blend after it; later keys go.
+// As firm as it is up to the frame, let go over the blend after it; later keys go.
 void letGoAt(double frame, rig::PropHand& hand) {
+  const double before = firmnessAt(hand, frame);
   std::erase_if(hand.keys, [&](const rig::OffsetKey& key) { return key.frame > frame - frameTolerance; });
-  const double before = hand.keys.empty() ? 1.0 : hand.keys.back().value;
   for (const auto& [at, value] : {std::pair(frame, before), std::pair(frame + usualBlend.y, 0.0)}) {
     rig::OffsetKey key;
     key.frame = at;
@@ -262,7 +277,7 @@ Status letGo(Session& session) {
   for (const std::size_t i : propsInHand(session)) {
     rig::Prop prop = session.document().holds.props[i];
     for (rig::PropHand& hand : prop.hands) {
-      if (std::ranges::find(arms, hand.limb) != arms.end()) {
+      if (std::ranges::find(arms, hand.limb) != arms.end() && isHolding(prop, hand, session.view())) {
         letGoAt(session.view().frame, hand);
       }
     }

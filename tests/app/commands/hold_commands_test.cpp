@@ -385,3 +385,39 @@ TEST_CASE(
   CHECK(test::refusal(holdLimb(session, "left-arm")) ==
         "left arm: there is nothing to pull here; open a file with a clip");
 }
+
+TEST_CASE("A limb is pinned once, and holds a thing, where its hand and its elbow are both selected") {
+  Session session(test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb"));
+  session.view().frame = 10.0;
+  selectControllers(session, {"left-hand", "left-elbow"});
+  REQUIRE(runHold(session, command::holdProp).empty());
+  REQUIRE(session.document().holds.props.size() == 1);
+  CHECK(session.document().holds.props[0].hands.size() == 1);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(session.document().holds.pins.size() == 1);
+}
+
+TEST_CASE("A hold whose range would meet another one of its limb is refused, and both stay") {
+  Document document = test::boxer();
+  rig::Holds pins;
+  for (const Vec2& range : {Vec2(0.0, 6.0), Vec2(8.0, 14.0)}) {
+    rig::Pin pin;
+    pin.limb = "left-leg";
+    pin.time.rangeFrames = range;
+    pin.atFrame = 0.0;
+    pins.pins.push_back(pin);
+  }
+  const Result<Document> pinned = placeHolds(document, pins);
+  REQUIRE(pinned);
+  for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
+    rig::Pin wide = pinned->holds.pins[which];
+    wide.time.rangeFrames = {5.0, 9.0};
+    CHECK_THAT(test::refusal(changeHold(*pinned, {rig::HoldKind::pin, which}, {{wide}, {}, {}})),
+               Catch::Contains("held twice at the same time"));
+    wide.time.rangeFrames = which == 0 ? Vec2(1.0, 7.0) : Vec2(7.0, 12.0);
+    const Result<Document> moved = changeHold(*pinned, {rig::HoldKind::pin, which}, {{wide}, {}, {}});
+    REQUIRE(moved);
+    CHECK(moved->holds.pins[which] == wide);
+    CHECK(moved->holds.pins[1 - which] == pinned->holds.pins[1 - which]);
+  }
+}

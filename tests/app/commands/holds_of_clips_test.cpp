@@ -133,3 +133,23 @@ TEST_CASE("Grips lead in a circle where their blends meet, in and out, and not w
   CHECK_FALSE(isTaken({0.0, 7.0}, {0.0, 0.0}));
   CHECK_FALSE(isTaken({0.0, 0.0}, {7.0, 0.0}));
 }
+
+TEST_CASE("Only what a hand holds at the playhead is let go: what it takes later stays") {
+  rig::Holds holds;
+  holds.props.push_back(stickIn(0, {{.frame = 0.0, .value = 1.0}}));
+  rig::Prop later = stickIn(0, {{.frame = 0.0, .value = 0.0}, {.frame = 20.0, .value = 1.0}});
+  later.node = "Stick of the other clip";
+  rig::Prop ranged = stickIn(0, {{.frame = 0.0, .value = 1.0}});
+  ranged.time = rig::HoldTime{{20.0, 30.0}, {3.0, 3.0}};
+  ranged.node = "Later";
+  holds.props.insert(holds.props.end(), {later, ranged});
+  Document document = withHolds({});
+  document.holds = holds;
+  Session session = workedIn(document, 0, "left-arm");
+  CHECK(test::run(session, command::holdLetGo).empty());
+  const std::vector<rig::Prop>& props = session.document().holds.props;
+  REQUIRE(props.size() == 3);
+  CHECK(props[0].hands[0].keys.back().value == 0.0);
+  CHECK(props[1] == later);
+  CHECK(props[2] == ranged);
+}
