@@ -131,13 +131,15 @@ Verb bindVerb() {
             line.examples({"statue.glb -o bound.glb", "character.glb -o again.glb --keep-joints"});
             addFileArguments(line, arguments->input);
             addOutputFile(line, arguments->output, "The .glb or .gltf to write");
-            line.option("--locators", arguments->locators,
-                        "Where the joints are made, or moved to in a bound file (JSON, as `rig "
-                        "--locators-only` writes it) instead of the "
-                        "fitted places");
-            addLocatorPlan(line, arguments->plan);
+            const DeclaredOption locators =
+                line.option("--locators", arguments->locators,
+                            "Where the joints are made, or moved to in a bound file (JSON, as `rig "
+                            "--locators-only` writes it) instead of the fitted places");
+            const DeclaredOption plan = addLocatorPlan(line, arguments->plan);
+            plan.excludes(locators);
             line.flag("--keep-joints", arguments->keepJoints,
-                      "Bind to the joints that the file has; weights that it has are replaced");
+                      "Bind to the joints that the file has; weights that it has are replaced")
+                .excludes(plan);
             line.option("--weights", arguments->weights,
                         "volume: by the way inside the body, any triangles will do; surface: by the way on "
                         "a closed surface")

@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -17,6 +18,8 @@
 namespace stretch::app {
 
 namespace {
+
+constexpr std::array bodySettings{"gravity", "mass", "metres_per_unit"};
 
 struct CompareArguments {
   std::vector<std::string> words;
@@ -185,6 +188,17 @@ void addStedOptions(CommandLine& line, skinning::StedSettings& sted) {
       .group("STED");
 }
 
+Status checkBody(const CompareArguments& arguments) {
+  for (const char* const name : bodySettings) {
+    const SettingFacts& setting = *findSetting(sequenceSchema(), name);
+    if (!arguments.flattening && textOf(arguments.body, setting) != nullptr) {
+      return Error{"counts for a flattening alone", setting.option,
+                   "give --flattening as well, or leave it out"};
+    }
+  }
+  return Success{};
+}
+
 } // namespace
 
 Verb compareVerb() {
@@ -200,11 +214,12 @@ Verb compareVerb() {
         line.option("--clip", arguments->clip, "Name or #index of the clip of each glTF; default: its first");
         line.flag("--flattening", arguments->flattening,
                   "A ran with gravity, B without: how flat A is, and the modulus that explains it");
-        for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
+        for (const char* const name : bodySettings) {
           addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
         }
         addStedOptions(line, arguments->sted);
         addJson(line, arguments->json);
+        line.checkTogether([arguments](const CommandLine&) { return checkBody(*arguments); });
         return [arguments] { return runCompare(*arguments); };
       }};
 }

@@ -50,8 +50,9 @@ void addPlan(CommandLine& line, FileArguments& arguments) {
       });
 }
 
-void addLocatorPlan(CommandLine& line, std::string& plan) {
-  line.option("--plan", plan,
+DeclaredOption addLocatorPlan(CommandLine& line, std::string& plan) {
+  return line
+      .option("--plan", plan,
               "What kind of body a mesh without a skeleton is: whose locators are fitted; default: as its "
               "shape shows (docs/from_a_mesh.md)")
       .oneOf(rig::locatorPlanIds());

@@ -40,7 +40,7 @@ void addFileArguments(CommandLine& line, FileArguments& arguments);
 void addPlan(CommandLine& line, FileArguments& arguments);
 
 /// Declares --plan, for verbs that fit locators.
-void addLocatorPlan(CommandLine& line, std::string& plan);
+DeclaredOption addLocatorPlan(CommandLine& line, std::string& plan);
 
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);

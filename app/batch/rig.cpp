@@ -120,23 +120,24 @@ Status runRig(const RigArguments& arguments) {
 } // namespace
 
 Verb rigVerb() {
-  return {
-      "rig", "Fits locators to a mesh without a skeleton and makes joints at them.", [](CommandLine& line) {
-        const auto arguments = std::make_shared<RigArguments>();
-        line.examples(
-            {"statue.glb -o places.json --locators-only", "statue.glb -o rigged.glb --locators places.json"});
-        addFileArguments(line, arguments->input);
-        arguments->output.endings = {}; // which depend on what is written
-        addOutputFile(line, arguments->output,
-                      "The .glb or .gltf to write, or the JSON file of --locators-only");
-        line.option("--locators", arguments->locators,
-                    "Where the joints are (JSON, as --locators-only writes it) instead of the fitted places");
-        addLocatorPlan(line, arguments->plan);
-        line.flag("--locators-only", arguments->locatorsOnly, "Write the locators and make no joint");
-        addJson(line, arguments->json);
-        line.checkTogether([arguments](const CommandLine&) { return checkName(outputOf(*arguments)); });
-        return [arguments] { return runRig(*arguments); };
-      }};
+  return {"rig", "Fits locators to a mesh without a skeleton and makes joints at them.",
+          [](CommandLine& line) {
+            const auto arguments = std::make_shared<RigArguments>();
+            line.examples({"statue.glb -o places.json --locators-only",
+                           "statue.glb -o rigged.glb --locators places.json"});
+            addFileArguments(line, arguments->input);
+            arguments->output.endings = {}; // which depend on what is written
+            addOutputFile(line, arguments->output,
+                          "The .glb or .gltf to write, or the JSON file of --locators-only");
+            const DeclaredOption locators = line.option(
+                "--locators", arguments->locators,
+                "Where the joints are (JSON, as --locators-only writes it) instead of the fitted places");
+            addLocatorPlan(line, arguments->plan).excludes(locators);
+            line.flag("--locators-only", arguments->locatorsOnly, "Write the locators and make no joint");
+            addJson(line, arguments->json);
+            line.checkTogether([arguments](const CommandLine&) { return checkName(outputOf(*arguments)); });
+            return [arguments] { return runRig(*arguments); };
+          }};
 }
 
 } // namespace stretch::app
