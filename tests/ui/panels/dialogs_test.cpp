@@ -432,3 +432,25 @@ TEST_CASE("A clip of which nothing is exaggerated cannot be kept, and says why")
     CHECK(driver.find("clip-style/Exaggerate")->enabled);
   }
 }
+
+TEST_CASE("A file that is clicked in the list takes what is saved, once replacing it was confirmed") {
+  const Folder folder;
+  PanelDriver driver(std::nullopt);
+  openFiles(driver, folder, ui::FilePurpose::saveModel);
+  driver.frames(2);
+  driver.click("files/entry/Punch.glb");
+  CHECK(driver.ui.dialogs.file.typed == "Punch.glb");
+  CHECK_FALSE(driver.ui.dialogs.file.confirmOverwrite);
+  driver.frames(2);
+  const bool byKey = GENERATE(true, false);
+  if (byKey) {
+    driver.pressKey(ImGuiKey_Enter);
+  } else {
+    driver.click("files/Save");
+  }
+  CHECK(driver.ui.dialogs.file.confirmOverwrite);
+  driver.frames(2);
+  driver.click("files/Replace");
+  REQUIRE(driver.ui.answers.file);
+  CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
+}

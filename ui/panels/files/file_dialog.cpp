@@ -90,17 +90,6 @@ void accept(PanelContext& context, const fs::path& path) {
   ImGui::CloseCurrentPopup();
 }
 
-void enter(PanelContext& context, const FileEntry& entry) {
-  FileDialogState& dialog = context.ui.dialogs.file;
-  if (entry.isFolder) {
-    goTo(dialog, dialog.folder / entry.name);
-  } else if (isSaving(dialog.purpose)) {
-    dialog.typed = entry.name;
-  } else {
-    accept(context, dialog.folder / entry.name);
-  }
-}
-
 /// What is typed jumps to the first row that begins with it, else to the first that fits.
 void jumpToTyped(FileDialogState& dialog) {
   dialog.highlighted = -1;
@@ -152,6 +141,18 @@ void acceptTyped(PanelContext& context) {
     accept(context, path);
   } else {
     dialog.message = "There is no file called \"" + dialog.typed + "\" here.";
+  }
+}
+
+void enter(PanelContext& context, const FileEntry& entry) {
+  FileDialogState& dialog = context.ui.dialogs.file;
+  if (entry.isFolder) {
+    goTo(dialog, dialog.folder / entry.name);
+  } else if (isSaving(dialog.purpose)) {
+    dialog.typed = entry.name;
+    acceptTyped(context);
+  } else {
+    accept(context, dialog.folder / entry.name);
   }
 }
 
