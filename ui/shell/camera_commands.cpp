@@ -56,11 +56,17 @@ void showBest(Shell& shell) {
   tell(shell, ToastKind::info, "Seen best " + app::viewInWords(session.document(), session.view().clip, eye));
 }
 
+/// What a sentence says after a colon: the key of a command and what it does; empty where it has no key.
+std::string keyText(const Shell& shell, const char* id, const char* does) {
+  const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
+  return chords.empty() ? std::string()
+                        : fmt::format(": {} {}", shell.keyboard.chordText(chords.front()), does);
+}
+
 void keep(Shell& shell, std::size_t number) {
   shell.viewport.look.kept[number] = ViewBookmark{shell.viewport.camera, shell.viewport.look.name};
   tell(shell, ToastKind::success,
-       fmt::format("View {} is kept: {} goes there", number + 1,
-                   shell.keyboard.chordText(shell.keymap.chordsOf(command::keptView[number]).front())));
+       fmt::format("View {} is kept{}", number + 1, keyText(shell, command::keptView[number], "goes there")));
 }
 
 /// The standard view of a key of the numpad, where no view is kept under its number.
@@ -92,8 +98,8 @@ void show(Shell& shell, std::size_t number) {
     viewport.camera = lookFrom(viewport.camera, *standard, viewport.look.facingYawRadians);
   } else {
     tell(shell, ToastKind::info,
-         fmt::format("No view is kept as {}: {} keeps this one", number + 1,
-                     shell.keyboard.chordText(shell.keymap.chordsOf(command::keepView[number]).front())));
+         fmt::format("No view is kept as {}{}", number + 1,
+                     keyText(shell, command::keepView[number], "keeps this one")));
   }
 }
 

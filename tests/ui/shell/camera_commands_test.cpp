@@ -129,3 +129,15 @@ TEST_CASE(
   REQUIRE(session.view().rangeEnd == 27.0);
   CHECK(asked() == "Draws frames 4 to 30");
 }
+
+TEST_CASE(
+    "A view is kept, and one that is not kept is told, also where the key of the other command was taken") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  REQUIRE(shell.keymap.rebind(command::keptView[1], std::nullopt));
+  runCommand(shell, command::keepView[1]);
+  CHECK(shell.ui.toasts.back().text == "View 2 is kept");
+  REQUIRE(shell.keymap.rebind(command::keepView[3], std::nullopt));
+  runCommand(shell, command::keptView[3]);
+  CHECK(shell.ui.toasts.back().text == "No view is kept as 4");
+}
