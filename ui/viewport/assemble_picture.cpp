@@ -242,13 +242,15 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
     if (source != nullptr && isDrawn(*source, selection.limbs, overlays)) {
       content.trails.push_back({pathOf(trail, subject.frame, selection, overlays),
                                 trailStyleOf(trail, selection, overlays, palette)});
+      if (trail.id == selection.trail) {
+        content.handles = handlesOf(subject.trails, trail.id, selection.spheres);
+      }
     }
   }
   if (!subject.trails.momentPath.empty()) {
     content.trails.push_back(momentTrail(subject.trails.momentPath, palette));
   }
   addHandles(selection, content);
-  content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);
   content.activeAxis = selection.hoveredAxis;
   return content;
 }

@@ -19,12 +19,13 @@ void updateSurface(app::Session& session, const FrameState& pose, LimbHover& hov
   const bool original = session.view().showOriginal;
   const bool inBindPose = app::showsLocators(session);
   if (hover.motion != motion || hover.frame != session.view().frame || hover.original != original ||
-      hover.inBindPose != inBindPose) {
+      hover.inBindPose != inBindPose || hover.unkeyed != session.view().unkeyed) {
     hover.surface = posedSurface(*document.scene, pose);
     hover.motion = motion;
     hover.frame = session.view().frame;
     hover.original = original;
     hover.inBindPose = inBindPose;
+    hover.unkeyed = session.view().unkeyed;
   }
   std::vector<rig::Limb> limbs = app::allLimbs(document);
   if (hover.limbs != limbs || hover.limbOfNode.size() != document.scene->nodes.size()) {

@@ -23,7 +23,8 @@ struct LimbHover {
   std::shared_ptr<const rig::MotionState> motion; ///< Motion by which the surface is posed.
   double frame = 0.0;
   bool original = false;
-  bool inBindPose = false; ///< Locators are shown.
+  bool inBindPose = false;  ///< Locators are shown.
+  app::UnkeyedPose unkeyed; ///< Pose at the playhead without a key.
   PosedSurface surface;
   std::vector<int> limbOfNode;  ///< Index into allLimbs.
   std::vector<rig::Limb> limbs; ///< That limbOfNode was made for.

@@ -98,11 +98,24 @@ void grabFromPress(ViewportContext& context, const GrabStart& start) {
   tellProblem(context, startGrab(*context.open.character(), context.tool, start));
 }
 
+/// Whether the trail is in the picture: beside locators none is.
+bool isSeen(const ViewportContext& context, int trailId) {
+  const app::Session& session = *context.open.character();
+  const rig::Trail* const trail = app::findTrail(session.document(), trailId);
+  return trail != nullptr && !app::showsLocators(session) &&
+         isDrawn(*trail, session.view().selection.limbs(), context.ui.overlays);
+}
+
+/// The selected trail where it is seen; else null.
+const ShownTrail* seenTrail(const ViewportContext& context) {
+  const int selected = context.open.character()->view().selection.trail();
+  return isSeen(context, selected) ? findShown(context.viewport.shown, selected) : nullptr;
+}
+
 /// The frame at which the selected trail is drawn nearest to the mouse; a whole one where frames snap.
 std::optional<double> frameUnderMouse(const ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
-  const ShownTrail* const trail =
-      findShown(viewport.shown, context.open.character()->view().selection.trail());
+  const ShownTrail* const trail = seenTrail(context);
   if (trail == nullptr) {
     return std::nullopt;
   }
@@ -258,7 +271,7 @@ void selectInBox(ViewportContext& context) {
   if (!add) {
     session.view().selection.dropSpheres();
   }
-  const ShownTrail* trail = findShown(viewport.shown, session.view().selection.trail());
+  const ShownTrail* const trail = seenTrail(context);
   if (trail == nullptr) {
     return;
   }
@@ -356,9 +369,7 @@ void hoverTrails(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   double nearest = 1e300;
   for (const ShownTrail& trail : viewport.shown.trails) {
-    const rig::Trail* source = app::findTrail(context.open.character()->document(), trail.id);
-    if (source == nullptr ||
-        !isDrawn(*source, context.open.character()->view().selection.limbs(), context.ui.overlays)) {
+    if (!isSeen(context, trail.id)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
@@ -443,12 +454,13 @@ void updateHover(ViewportContext& context) {
   if (viewport.hoveredTangent) {
     return;
   }
-  if (const auto handles = handlesOf(viewport.shown, view.selection.trail(), view.selection.spheres())) {
-    viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
-  }
-  const ShownTrail* selected = findShown(viewport.shown, view.selection.trail());
-  if (!viewport.hoveredAxis && selected != nullptr) {
-    hoverSphere(viewport, *selected);
+  if (const ShownTrail* const selected = seenTrail(context)) {
+    if (const auto handles = handlesOf(viewport.shown, selected->id, view.selection.spheres())) {
+      viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
+    }
+    if (!viewport.hoveredAxis) {
+      hoverSphere(viewport, *selected);
+    }
   }
   const bool onSphere = viewport.hoveredAxis || viewport.hoveredSphere;
   if (!onSphere) {

@@ -362,9 +362,10 @@ TEST_CASE("Dragging a controller that cannot move turns it") {
 }
 
 TEST_CASE(
-    "The hand under the mouse is where the pose of now has it: after another frame, an edit, the original") {
+    "The hand under the mouse is where the pose of now has it: after an edit, keyed or not, the original") {
   test::MouseStage stage(test::PanelDriver::bundledCharacter());
   app::Session& session = stage.session();
+  session.view().autoKey = GENERATE(true, false);
   const rig::Limb arm = *app::findLimb(session.document(), "left-arm");
   const auto hand = [&] { return Vec3(session.shownAt(session.view().frame).worlds[at(arm.endNode)][3]); };
   const auto isUnderMouse = [&](const Vec3& world) {

@@ -169,3 +169,34 @@ TEST_CASE("What was marked under the mouse is so no longer when the mouse leaves
   }
   CHECK(isNothingMarked(stage.viewport));
 }
+
+TEST_CASE("Nothing of a trail that is not drawn lies under the mouse: hidden, or beside locators") {
+  MarkedTrails stage;
+  app::Session& session = stage.session();
+  const bool isHidden = GENERATE(true, false);
+  for (const Mark kind : {Mark::sphere, Mark::axis}) {
+    CAPTURE(isHidden, kind);
+    stage.mark(kind);
+    const app::Document before = session.document();
+    if (isHidden) {
+      app::Document hidden = before;
+      app::findTrail(hidden, session.view().selection.trail())->visible = false;
+      REQUIRE(session.edit(std::move(hidden), "Hide the trail"));
+    } else {
+      session.view().showLocators = true;
+      app::Document located = before;
+      located.locators.list.push_back({.name = "spine", .position = {9.0, 9.0, 9.0}});
+      REQUIRE(session.edit(std::move(located), "Fit"));
+      REQUIRE(app::showsLocators(session));
+    }
+    stage.frame();
+    stage.frame();
+    CHECK_FALSE(stage.viewport.hoveredSphere);
+    CHECK_FALSE(stage.viewport.hoveredAxis);
+    CHECK((isHidden ? stage.viewport.hoveredTrail != session.view().selection.trail()
+                    : stage.viewport.hoveredTrail == 0));
+    session.undo();
+    session.view().showLocators = false;
+    stage.frame();
+  }
+}
