@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/selection.h"
+#include "app/edits/pose/offset_edits.h"
 #include "tests/support/ui/drawn.h"
 #include "tests/support/ui/panel_driver.h"
 
@@ -53,4 +55,25 @@ TEST_CASE("A text of the status bar that is cut is read whole under the mouse, a
   driver.status.modalText = "left arm";
   CHECK_THAT(toldUnder(driver, "status/modal"), Catch::Contains("What is being done"));
   CHECK(driver.find("status/hint/Z") != nullptr);
+}
+
+TEST_CASE("What a pose makes a limb do wrong is told in the status bar too, while a controller is selected") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  app::Session& session = *driver.open.character();
+  app::selectController(session, "left-hand", false);
+  driver.frames(2);
+  CHECK(driver.find("status/warnings") == nullptr);
+  for (int axis = 0; axis < 6 && session.pops().empty(); ++axis) { // in some direction its arm turns
+    app::ControllerOffset moved{"left-hand", Vec3(0.0), Vec3(0.0)};
+    moved.move[axis % 3] = axis < 3 ? 0.5 : -0.5;
+    const Result<app::Document> posed = app::setOffsets(session.document(), 0, 20.0, {&moved, 1}, {}, {});
+    REQUIRE(posed);
+    CHECK(session.edit(*posed, "Move the left hand"));
+  }
+  driver.frames(2);
+  REQUIRE_FALSE(session.pops().empty());
+  CHECK_THAT(toldUnder(driver, "status/warnings"), Catch::Contains(session.pops().front().limb.substr(5)));
+  app::selectLimb(session, "left-leg", false);
+  driver.frames(2);
+  CHECK(driver.find("status/warnings") == nullptr); // which is of the controllers' panel
 }

@@ -3,6 +3,7 @@
 #include "app/commands/keys/keys.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
+#include "app/evaluate/pops.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/panels/context/panels.h"
 #include "ui/widgets/icons.h"
@@ -86,11 +87,25 @@ std::string selectionText(const app::Session& session) {
   return capitalised(text);
 }
 
+// The panel tells them in full, below where a low window ends.
+void popsPart(PanelContext& context) {
+  const std::vector<app::LimbPop>& pops = context.character().pops();
+  if (!pops.empty()) {
+    statusText(context, "status/warnings",
+               pops.size() == 1 ? "1 warning" : std::to_string(pops.size()) + " warnings",
+               context.theme.colours.warning,
+               {"What the panel warns of", capitalised(app::popWarning(pops.front())) + ".", {}});
+  }
+}
+
 void selectionPart(PanelContext& context) {
   app::Session& session = context.character();
   if (context.status.modalText.empty()) { // which names its limb itself
     statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
                {"What is selected", "", {}});
+  }
+  if (app::hasControllers(session)) {
+    popsPart(context);
   }
   const rig::SolvedTrail* solved = app::solvedTrail(session, session.view().selection.trail());
   if (solved == nullptr) {
