@@ -168,6 +168,9 @@ void takeKeys(Editor& editor) {
 
 /// A press outside of the viewport keeps what a running tool made.
 void keepToolOnPress(Shell& shell) {
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    shell.ui.time.keys.pressTaken = false; // It ended over another pane.
+  }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

@@ -61,6 +61,8 @@ FilmRequest requestOf(Shell& shell) {
 
 /// The clip without anything that was done to it.
 app::Document originalOf(app::Document document) {
+  document.clips = app::sourceClipsOf(document);
+  document.sourceClips = nullptr;
   document.trails.clear();
   document.adjustments.clear();
   document.holds = {};
@@ -70,7 +72,11 @@ app::Document originalOf(app::Document document) {
 
 FilmSide sideOf(const app::Document& document, const std::shared_ptr<const rig::MotionState>& motion,
                 const FilmRequest& request) {
-  return {document.scene.get(), picturesOfCharacter(document, motion, request.frames, request.look)};
+  std::vector<double> frames = request.frames; // the same moments, counted as this clip counts
+  for (double& frame : frames) {
+    frame *= motion->framesPerSecond / request.motion->framesPerSecond;
+  }
+  return {document.scene.get(), picturesOfCharacter(document, motion, frames, request.look)};
 }
 
 Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const FilmRequest& request,
@@ -81,19 +87,17 @@ Result<std::filesystem::path> drawTo(const std::filesystem::path& path, const Fi
     return sound.error();
   }
   Film film{{}, request.frames, request.motion->framesPerSecond, std::move(*sound)};
+  film.sides.push_back(sideOf(request.document, request.motion, request));
   if (request.besideOriginal) {
     const app::Document original = originalOf(request.document);
-    film.sides.push_back(
-        sideOf(original,
-               std::make_shared<const rig::MotionState>(app::prepareMotion(original, request.motion->clip)),
-               request));
-    for (PictureFrame& picture : film.sides.back().pictures) {
-      picture.label = "original, " + picture.label;
+    const auto motion =
+        std::make_shared<const rig::MotionState>(app::prepareMotion(original, request.motion->clip));
+    film.sides.insert(film.sides.begin(), sideOf(original, motion, request));
+    for (std::size_t i = 0; i < request.frames.size(); ++i) {
+      std::string& label = film.sides[1].pictures[i].label;
+      film.sides[0].pictures[i].label = "original, " + label;
+      label = "exaggerated, " + label;
     }
-  }
-  film.sides.push_back(sideOf(request.document, request.motion, request));
-  for (PictureFrame& picture : film.sides.back().pictures) {
-    picture.label = request.besideOriginal ? "exaggerated, " + picture.label : picture.label;
   }
   const Status written = writeFilm(film, request.options, path, proceed);
   return written ? Result<std::filesystem::path>(path) : Result<std::filesystem::path>(written.error());
