@@ -544,3 +544,53 @@ TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is l
     CHECK(desk.lastTone() == Tone::warning);
   }
 }
+
+TEST_CASE("A source that a rig or a binding has changed is kept aside once, comes back, and goes with the "
+          "autosave") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.update(desk, desk.clock += 10.0);
+  const fs::path file = autosavePath(desk.file("a.glb"));
+  const fs::path source = fs::path(file).replace_extension("source") / "source.glb";
+  CHECK_FALSE(fs::exists(source)); // The file has it.
+
+  Session& session = *desk.document.character();
+  Document changed = session.document();
+  changed.source = std::make_shared<const gltf::Source>(*changed.source);
+  REQUIRE(session.edit(std::move(changed), "Bind"));
+  work.update(desk, desk.clock += 10.0);
+  REQUIRE(fs::exists(source));
+  fs::remove(source);
+  desk.edit();
+  work.update(desk, desk.clock += 10.0);
+  CHECK_FALSE(fs::exists(source)); // It was written already.
+  changed = session.document();
+  changed.source = std::make_shared<const gltf::Source>(*changed.source);
+  REQUIRE(session.edit(std::move(changed), "Bind"));
+  work.update(desk, desk.clock += 10.0);
+  REQUIRE(fs::exists(source));
+
+  SECTION("saved") {
+    work.saveAs(desk, desk.file("mine.glb"));
+    CHECK_FALSE(fs::exists(source.parent_path()));
+    desk.edit();
+    work.update(desk, desk.clock += 10.0);
+    const fs::path beside = autosavePath(desk.file("mine.glb")).replace_extension("source");
+    CHECK_FALSE(fs::exists(beside)); // The file that was saved has it.
+  }
+  SECTION("a crash") {
+    FileWork next;
+    desk.document = OpenDocument();
+    desk.openNow(next, "a.glb");
+    const std::shared_ptr<const gltf::Source> opened = desk.document.character()->document().source;
+    REQUIRE(next.question().kind == Kind::restore);
+    next.answer(desk, FileAnswer::restore);
+    CHECK(desk.document.character()->document().source != opened);
+    CHECK(desk.document.character()->document().source->path == desk.file("a.glb"));
+    CHECK_FALSE(fs::exists(source));
+    next.update(desk, desk.clock += 10.0);
+    CHECK(fs::exists(source)); // It is no part of the file yet.
+  }
+}
