@@ -445,7 +445,7 @@ void FileWork::keepAside(FileUser& user, double nowSeconds) {
   keptAsideSeconds_ = nowSeconds;
   const fs::path file = autosavePath(path_);
   const WorkPlace place = placeOf(session->view());
-  const bool isChanged = document.source != openedSource_;
+  const bool isChanged = openedSource_ != nullptr && document.source != openedSource_;
   const bool isKept = keptAside_ && keptAside_->document.source == document.source;
   Status written = isChanged && !isKept ? keepSourceAside(*document.source, file) : Status(Success{});
   if (written) {
