@@ -29,20 +29,6 @@ void keepBordersInside(double start, double end, Window& window) {
   }
 }
 
-void mergeOverlaps(std::vector<Window>& windows) {
-  std::sort(windows.begin(), windows.end(),
-            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
-  std::vector<Window> merged;
-  for (const Window& window : windows) {
-    if (!merged.empty() && window.startSeconds <= merged.back().endSeconds) {
-      extend(merged.back(), window);
-    } else {
-      merged.push_back(window);
-    }
-  }
-  windows = std::move(merged);
-}
-
 void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector<Window>& windows) {
   const double turn = motion.endSeconds - motion.startSeconds;
   if (motion.loops && trail.windowEndSeconds > motion.endSeconds) {
@@ -53,38 +39,8 @@ void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector
   }
 }
 
-std::vector<Window> windowsOf(const MotionState& motion, std::size_t place) {
-  const SolvedTrail& trail = motion.trails[place];
-  Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
-  const bool noRelease = !(trail.release.seconds() > 0.0);
-  const bool forwards = trail.settings.pivot == Pivot::start;
-  const bool jumpsAtPivot = noRelease && pullsPivot(trail, motion.framesPerSecond);
-  own.jumpsAfter = (forwards ? noRelease : jumpsAtPivot) && own.endSeconds < motion.endSeconds - sameKey;
-  own.jumpsBefore = (forwards ? jumpsAtPivot : noRelease) && own.startSeconds > sameKey;
-  keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
-  std::vector<Window> windows{own};
-  addWrapped(motion, trail, windows);
-  if (trail.settings.stayInWorld) {
-    // Such a limb works against whatever carries it, wherever that moves.
-    for (std::size_t i = 0; i < place; ++i) {
-      const SolvedTrail& inner = motion.trails[i];
-      windows.push_back(windowOf(motion, inner.windowStartSeconds, inner.windowEndSeconds));
-    }
-  }
-  mergeOverlaps(windows);
-  return windows;
-}
-
 double boneLength(const Limb& limb) {
   return limb.restLength / static_cast<double>(limb.joints.size());
-}
-
-KeyedPart trailPart(const MotionState& motion, std::size_t place) {
-  const SolvedTrail& trail = motion.trails[place];
-  return {touchedNodes(trail.limb, trail.topology),
-          boneLength(trail.limb),
-          windowsOf(motion, place),
-          {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
 }
 
 Window windowOf(const MotionState& motion, const LimbWeight& weight) {
@@ -93,24 +49,6 @@ Window windowOf(const MotionState& motion, const LimbWeight& weight) {
   window.jumpsAfter = weight.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
   keepBordersInside(weight.startSeconds, weight.endSeconds, window);
   return window;
-}
-
-// A leg moves the hips, and with them the other leg: each is keyed wherever one of them is.
-KeyedPart weightPart(const MotionState& motion, std::size_t place) {
-  const SolvedWeight& solved = motion.weights[place];
-  KeyedPart part{touchedNodes(solved.limb, solved.topology), boneLength(solved.limb), {}, {}};
-  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
-    const SolvedWeight& other = motion.weights[i];
-    const bool counts = i == place || (isLeg(other.limb) && isLeg(solved.limb));
-    if (counts && !other.weight.samples.empty()) {
-      part.windows.push_back(windowOf(motion, other.weight));
-    }
-  }
-  if (isLeg(solved.limb) && motion.hips.exists()) {
-    part.nodes.push_back(motion.hips);
-  }
-  mergeOverlaps(part.windows);
-  return part;
 }
 
 // Windows that touch become one, and keep what they do at its ends.
@@ -132,6 +70,24 @@ void joinWindows(std::vector<Window>& windows) {
   windows = std::move(joined);
 }
 
+// A leg moves the hips, and with them the other leg: each is keyed wherever one of them is.
+KeyedPart weightPart(const MotionState& motion, std::size_t place) {
+  const SolvedWeight& solved = motion.weights[place];
+  KeyedPart part{touchedNodes(solved.limb, solved.topology), boneLength(solved.limb), {}, {}};
+  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
+    const SolvedWeight& other = motion.weights[i];
+    const bool counts = i == place || (isLeg(other.limb) && isLeg(solved.limb));
+    if (counts && !other.weight.samples.empty()) {
+      part.windows.push_back(windowOf(motion, other.weight));
+    }
+  }
+  if (isLeg(solved.limb) && motion.hips.exists()) {
+    part.nodes.push_back(motion.hips);
+  }
+  joinWindows(part.windows);
+  return part;
+}
+
 void addKeys(const OffsetCurve& curve, KeyedPart& part) {
   for (const double jump : curve.jumpSeconds()) {
     part.jumps.push_back({keyTimeAtMost(jump), besideJump(jump, -1.0)});
@@ -148,6 +104,34 @@ void addBorderJumps(const Window& window, KeyedPart& part) {
   if (window.jumpsAfter) {
     part.jumps.push_back({window.endSeconds, besideJump(window.endSeconds, 1.0)});
   }
+}
+
+void addTrail(const MotionState& motion, const SolvedTrail& trail, KeyedPart& part) {
+  Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
+  const bool noRelease = !(trail.release.seconds() > 0.0);
+  const bool forwards = trail.settings.pivot == Pivot::start;
+  const bool jumpsAtPivot = noRelease && pullsPivot(trail, motion.framesPerSecond);
+  own.jumpsAfter = (forwards ? noRelease : jumpsAtPivot) && own.endSeconds < motion.endSeconds - sameKey;
+  own.jumpsBefore = (forwards ? jumpsAtPivot : noRelease) && own.startSeconds > sameKey;
+  keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
+  addBorderJumps(own, part);
+  part.windows.push_back(own);
+  addWrapped(motion, trail, part.windows);
+}
+
+KeyedPart trailPart(const MotionState& motion, std::size_t place) {
+  const SolvedTrail& trail = motion.trails[place];
+  KeyedPart part{touchedNodes(trail.limb, trail.topology),
+                 boneLength(trail.limb),
+                 {},
+                 {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
+  addTrail(motion, trail, part);
+  // A limb that stays in the world works against whatever carries it, wherever that moves.
+  for (std::size_t i = 0; trail.settings.stayInWorld && i < place; ++i) {
+    addTrail(motion, motion.trails[i], part);
+  }
+  joinWindows(part.windows);
+  return part;
 }
 
 KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted) {

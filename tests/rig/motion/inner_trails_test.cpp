@@ -82,6 +82,51 @@ TEST_CASE("a hand that stays in the world is where its own trail wants it, whate
   CHECK(worstMiss(moving, rekeyedOf(moving, both), 0, 24) < 1e-4 * moving.body.height);
 }
 
+TEST_CASE("a saved hand stays in the world where the spine's way back goes on at a loop's start") {
+  const MovingBiped moving = punchingBiped();
+  std::vector<Trail> trails{connectedTrail("left-arm", 14, 20, 1.0), connectedTrail("spine", 12, 23, 1.6)};
+  trails[0].settings.stayInWorld = true;
+  trails[1].settings.releaseFrames = 8.0; // until frame 7
+  const Rekeyed rekeyed = rekeyedOf(moving, trails, {}, true);
+  const auto isOff = [&](const std::string& key, double frame) {
+    return glm::length(place(moving, poseOf(moving, rekeyed.clip, frame), key) -
+                       place(moving, sourceAtFrame(moving, frame), key));
+  };
+  CHECK(isOff("upperArm.l", 1.0) > 0.02);
+  for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
+    CAPTURE(frame);
+    CHECK(isOff("hand.l", frame) < 1e-4 * moving.body.height);
+  }
+}
+
+TEST_CASE("a saved hand stays in the world on both sides of a jump of the spine") {
+  const MovingBiped moving = punchingBiped();
+  std::vector<Trail> trails{connectedTrail("left-arm", 4, 8, 1.0), connectedTrail("spine", 4, 12, 1.6)};
+  trails[0].settings.stayInWorld = true;
+  trails[1].settings.releaseFrames = 0.0;
+  trails[1].settings.pivot = GENERATE(Pivot::start, Pivot::end);
+  const Rekeyed rekeyed = rekeyedOf(moving, trails);
+  for (const double frame : {3.99, 4.0, 4.01, 8.0, 11.99, 12.0, 12.01, 13.0}) {
+    CAPTURE(frame);
+    CHECK(glm::length(place(moving, poseOf(moving, rekeyed.clip, frame), "hand.l") -
+                      place(moving, sourceAtFrame(moving, frame), "hand.l")) < 1e-3 * moving.body.height);
+  }
+}
+
+TEST_CASE("an arm's own jump is saved where the spine that it works against goes on moving") {
+  const MovingBiped moving = punchingBiped();
+  std::vector<Trail> trails{connectedTrail("left-arm", 4, 8, 2.0), connectedTrail("spine", 4, 12, 1.6)};
+  trails[0].settings.stayInWorld = true;
+  trails[0].settings.releaseFrames = 0.0;
+  const Rekeyed rekeyed = rekeyedOf(moving, trails);
+  const auto isOff = [&](double frame) {
+    return glm::length(place(moving, poseOf(moving, rekeyed.clip, frame), "hand.l") -
+                       place(moving, sourceAtFrame(moving, frame), "hand.l"));
+  };
+  CHECK(isOff(8.0) > 0.1);
+  CHECK(isOff(8.01) < 1e-3 * moving.body.height);
+}
+
 TEST_CASE("a stop plane holds for a limb that is carried") {
   const MovingBiped moving = punchingBiped();
   std::vector<Trail> trails = spineAndArm(1.4, 2.0, false);
