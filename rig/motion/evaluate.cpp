@@ -12,6 +12,7 @@
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
 #include "rig/motion/range_offset.h"
+#include "rig/motion/release_length.h"
 #include "rig/motion/stop.h"
 #include "rig/reach/limb_deform.h"
 
@@ -27,16 +28,19 @@ bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
          timeSeconds <= solved.windowEndSeconds + rounding;
 }
 
-// On a loop, the time one turn later or earlier where that is what falls into the trail's window. Before its
-// first key a clip holds its start.
+// Before its first key a clip that loops holds what it has there.
+double heldTime(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
+  return motion.loops ? std::max(timeSeconds, firstSeconds(motion, solved)) : timeSeconds;
+}
+
+// On a loop, the time one turn later or earlier where that is what falls into the trail's window.
 double wrapped(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
   const double turn = motion.endSeconds - motion.startSeconds;
-  if (!motion.loops || insideWindow(solved, timeSeconds)) {
-    return timeSeconds;
+  const double held = heldTime(motion, solved, timeSeconds);
+  if (!motion.loops || insideWindow(solved, held)) {
+    return held;
   }
-  const double other = timeSeconds < solved.windowStartSeconds
-                           ? std::max(timeSeconds, motion.startSeconds) + turn
-                           : timeSeconds - turn;
+  const double other = held < solved.windowStartSeconds ? held + turn : held - turn;
   return insideWindow(solved, other) ? other : timeSeconds;
 }
 
@@ -67,7 +71,7 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
   const double rounding = keyTimeRounding(timeSeconds);
   // Where a loop starts again a range that ends there counts with what lies beyond it: the tip's frame as the
   // first of the release, the pivot's as the last of the fade.
-  const bool isOtherEnd = timeSeconds != sample.timeSeconds;
+  const bool isOtherEnd = timeSeconds != heldTime(motion, solved, sample.timeSeconds);
   const bool isAtTip = std::abs(timeSeconds - solved.tipSeconds) <= rounding;
   if (outside.pastTip > rounding || (isOtherEnd && isAtTip)) {
     // The tip's own offset, which decays: the limb goes on with the clip below it.

@@ -8,6 +8,7 @@
 #include "rig/adjust/frame_table.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/order.h"
+#include "rig/motion/release_length.h"
 
 namespace stretch::rig {
 
@@ -57,12 +58,16 @@ std::vector<double> framesOfAll(const std::vector<PathRequest>& requests) {
   return frames;
 }
 
-// On a loop, a time past the clip's end is one of its next turn, and one before its start of the last.
-double insideLoop(const MotionState& motion, double timeSeconds) {
+// On a loop, a time past the clip's end is one of its next turn, and one before its start of the last; what a
+// range has before the start is held there.
+double insideLoop(const MotionState& motion, const std::vector<PathRequest>& requests, double timeSeconds) {
   const double turn = motion.endSeconds - motion.startSeconds;
+  double first = motion.startSeconds;
+  for (const PathRequest& request : requests) {
+    first = std::min(first, firstSeconds(motion, motion.trails[request.trail]));
+  }
   const bool isPast = timeSeconds > motion.endSeconds;
-  const bool isBefore = timeSeconds < std::min(0.0, motion.startSeconds);
-  if (!motion.loops || !(isPast || isBefore)) {
+  if (!motion.loops || !(isPast || timeSeconds < first)) {
     return timeSeconds;
   }
   return isPast ? timeSeconds - turn : timeSeconds + turn;
@@ -100,7 +105,8 @@ public:
 
 private:
   void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
-    const FrameState& source = frames_.at(insideLoop(motion_, frameNumber / motion_.framesPerSecond));
+    const FrameState& source =
+        frames_.at(insideLoop(motion_, requests_, frameNumber / motion_.framesPerSecond));
     if (!inner_.empty()) {
       moved_ = source;
     }
@@ -171,7 +177,7 @@ void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motio
   FrameSource frames(scene, clip, motion.adjustments, nodesOfAll(motion, held), motion.adjustedFrames.get());
   const Scene& skeleton = frames.skeleton();
   for (const double frameNumber : framesOfAll(held)) {
-    FrameState frame = frames.at(insideLoop(motion, frameNumber / motion.framesPerSecond));
+    FrameState frame = frames.at(insideLoop(motion, requests, frameNumber / motion.framesPerSecond));
     for (const HeldGoal& goal : applyTrailsAndHolds(skeleton, motion, frame)) {
       const Limb& limb = motion.holds.limbs[goal.limb].limb;
       for (std::size_t i = 0; i < requests.size(); ++i) {

@@ -104,6 +104,10 @@ ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved)
   return length;
 }
 
+double firstSeconds(const MotionState& motion, const SolvedTrail& solved) {
+  return motion.loops ? std::min(motion.startSeconds, solved.startSeconds) : 0.0;
+}
+
 bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
   const double pivotSeconds = isForwards(solved) ? solved.startSeconds : solved.endSeconds;
   return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;

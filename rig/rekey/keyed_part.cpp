@@ -34,7 +34,7 @@ void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector
   if (motion.loops && trail.windowEndSeconds > motion.endSeconds) {
     windows.push_back(windowOf(motion, motion.startSeconds, trail.windowEndSeconds - turn));
   }
-  if (motion.loops && trail.windowStartSeconds < 0.0) {
+  if (motion.loops && trail.windowStartSeconds < firstSeconds(motion, trail)) {
     windows.push_back(windowOf(motion, trail.windowStartSeconds + turn, motion.endSeconds));
   }
 }
@@ -107,12 +107,13 @@ void addBorderJumps(const Window& window, KeyedPart& part) {
 }
 
 void addTrail(const MotionState& motion, const SolvedTrail& trail, KeyedPart& part) {
-  Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
+  const double first = firstSeconds(motion, trail);
+  Window own = windowOf(motion, std::max(trail.windowStartSeconds, first), trail.windowEndSeconds);
   const bool noRelease = !(trail.release.seconds() > 0.0);
   const bool forwards = trail.settings.pivot == Pivot::start;
   const bool jumpsAtPivot = noRelease && pullsPivot(trail, motion.framesPerSecond);
   own.jumpsAfter = (forwards ? noRelease : jumpsAtPivot) && own.endSeconds < motion.endSeconds - sameKey;
-  own.jumpsBefore = (forwards ? jumpsAtPivot : noRelease) && own.startSeconds > sameKey;
+  own.jumpsBefore = (forwards ? jumpsAtPivot : noRelease) && own.startSeconds > first + sameKey;
   keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
   addBorderJumps(own, part);
   part.windows.push_back(own);

@@ -243,6 +243,25 @@ TEST_CASE("before its first key a clip that loops holds what it has there, the w
   }
 }
 
+TEST_CASE(
+    "the drawn way out of a loop goes where the hand goes at its end, however late its first key comes") {
+  MovingBiped moving = punchingBiped();
+  moving.clip.startSeconds = 6.0 / 24.0;
+  Trail trail = connectedTrail("left-arm", 8, 14, 2.0);
+  trail.settings.pivot = Pivot::end;
+  trail.settings.releaseFrames = 6.0;
+  const MotionState motion = solved(moving, {trail}, true);
+  const DrawnTrail drawn =
+      pathsAt(moving.scene, moving.clip, motion, 0, drawnFrames(moving.clip, motion.trails.front(), 1, true));
+  REQUIRE(drawn.frames.front() == Approx(2.0));
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+    const double frame = drawn.frames[i] < 6.0 ? drawn.frames[i] + 18.0 : drawn.frames[i];
+    CAPTURE(frame);
+    CHECK(glm::length(drawn.exaggerated[i] -
+                      endPosition(moving.limb("left-arm"), atFrame(moving, motion, frame).worlds)) < 1e-4);
+  }
+}
+
 TEST_CASE("the hand comes as far as the stop plane and not past it") {
   const MovingBiped moving = punchingBiped();
   const Limb& arm = moving.limb("left-arm");

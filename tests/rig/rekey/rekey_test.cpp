@@ -31,6 +31,21 @@ Track slower(Track track, float times) {
   return track;
 }
 
+// The punch, with its first key half a second after the clip's frame 0.
+MovingBiped latePunch() {
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
+    track.edit([](Track& late) {
+      for (float& time : late.times) {
+        time += 0.5F;
+      }
+    });
+  }
+  moving.clip.startSeconds = 0.5;
+  moving.clip.endSeconds = 1.5;
+  return moving;
+}
+
 } // namespace
 
 TEST_CASE("the re-keyed clip follows the exact motion at every frame and half frame") {
@@ -203,16 +218,7 @@ TEST_CASE("a joint without a channel gets one that holds its rest elsewhere") {
 }
 
 TEST_CASE("a clip whose first key comes late is keyed from frame 0 as the motion is") {
-  MovingBiped moving = punchingBiped();
-  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
-    track.edit([](Track& late) {
-      for (float& time : late.times) {
-        time += 0.5F;
-      }
-    });
-  }
-  moving.clip.startSeconds = 0.5;
-  moving.clip.endSeconds = 1.5;
+  const MovingBiped moving = latePunch();
   const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 24, 2.0));
   CHECK(worstMiss(moving, rekeyed, 0, 36) < 1e-4 * moving.body.height);
   Trail backwards = connectedTrail("left-arm", 6, 24, 2.0);
@@ -258,6 +264,20 @@ TEST_CASE("on a loop the keys of the wrapped release are there") {
   trail.settings.releaseFrames = 6.0;
   const Rekeyed rekeyed = rekeyedOf(moving, {trail}, {}, true);
   CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+}
+
+TEST_CASE("the way out of a loop whose first key comes late is saved at its end, and held before it") {
+  const MovingBiped moving = latePunch(); // frames 12 to 36
+  Trail trail = connectedTrail("left-arm", 15, 24, 2.0);
+  trail.settings.pivot = Pivot::end;
+  trail.settings.releaseFrames = 8.0; // from frame 31 on
+  const Rekeyed rekeyed = rekeyedOf(moving, {trail}, {}, true);
+  const auto isOff = [&](double frame) {
+    return largestNodeMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame));
+  };
+  CHECK(isOff(35.0) > 0.05);
+  CHECK(isOff(30.5) < 1e-6);
+  CHECK(worstMiss(moving, rekeyed, 0, 36) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("the stretch between keys is close to the exact one") {
