@@ -1,7 +1,7 @@
 #include "rig/motion/evaluate.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -33,31 +33,33 @@ double heldTime(const MotionState& motion, const SolvedTrail& solved, double tim
   return motion.loops ? std::max(timeSeconds, firstSeconds(motion, solved)) : timeSeconds;
 }
 
-// On a loop, the time one turn later or earlier where that is what falls into the trail's window.
-double wrapped(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
-  const double turn = motion.endSeconds - motion.startSeconds;
+// Whether a time falls into a trail's window, on a loop one turn later or earlier as well.
+bool actsAt(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
+  const double turn = motion.loops ? motion.endSeconds - motion.startSeconds : 0.0;
   const double held = heldTime(motion, solved, timeSeconds);
-  if (!motion.loops || insideWindow(solved, held)) {
-    return held;
-  }
-  const double other = held < solved.windowStartSeconds ? held + turn : held - turn;
-  return insideWindow(solved, other) ? other : timeSeconds;
+  return insideWindow(solved, held) || insideWindow(solved, held - turn) || insideWindow(solved, held + turn);
 }
 
-// How far past the tip (release) or before the pivot (fade) a time lies; both 0 inside the range.
+// How far past the tip (release) and before the pivot (fade) a time outside the range lies: on a loop both,
+// round it.
 struct Outside {
   double pastTip = 0.0;
   double pastPivot = 0.0;
 };
 
-Outside outsideOf(const SolvedTrail& solved, double timeSeconds) {
-  const double before = std::max(0.0, solved.startSeconds - timeSeconds);
-  const double after = std::max(0.0, timeSeconds - solved.endSeconds);
+Outside outsideOf(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto past = [&](double seconds) {
+    const double aTurnLater = std::max(0.0, seconds + motion.endSeconds - motion.startSeconds);
+    return seconds >= 0.0 ? seconds : motion.loops ? aTurnLater : never;
+  };
+  const double before = past(solved.startSeconds - timeSeconds);
+  const double after = past(timeSeconds - solved.endSeconds);
   const bool forwards = solved.settings.pivot == Pivot::start;
   return {forwards ? after : before, forwards ? before : after};
 }
 
-// The limb's own amount at a time: w, w times the decay in the release, 0 before the pivot.
+// The limb's own amount at a time: w, w times the decay in the release.
 struct Amount {
   double weight = 0.0;
   double decay = 1.0;
@@ -66,26 +68,21 @@ struct Amount {
 
 Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
   const double framesPerSecond = motion.framesPerSecond;
-  const double timeSeconds = wrapped(motion, solved, sample.timeSeconds);
-  const Outside outside = outsideOf(solved, timeSeconds);
+  const double timeSeconds = heldTime(motion, solved, sample.timeSeconds);
   const double rounding = keyTimeRounding(timeSeconds);
-  // Where a loop starts again a range that ends there counts with what lies beyond it: the tip's frame as the
-  // first of the release, the pivot's as the last of the fade.
-  const bool isOtherEnd = timeSeconds != heldTime(motion, solved, sample.timeSeconds);
-  const bool isAtTip = std::abs(timeSeconds - solved.tipSeconds) <= rounding;
-  if (outside.pastTip > rounding || (isOtherEnd && isAtTip)) {
-    // The tip's own offset, which decays: the limb goes on with the clip below it.
-    const double decay = solved.release.at(outside.pastTip);
-    return {1.0, decay,
-            decay * rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0)};
+  if (timeSeconds >= solved.startSeconds - rounding && timeSeconds <= solved.endSeconds + rounding) {
+    const double weight = solved.remap.at(solved.path.ratioAt(timeSeconds));
+    return {weight, 1.0, rangeOffset(solved, sample, timeSeconds * framesPerSecond, weight)};
   }
-  if (outside.pastPivot > rounding || isOtherEnd) {
-    const double fade =
-        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
-    return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
-  }
-  const double weight = solved.remap.at(solved.path.ratioAt(timeSeconds));
-  return {weight, 1.0, rangeOffset(solved, sample, timeSeconds * framesPerSecond, weight)};
+  // The tip's own offset, which decays: the limb goes on with the clip below it. What is pulled at the pivot
+  // fades in, on a loop while the other decays where there is no room for one after the other.
+  const Outside outside = outsideOf(motion, solved, timeSeconds);
+  const double decay = solved.release.at(outside.pastTip);
+  const double fade =
+      solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
+  const Vec3 tip = rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0);
+  const Vec3 pivot = solved.path.axes * pivotOffset(solved, framesPerSecond);
+  return {1.0, decay, decay * tip + fade * pivot};
 }
 
 // How inner trails carry what hangs on a limb's base: it moves and turns with the base's parent.
@@ -122,7 +119,7 @@ bool followsAnother(const MotionState& motion, std::size_t trail, double timeSec
   return std::any_of(motion.trails.begin(), motion.trails.begin() + static_cast<std::ptrdiff_t>(trail),
                      [&](const SolvedTrail& earlier) {
                        return earlier.active && earlier.limb.id == limb &&
-                              insideWindow(earlier, wrapped(motion, earlier, timeSeconds));
+                              actsAt(motion, earlier, timeSeconds);
                      });
 }
 
@@ -151,7 +148,7 @@ Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& 
 bool hasNothingToDo(const MotionState& motion, std::size_t trail, const LimbSample& sample,
                     const FrameState& frame) {
   const SolvedTrail& solved = motion.trails[trail];
-  if (insideWindow(solved, wrapped(motion, solved, sample.timeSeconds))) {
+  if (actsAt(motion, solved, sample.timeSeconds)) {
     return false;
   }
   const Vec3 baseNow = stayingPosition(solved.limb, frame);
@@ -160,8 +157,7 @@ bool hasNothingToDo(const MotionState& motion, std::size_t trail, const LimbSamp
 }
 
 Amount amountOrNone(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
-  const bool inside = insideWindow(solved, wrapped(motion, solved, sample.timeSeconds));
-  return inside ? amountAt(motion, solved, sample) : Amount{};
+  return actsAt(motion, solved, sample.timeSeconds) ? amountAt(motion, solved, sample) : Amount{};
 }
 
 LimbShapeProblem shapeProblem(const SolvedTrail& solved, const Amount& amount, const Vec3& target,

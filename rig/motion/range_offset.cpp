@@ -11,6 +11,11 @@ Vec3 rangeOffset(const SolvedTrail& solved, const LimbSample& sample, double fra
   return solved.path.axes * (offset + solved.offsets.at(frame));
 }
 
+Vec3 pivotOffset(const SolvedTrail& solved, double framesPerSecond) {
+  const bool forwards = solved.settings.pivot == Pivot::start;
+  return solved.offsets.at((forwards ? solved.startSeconds : solved.endSeconds) * framesPerSecond);
+}
+
 const LimbSample& tipSample(const SolvedTrail& solved) {
   return solved.settings.pivot == Pivot::start ? solved.path.samples.back() : solved.path.samples.front();
 }

@@ -109,8 +109,7 @@ double firstSeconds(const MotionState& motion, const SolvedTrail& solved) {
 }
 
 bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
-  const double pivotSeconds = isForwards(solved) ? solved.startSeconds : solved.endSeconds;
-  return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;
+  return glm::length(pivotOffset(solved, framesPerSecond)) > 0.0;
 }
 
 } // namespace stretch::rig

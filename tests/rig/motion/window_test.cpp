@@ -6,7 +6,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/limb.h"
-#include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/rekeyed_clip.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -210,6 +210,26 @@ TEST_CASE("on a loop a release ends where the range begins again, without a jump
     const Vec3 after = handOffset(moving, motion, again + 1e-4);
     CAPTURE(pivot == Pivot::start, glm::length(before), glm::length(after));
     CHECK(glm::length(after - before) < 1e-3 * moving.body.height);
+  }
+}
+
+TEST_CASE("on a loop a hand that is pulled at the pivot goes back and fades in again without a jump") {
+  const MovingBiped moving = punchingBiped();
+  const auto [pivot, pulled] = GENERATE(table<Pivot, double>({{Pivot::start, 3.0}, {Pivot::end, 18.0}}));
+  CAPTURE(pulled);
+  Trail trail = connectedTrail("left-arm", 3, 18, 1.5);
+  trail.settings.pivot = pivot;
+  trail.settings.releaseFrames = GENERATE(3.0, 7.0, 20.0); // The loop of 24 frames leaves 9.
+  trail.settings.spheres = {{pulled, Vec3(0.0, 0.3, 0.0)}};
+  const Rekeyed rekeyed = rekeyedOf(moving, {trail}, {}, true);
+  const MotionState& motion = rekeyed.motion;
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+  CHECK(glm::length(handOffset(moving, motion, pulled) - Vec3(0.0, 0.3, 0.0)) < 1e-5);
+  CHECK(glm::length(handOffset(moving, motion, 24.0) - handOffset(moving, motion, 0.0)) < 1e-3);
+  for (double frame = 0.0; frame < 24.0; frame += 0.25) {
+    CAPTURE(frame);
+    const Vec3 after = handOffset(moving, motion, frame + 1e-3);
+    CHECK(glm::length(after - handOffset(moving, motion, frame)) < 1e-3);
   }
 }
 
