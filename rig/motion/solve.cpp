@@ -29,6 +29,9 @@ TrailSettings usable(TrailSettings settings, const Clip& clip) {
   settings.endFrame = std::clamp(settings.endFrame, settings.startFrame,
                                  std::min(lastFrame, settings.startFrame + longestFrames));
   settings.scale = std::max(settings.scale, smallestScale);
+  std::erase_if(settings.spheres, [&](const SphereOffset& sphere) {
+    return !isWithinFrames(settings.startFrame, settings.endFrame, sphere.frame);
+  });
   return settings;
 }
 

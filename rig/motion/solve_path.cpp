@@ -45,11 +45,9 @@ void setByHand(SolvedTrail& solved) {
 void keepPulledSpheres(SolvedTrail& solved) {
   std::vector<double>& frames = solved.controlFrames;
   for (const SphereOffset& sphere : solved.settings.spheres) {
-    const bool inRange =
-        sphere.frame >= solved.settings.startFrame && sphere.frame <= solved.settings.endFrame;
     const bool known =
         std::ranges::any_of(frames, [&](double frame) { return sameFrame(frame, sphere.frame); });
-    if (inRange && !known) {
+    if (!known) {
       frames.push_back(sphere.frame);
     }
   }

@@ -320,6 +320,25 @@ TEST_CASE("a pulled sphere moves the hand by its offset, one at the pivot fades 
   }
 }
 
+TEST_CASE("a sphere outside the range pulls nothing until the range reaches it again") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 6, 12, 2.0);
+  trail.settings.releaseFrames = 3.0;
+  const MotionState without = solved(moving, {trail});
+  const Vec3 pull(0.05, 0.1, -0.02);
+  trail.settings.spheres = {{GENERATE(3.0, 15.0), pull}};
+  const double sphere = trail.settings.spheres.front().frame;
+  const MotionState outside = solved(moving, {trail});
+  for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
+    CAPTURE(sphere, frame);
+    CHECK(glm::length(handOffset(moving, outside, frame) - handOffset(moving, without, frame)) < 1e-9);
+  }
+  trail.settings.scale = 1.0;
+  trail.settings.startFrame = 2.0;
+  trail.settings.endFrame = 18.0;
+  CHECK(glm::length(handOffset(moving, solved(moving, {trail}), sphere) - pull) < 1e-5);
+}
+
 TEST_CASE("past the last key a stretched limb is held, as the keys of the file hold it") {
   const MovingBiped moving = punchingBiped();
   const MotionState motion = solved(moving, {connectedTrail("left-leg", 0, 24, 2.0)});
