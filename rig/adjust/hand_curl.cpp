@@ -119,6 +119,16 @@ Vec3 closingAxis(const Finger& finger, std::size_t joint, const Vec3& palm, cons
   return glm::length(own) > clearBend && agrees ? unitOrNone(own) : across;
 }
 
+// The axis of a turn in the world, in the space in which the joint's rotation is followed by another: below a
+// mirror that turns the other way.
+Vec3 axisInJoint(const Scene& scene, const BindPlaces& places, NodeIndex joint, const Vec3& axis) {
+  const NodeIndex parent = scene.nodes[at(joint)].parent;
+  const Mat4 carrier = parent.exists() ? places.worlds[at(parent)] : Mat4(1.0);
+  const Quat turn = rotationOf(inverseOf(carrier) * places.worlds[at(joint)]);
+  const Mat3 space = Mat3(carrier) * glm::mat3_cast(turn);
+  return glm::normalize(inverseOf(space) * axis) * (glm::determinant(space) < 0.0 ? -1.0 : 1.0);
+}
+
 } // namespace
 
 std::vector<FingerJoint> handCurl(const Scene& scene, const Limb& arm, const BindPlaces& places) {
@@ -141,8 +151,7 @@ std::vector<FingerJoint> handCurl(const Scene& scene, const Limb& arm, const Bin
     for (std::size_t i = 0; i < finger.joints.size(); ++i) {
       const Vec3 axis = closingAxis(finger, i, palm, middle);
       if (glm::length(axis) > 0.0) {
-        const Quat bind = rotationOf(places.worlds[at(finger.joints[i])]);
-        joints.push_back({finger.joints[i], glm::inverse(bind) * axis,
+        joints.push_back({finger.joints[i], axisInJoint(scene, places, finger.joints[i], axis),
                           fistDegrees[i] * pi / 180.0 * (finger.isThumb ? 0.5 : 1.0)});
       }
     }

@@ -116,6 +116,22 @@ TEST_CASE("straight fingers close downwards about the line across them, in their
   CHECK(hand.degreesOf(second) == Approx(95.0));
 }
 
+TEST_CASE("fingers of a hand that is mirrored close downwards as well") {
+  Hand hand;
+  const Quat turn = axisAngle(glm::normalize(Vec3(1, 2, -1)), 0.8);
+  const NodeIndex first = hand.addJoint("index0", hand.arm.endNode, Vec3(0.1, 0.0, 0.0), true, turn);
+  const NodeIndex second = hand.addJoint("index1", first, Vec3(0.2, 0.0, 0.0), true);
+  Transform mirror;
+  mirror.scale = Vec3(-1.0, 1.0, 1.0);
+  for (Mat4& world : hand.places.worlds) {
+    world = toMatrix(mirror) * world;
+  }
+  const Mat4& knuckle = hand.places.worlds[at(first)];
+  const Vec3 next = positionOf(hand.places.worlds[at(second)]);
+  const Vec3 bent = axisAngle(hand.axisOf(first), 0.5 * pi) * transformPoint(glm::inverse(knuckle), next);
+  CHECK(glm::length(transformPoint(knuckle, bent) - Vec3(-0.1, -0.1, 0.0)) < 1e-9);
+}
+
 TEST_CASE("fingers that are bent in the bind pose close the way they are bent, upwards too") {
   const double up = GENERATE(1.0, -1.0);
   Hand hand;
