@@ -85,7 +85,17 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
   return {1.0, decay, decay * tip + fade * pivot};
 }
 
-// How inner trails carry what hangs on a limb's base: it moves and turns with the base's parent.
+// What carries a limb's base: the end of a limb with a trail where the base goes along with that, else its
+// parent.
+NodeIndex carrierOf(const Scene& scene, const MotionState& motion, NodeIndex base) {
+  const auto carrier = std::ranges::find_if(motion.trails, [&](const SolvedTrail& inner) {
+    return inner.active &&
+           std::ranges::find(inner.topology.companions, base) != inner.topology.companions.end();
+  });
+  return carrier != motion.trails.end() ? carrier->limb.endNode : scene.nodes[at(base)].parent;
+}
+
+// How inner trails carry what hangs on a limb's base: it moves and turns with what carries the base.
 struct Carry {
   bool still = true;
   Vec3 baseBefore{0.0};
@@ -98,16 +108,16 @@ struct Carry {
   [[nodiscard]] Vec3 vector(const Vec3& world) const { return still ? world : turn * world; }
 };
 
-Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample,
-              const FrameState& source, const FrameState& frame) {
+Carry carryOf(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
+              const LimbSample& sample, const FrameState& source, const FrameState& frame) {
   const NodeIndex base = stayingNode(solved.limb);
-  const NodeIndex parent = scene.nodes[at(base)].parent;
+  const NodeIndex carrier = carrierOf(scene, motion, base);
   Carry carry;
   carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
   carry.baseBefore = sample.base;
   carry.baseNow = stayingPosition(solved.limb, frame);
-  if (!carry.still && parent.exists()) {
-    carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(source.worlds[at(parent)]));
+  if (!carry.still && carrier.exists()) {
+    carry.turn = rotationOf(frame.worlds[at(carrier)]) * glm::inverse(rotationOf(source.worlds[at(carrier)]));
   }
   return carry;
 }
@@ -226,7 +236,7 @@ void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail
     return;
   }
   const Amount amount = amountOrNone(motion, solved, sample);
-  const Carry carry = carryOf(scene, solved, sample, source, frame);
+  const Carry carry = carryOf(scene, motion, solved, sample, source, frame);
   const Vec3 target = targetIn(frame, carry, motion, trail, sample, amount).wanted;
   const LimbShapeProblem problem = shapeProblem(solved, amount, target, frame);
   const bool still = glm::length(target - problem.points.back()) <= 0.0;
@@ -244,7 +254,7 @@ PathPoint pathPoint(const Scene& scene, const MotionState& motion, std::size_t t
                     const FrameState& source, const FrameState& frame) {
   const SolvedTrail& solved = motion.trails[trail];
   const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
-  const Carry carry = carryOf(scene, solved, sample, source, frame);
+  const Carry carry = carryOf(scene, motion, solved, sample, source, frame);
   const Amount amount = amountOrNone(motion, solved, sample);
   return {carry.point(sample.end), targetIn(frame, carry, motion, trail, sample, amount).wanted};
 }

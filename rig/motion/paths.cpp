@@ -207,7 +207,10 @@ bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner
   }
   const Limb& carrier = motion.trails[inner].limb;
   const Limb& carried = motion.trails[outer].limb;
-  return carrier.joints.front() == carried.joints.front() || carries(scene, carrier, carried);
+  const NodeIndex base = carried.joints.front();
+  return carrier.joints.front() == base || carries(scene, carrier, carried) ||
+         std::ranges::any_of(motion.trails[inner].topology.companions,
+                             [&](NodeIndex node) { return isAncestorOrSelf(scene, node, base); });
 }
 
 std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,

@@ -152,6 +152,35 @@ private:
   std::vector<Vec3> otherEnds_;
 };
 
+// Whether another limb stands at the end of a trunk limb without hanging on it. A neck carries what belongs
+// to the head: shoulders as high as its end are the spine's.
+bool standsOnEnd(const Scene& scene, const Limb& limb, const Limb& other, const BindPlaces& places) {
+  const std::vector<NodeIndex> own = jointsAndEnd(limb);
+  const NodeIndex base = other.joints.front();
+  const Vec3 place = positionOf(places.worlds[at(base)]);
+  const Vec3 start = positionOf(places.worlds[at(limb.joints.front())]);
+  return !limb.ledByFirst &&
+         (limb.kind == LimbKind::spine || other.kind == LimbKind::feeler || other.kind == LimbKind::chain) &&
+         glm::distance(place, endPosition(limb, places.worlds)) < glm::distance(place, start) &&
+         std::ranges::none_of(own, [&](NodeIndex joint) { return isAncestorOrSelf(scene, joint, base); });
+}
+
+// What carries the other limbs that stand at the end of a trunk limb, as in a file whose deforming joints
+// hang side by side.
+std::vector<NodeIndex> limbsAtEnd(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
+                                  const BindPlaces& places) {
+  std::vector<NodeIndex> carried;
+  std::vector<NodeIndex> kept = jointsAndEnd(limb);
+  for (const Limb& other : others) {
+    if (other.id != limb.id && !other.joints.empty()) {
+      std::vector<NodeIndex>& list = standsOnEnd(scene, limb, other, places) ? carried : kept;
+      const std::vector<NodeIndex> nodes = jointsAndEnd(other);
+      list.insert(list.end(), nodes.begin(), nodes.end());
+    }
+  }
+  return highestCarriers(scene, carried, kept);
+}
+
 } // namespace
 
 Riders::Riders(const Scene& scene, const Limb& limb, const BindPlaces& places,
@@ -229,8 +258,29 @@ bool Riders::isAtEnd(NodeIndex node) const {
 
 std::vector<NodeIndex> companionsElsewhere(const Scene& scene, const Limb& limb,
                                            const std::vector<Limb>& others, const BindPlaces& places) {
-  const bool hasEnd = reachesOut(limb) && limb.endNode.exists();
-  return hasEnd ? CompanionSearch(scene, limb, others, places).all() : std::vector<NodeIndex>{};
+  if (!limb.endNode.exists() || limb.kind == LimbKind::chain) {
+    return {};
+  }
+  return isTrunk(limb) ? limbsAtEnd(scene, limb, others, places)
+                       : CompanionSearch(scene, limb, others, places).all();
+}
+
+std::vector<NodeIndex> highestCarriers(const Scene& scene, const std::vector<NodeIndex>& carried,
+                                       const std::vector<NodeIndex>& kept) {
+  const auto isFree = [&](NodeIndex node) {
+    return node.exists() &&
+           std::ranges::none_of(kept, [&](NodeIndex other) { return isAncestorOrSelf(scene, node, other); });
+  };
+  std::set<NodeIndex> carriers;
+  for (NodeIndex node : carried) {
+    if (isFree(node)) {
+      while (isFree(scene.nodes[at(node)].parent)) {
+        node = scene.nodes[at(node)].parent;
+      }
+      carriers.insert(node);
+    }
+  }
+  return {carriers.begin(), carriers.end()};
 }
 
 } // namespace stretch::rig

@@ -37,10 +37,17 @@ private:
   std::vector<Vec3> points_; // of the limb in the bind pose
 };
 
-/// Nodes outside the limb whose mesh stands at its end joint and at no other limb's: feet and heels that hang
-/// under the root, driven by IK. What hangs on the trunk is not among them. Parents first.
+/// Nodes outside the limb that stand at its end joint. Of a limb that reaches out those whose mesh stands
+/// there and at no other limb's: feet and heels that hang under the root, driven by IK; what hangs on the
+/// trunk is not among them. Of spine and neck those that carry limbs: arms, neck and head that hang beside
+/// the spine. Parents first.
 [[nodiscard]] std::vector<NodeIndex> companionsElsewhere(const Scene& scene, const Limb& limb,
                                                          const std::vector<Limb>& others,
                                                          const BindPlaces& places);
+
+/// The highest nodes that carry some of `carried`, themselves included, and none of `kept`; ascending.
+[[nodiscard]] std::vector<NodeIndex> highestCarriers(const Scene& scene,
+                                                     const std::vector<NodeIndex>& carried,
+                                                     const std::vector<NodeIndex>& kept);
 
 } // namespace stretch::rig

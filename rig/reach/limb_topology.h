@@ -34,8 +34,8 @@ struct LimbTopology {
   /// Whether the end descends from the last joint; not so for a foot under the root. True when the end is
   /// estimated.
   bool endIsDescendant = true;
-  /// Nodes that have their mesh at the limb's end and do not hang on the end joint: a heel or a toe beside
-  /// the foot, or under the root as the foot. It moves with the end as one piece; parents first.
+  /// Nodes that stand at the limb's end and do not hang on the end joint: a heel or a toe beside the foot, or
+  /// under the root as the foot, arms beside the spine. They move with the end as one piece; parents first.
   std::vector<NodeIndex> companions;
   /// For a limb that is led by its first joint: the node that carries that joint and the one after it, and
   /// moves as one piece. None otherwise.
