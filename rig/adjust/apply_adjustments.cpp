@@ -151,7 +151,11 @@ private:
       return;
     }
     const Vec3 goal = place(body_.hips) + bodyTurn_ * hips.move;
-    placeNode(scene_, body_.hips, rotationOfVector(bodyTurn_ * hips.turn), goal, frame_);
+    const CarrierChange change{place(body_.hips), goal, rotationOfVector(bodyTurn_ * hips.turn)};
+    placeNode(scene_, body_.hips, change.turn, goal, frame_);
+    for (const NodeIndex node : body_.besideHips) {
+      placeNode(scene_, node, change.turn, change.point(place(node)), frame_);
+    }
     ask("hips", goal);
   }
 
@@ -186,7 +190,7 @@ private:
     if (adjusted.detached.empty()) {
       return;
     }
-    const NodeIndex carrier = scene_.nodes[at(adjusted.limb.joints.front())].parent;
+    const NodeIndex carrier = adjusted.carrier;
     if (frame_.worlds[at(carrier)] == source_->worlds[at(carrier)]) {
       return;
     }
@@ -209,12 +213,12 @@ private:
     for (const char* id : {"spine-low", "spine-mid", "spine-top"}) {
       note(id, axes);
     }
+    carryDetached(adjusted);
     const Vec3 none(0.0);
     if (low.move == none && middle.move == none && top.move == none && top.turn == none) {
       return;
     }
     const Limb& limb = adjusted.limb;
-    carryDetached(adjusted);
     SplineSpineProblem problem;
     problem.points = limbPoints(limb, frame_);
     problem.along = adjusted.along;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "rig/reach/limb_riders.h"
 
 namespace stretch::rig {
 
@@ -18,8 +21,21 @@ LimbControls controlsOf(const Limb& limb) {
       end + ".roll", end + ".curl",        limb.id + ".softness"};
 }
 
-std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& reaching) {
-  const NodeIndex carrier = scene.nodes[at(reaching.limb.joints.front())].parent;
+// The highest nodes that carry limbs and do not hang on the hips, which do not hang on them either.
+std::vector<NodeIndex> besideHips(const AdjustmentGround& ground) {
+  std::vector<NodeIndex> bases;
+  for (const Limb& limb : ground.limbs) {
+    if (!limb.joints.empty() && !isAncestorOrSelf(ground.scene, ground.hips, limb.joints.front())) {
+      bases.push_back(limb.joints.front());
+    }
+  }
+  return highestCarriers(ground.scene, bases, {ground.hips});
+}
+
+std::vector<NodeIndex> detachedNodes(const Scene& scene, const AdjustedLimb& reaching) {
+  const NodeIndex base = reaching.limb.joints.front();
+  const bool hangsOnCarrier = isAncestorOrSelf(scene, reaching.carrier, base);
+  const NodeIndex carrier = hangsOnCarrier ? reaching.carrier : base;
   std::vector<NodeIndex> nodes = reaching.limb.joints;
   nodes.push_back(reaching.limb.endNode);
   nodes.insert(nodes.end(), reaching.topology.companions.begin(), reaching.topology.companions.end());
@@ -41,6 +57,9 @@ AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& bo
   static_cast<ReachingLimb&>(adjusted) =
       reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb);
   adjusted.controls = controlsOf(limb);
+  const NodeIndex base = limb.joints.front();
+  const bool isBesideHips = std::ranges::find(body.besideHips, base) != body.besideHips.end();
+  adjusted.carrier = isBesideHips ? body.hips : ground.scene.nodes[at(base)].parent;
   adjusted.detached = detachedNodes(ground.scene, adjusted);
   adjusted.baseBind = bindRotation(body, limb.joints.front());
   if (isArm(limb)) {
@@ -164,9 +183,12 @@ void addParts(const Scene& scene, SolvedAdjustments& solved) {
   const AdjustedBody& body = *solved.body;
   solved.parts.push_back({body.roots, 0.0, {"body"}});
   if (body.hips.exists()) {
-    solved.parts.push_back({{body.hips}, 0.0, {"hips"}});
+    std::vector<NodeIndex> carried{body.hips};
+    carried.insert(carried.end(), body.besideHips.begin(), body.besideHips.end());
+    solved.parts.push_back({std::move(carried), 0.0, {"hips"}});
   }
   std::set<NodeIndex> nodes{body.chest, body.hips};
+  nodes.insert(body.besideHips.begin(), body.besideHips.end());
   const auto addLimb = [&](const AdjustedLimb& limb) {
     const AdjustedPart& part = solved.parts.emplace_back(partOf(scene, solved, limb));
     if (isKeyed(solved.curves, part)) {
@@ -219,6 +241,7 @@ AdjustedBody adjustedBody(const AdjustmentGround& ground) {
   body.forward = facingInBind(ground.limbs, body.places);
   body.hips = ground.hips;
   body.roots = rootsOf(ground);
+  body.besideHips = besideHips(ground);
   const Limb* const spine = limbAt(ground.limbs, biped::spine);
   const Limb* const neck = limbAt(ground.limbs, biped::neck);
   body.chest =

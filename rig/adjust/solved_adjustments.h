@@ -39,8 +39,9 @@ struct LimbControls {
 /// A limb that controllers may move.
 struct AdjustedLimb : ReachingLimb {
   LimbControls controls;
-  std::vector<NodeIndex> detached;   ///< Nodes that belong to it and hang elsewhere than under its base's
-                                     ///< parent.
+  NodeIndex carrier;                 ///< Node that its base goes along with: the base's parent, or the hips
+                                     ///< where the base itself hangs beside them.
+  std::vector<NodeIndex> detached;   ///< Nodes that belong to it and hang elsewhere than its base does.
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Fingers of an arm.
   FootRoll roll;                     ///< Roll of a leg's foot.
@@ -69,7 +70,9 @@ struct AdjustedBody {
   NodeIndex hips;
   std::vector<NodeIndex> roots; ///< Nodes that the body's controller moves: nothing of the character hangs
                                 ///< elsewhere.
-  NodeIndex chest;              ///< Carrier of head and hands: the end of the spine, else the hips.
+  std::vector<NodeIndex> besideHips; ///< Nodes that carry limbs and go along with the hips, on which they do
+                                     ///< not hang.
+  NodeIndex chest;                   ///< Carrier of head and hands: the end of the spine, else the hips.
   Quat hipsBind{1.0, 0.0, 0.0, 0.0};
   Quat chestBind{1.0, 0.0, 0.0, 0.0};
   Vec3 forward{0.0, 0.0, 1.0}; ///< Direction that the character faces in the bind pose; unit, level.

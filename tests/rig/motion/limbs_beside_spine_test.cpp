@@ -132,3 +132,45 @@ TEST_CASE("arms and neck that hang beside the spine go along where its top is po
     CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
   }
 }
+
+TEST_CASE("a leg of boxes that hang side by side on the root goes along with the hips as one") {
+  MovingBiped moving = still(namedBody());
+  for (const char* key : {"foot.l", "shin.l", "thigh.l"}) {
+    hang(moving, key, moving.node.at("root"));
+  }
+  addPunch(moving, Interpolation::linear);
+  const Rekeyed rekeyed = rekeyedOf(moving, {moved("hips", {0.0, -0.1, 0.0})});
+  const FrameState source = sourceAtFrame(moving, 0);
+  const FrameState posed = atFrame(moving, rekeyed.motion, 0);
+  const auto bone = [&](const FrameState& frame, const std::string& from, const std::string& to) {
+    return glm::distance(placeOf(moving, frame, from), placeOf(moving, frame, to));
+  };
+  CHECK(tornOff(moving, source, posed, "thigh.l", "hips") < 1e-9);
+  CHECK(bone(posed, "thigh.l", "shin.l") == Approx(bone(source, "thigh.l", "shin.l")).epsilon(1e-3));
+  CHECK(bone(posed, "shin.l", "foot.l") == Approx(bone(source, "shin.l", "foot.l")).epsilon(1e-3));
+  CHECK(glm::distance(placeOf(moving, posed, "foot.l"), placeOf(moving, source, "foot.l")) < 1e-6);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+}
+
+TEST_CASE("limbs that hang beside the hips go along where these are posed, and the feet stay") {
+  const MovingBiped moving = deformingBesideMasters();
+  REQUIRE(moving.body.hips == moving.node.at("hips"));
+  Adjustment hips = moved("hips", {0.05, -0.1, 0.0});
+  hips.keys.front().turn = {0.0, 0.3, 0.0};
+  const Rekeyed rekeyed = rekeyedOf(moving, {hips});
+  for (double frame = 0.0; frame <= 24.0; frame += 3.0) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState posed = atFrame(moving, rekeyed.motion, frame);
+    CHECK(glm::length(placeOf(moving, posed, "hips") - placeOf(moving, source, "hips")) > 0.1);
+    CHECK(tornOff(moving, source, posed, "thigh.l", "hips") < 1e-9);
+    CHECK(tornOff(moving, source, posed, "thigh.r", "hips") < 1e-9);
+    for (const std::string& key : upperKeys) {
+      CAPTURE(frame, key);
+      CHECK(tornOff(moving, source, posed, key, "hips") < 1e-6);
+    }
+    for (const std::string key : {"foot.l", "foot.r"}) {
+      CHECK(glm::length(placeOf(moving, posed, key) - placeOf(moving, source, key)) < 1e-6);
+    }
+  }
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+}
