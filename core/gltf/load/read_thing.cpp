@@ -11,6 +11,7 @@
 #include "core/gltf/source/added_file.h"
 #include "core/gltf/source/fields.h"
 #include "core/gltf/source/pictures.h"
+#include "core/gltf/source/plain_parts.h"
 #include "core/gltf/source/plain_source.h"
 
 namespace stretch::gltf {
@@ -46,7 +47,7 @@ public:
     return std::move(to_);
   }
 
-  /// One line for each picture that cannot be read.
+  /// What of the things in the file is not there or cannot be read.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
@@ -134,7 +135,7 @@ private:
     std::vector<std::string> lost;
     for (const auto& [key, value] : json.items()) {
       const bool isTexture = key.ends_with("Texture") && indexOr(value, "index") >= 0;
-      if (isTexture && !hasPictures(element(from_.json, "textures", at(indexOr(value, "index"))))) {
+      if (isTexture && !hasPictures(indexOr(value, "index"))) {
         lost.push_back(key);
       } else if (isTexture) {
         retake(value, "index", "textures");
@@ -147,8 +148,17 @@ private:
     }
   }
 
+  // What extensions name need not be there.
+  Json named(const char* list, int index) {
+    return at(index) < sizeOf(from_.json, list) ? element(from_.json, list, at(index)) : Json();
+  }
+
   // Whether the texture has a picture, and each that it names can be read.
-  bool hasPictures(const Json& texture) {
+  bool hasPictures(int index) {
+    const Json texture = named("textures", index);
+    if (texture.is_null()) {
+      tell(fmt::format("its texture {} is not there and is left out", index));
+    }
     std::vector<int> images{indexOr(texture, "source")};
     if (const Json* const extensions = find(texture, "extensions")) {
       for (const Json& extension : *extensions) {
@@ -162,14 +172,20 @@ private:
   bool isReadable(int image) {
     const auto [known, isNew] = readable_.try_emplace(image, false);
     if (isNew) {
-      const Json& entry = element(from_.json, "images", at(image));
+      const Json entry = named("images", image);
       known->second = encodedImage(from_, entry).has_value();
       if (!known->second) {
-        warnings_.push_back(fmt::format("its picture '{}' cannot be read and is left out",
-                                        textOr(entry, "uri").substr(0, 200)));
+        tell(fmt::format("its picture '{}' cannot be read and is left out",
+                         textOr(entry, "uri").substr(0, 200)));
       }
     }
     return known->second;
+  }
+
+  void tell(std::string warning) {
+    if (std::ranges::find(warnings_, warning) == warnings_.end()) {
+      warnings_.push_back(std::move(warning));
+    }
   }
 
   void retakeTexture(Json& texture) {
@@ -193,25 +209,42 @@ private:
     return copy;
   }
 
+  // Values in a buffer without bytes are zeros, as those of an accessor that names no view.
   void retakeAccessor(Json& accessor) {
+    const Json* const sparse = find(accessor, "sparse");
+    const bool isSparseLost =
+        sparse != nullptr && (!hasBytes((*sparse)["indices"]) || !hasBytes((*sparse)["values"]));
+    const bool isLost = accessor.contains("bufferView") && !hasBytes(accessor);
+    if (isLost || isSparseLost) {
+      tell("values of its meshes are not in the file and are taken as zeros");
+    }
+    if (isLost) {
+      accessor.erase("bufferView");
+      accessor.erase("byteOffset");
+    }
     retake(accessor, "bufferView", "bufferViews");
-    if (accessor.contains("sparse")) {
+    if (isSparseLost) {
+      accessor.erase("sparse");
+    } else if (sparse != nullptr) {
       retake(accessor["sparse"]["indices"], "bufferView", "bufferViews");
       retake(accessor["sparse"]["values"], "bufferView", "bufferViews");
     }
   }
 
+  // Whether the file holds the bytes of the view that a part of an accessor names.
+  bool hasBytes(const Json& part) {
+    return namedBytes(from_, named("bufferViews", indexOr(part, "bufferView"))).has_value();
+  }
+
   Json view(const Json& entry) {
-    const Bytes& buffer = from_.buffers[static_cast<std::size_t>(indexOr(entry, "buffer"))];
-    const auto start = static_cast<std::ptrdiff_t>(wholeOr(entry, "byteOffset", 0));
-    const auto length = static_cast<std::ptrdiff_t>(wholeOr(entry, "byteLength", 0));
+    const std::span<const std::uint8_t> bytes = namedBytes(from_, entry).value();
     Json copy = Json::object();
     for (const char* key : {"byteStride", "target", "name"}) {
       if (const Json* value = find(entry, key)) {
         copy[key] = *value;
       }
     }
-    return placed(std::move(copy), {buffer.begin() + start, buffer.begin() + start + length});
+    return placed(std::move(copy), {bytes.begin(), bytes.end()});
   }
 
   Json placed(Json view, const Bytes& bytes) {

@@ -114,6 +114,46 @@ TEST_CASE(
   CHECK(std::ranges::count_if(scene->images, [](const Image& image) { return !image.rgba.empty(); }) > 0);
 }
 
+TEST_CASE("A texture that an extension names, or whose extension names its picture, goes where that is not "
+          "there") {
+  GlbBuilder glb = test::twoSheets();
+  glb.json["textures"].push_back({{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 7}}}}}});
+  glb.json["materials"][0]["emissiveTexture"] = {{"index", 1}};
+  glb.json["materials"][0]["extensions"] = {
+      {"KHR_materials_clearcoat", {{"clearcoatTexture", {{"index", 99}}}}}};
+  gltf::Thing thing;
+  withThing(glb, &thing);
+  REQUIRE(thing.warnings.size() == 2);
+  CHECK(thing.warnings[0].find("its picture '' cannot be read and is left out") != std::string::npos);
+  CHECK(thing.warnings[1].find("its texture 99 is not there and is left out") != std::string::npos);
+  const Json& materials = (*thing.source->json)["materials"];
+  const auto plain = std::ranges::find_if(materials, [](const Json& one) { return one["name"] == "plain"; });
+  REQUIRE(plain != materials.end());
+  CHECK_FALSE(plain->contains("emissiveTexture"));
+  CHECK((*plain)["extensions"]["KHR_materials_clearcoat"].empty());
+}
+
+TEST_CASE("Values of a thing in a buffer without bytes are zeros, which is told") {
+  GlbBuilder glb = test::twoSheets();
+  glb.json["buffers"] = {Json::object(), {{"byteLength", 64}}};
+  glb.json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 64}});
+  const std::size_t view = glb.json["bufferViews"].size() - 1;
+  const auto placesOf = [&](std::size_t mesh) -> Json& {
+    Json& primitive = glb.json["meshes"][mesh]["primitives"][0];
+    return glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  };
+  placesOf(0)["bufferView"] = view;
+  placesOf(1)["sparse"] = {{"count", 2},
+                           {"indices", {{"bufferView", view}, {"componentType", 5123}}},
+                           {"values", {{"bufferView", view}}}};
+  gltf::Thing thing;
+  const auto scene = withThing(glb, &thing);
+  REQUIRE(thing.warnings.size() == 1);
+  CHECK(thing.warnings[0].find("values of its meshes are not in the file") != std::string::npos);
+  CHECK(meshCalled(*scene, "sail").primitives[0].positions == std::vector<glm::vec3>(4, glm::vec3(0.0F)));
+  CHECK(meshCalled(*scene, "flag").primitives[0].positions[2] == glm::vec3(1, 1, 0));
+}
+
 TEST_CASE("Extensions of nodes, meshes and their parts stay behind when a thing is taken, those of materials "
           "come") {
   GlbBuilder glb = test::twoSheets();
