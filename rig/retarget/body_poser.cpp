@@ -19,6 +19,12 @@ Mat4 worldAbove(NodeIndex parent, const std::vector<Mat4>& worlds) {
   return parent.exists() ? worlds[at(parent)] : Mat4(1.0);
 }
 
+// From a turn of the space below a parent to the turn that it is beside the parent's in the world, and back:
+// below a mirror, which rotationOf takes for one of the x axis, turns about y and z go the other way.
+Quat mirroredBelow(const Mat4& parent, const Quat& turn) {
+  return glm::determinant(Mat3(parent)) < 0.0 ? Quat(turn.w, turn.x, -turn.y, -turn.z) : turn;
+}
+
 } // namespace
 
 BodyPoser::BodyPoser(const Skeleton& skeleton, const std::vector<JointPair>& pairs)
@@ -71,7 +77,8 @@ BodyPose BodyPoser::pose(const std::vector<Quat>& turns, const Vec3& shift, cons
     const bool isPlaced = foot && feet[*foot];
     const bool isMoved = node == skeleton_.carrier;
     if (pairOf_[index] >= 0) {
-      local.rotation = glm::normalize(glm::inverse(parentTurn) * turns[at(pairOf_[index])]);
+      local.rotation =
+          mirroredBelow(parent, glm::normalize(glm::inverse(parentTurn) * turns[at(pairOf_[index])]));
     }
     if (isMoved) {
       local.translation += glm::inverse(Mat3(parent)) * shift;
@@ -79,7 +86,7 @@ BodyPose BodyPoser::pose(const std::vector<Quat>& turns, const Vec3& shift, cons
       local.translation = transformPoint(glm::inverse(parent), *feet[*foot]);
     }
     const bool isChanged = pairOf_[index] >= 0 || isMoved || isPlaced;
-    worldTurns[index] = parentTurn * local.rotation;
+    worldTurns[index] = parentTurn * mirroredBelow(parent, local.rotation);
     pose.worlds[index] = parent * (isChanged ? toMatrix(local) : bindMatrices_[index]);
   }
   return pose;

@@ -139,6 +139,33 @@ TEST_CASE("Paired joints have the turns that are asked for in the world, whateve
   CHECK(glm::length(posedPlace(pose, body.hips) - positionOf(body.skeleton.bind[at(body.hips)])) < 1e-12);
 }
 
+TEST_CASE("A body below a mirror is posed as the same one without") {
+  const Stander plain(1.0);
+  Stander mirrored(1.0);
+  // The axes of all below the mirror are mirrored too: the joints stand where they stood.
+  for (Node& node : mirrored.scene.nodes) {
+    const bool isMirror = !node.parent.exists();
+    node.rest.scale.x = isMirror ? -1.0 : 1.0;
+    node.rest.translation.x *= isMirror ? 1.0 : -1.0;
+  }
+  mirrored.bindAsAtRest();
+  const auto posed = [](const Stander& body) {
+    const std::vector<JointPair> pairs = body.pairsOf({body.hips, body.spine, body.shins[0]});
+    std::vector<Quat> turns;
+    for (const JointPair& pair : pairs) {
+      turns.push_back(axisAngle(Vec3(1, 2, 3), 0.4 * static_cast<double>(turns.size() + 1)) *
+                      rotationOf(body.skeleton.bind[at(pair.joint)]));
+    }
+    const BodyPoser poser(body.skeleton, pairs);
+    return poser.pose(turns, Vec3(0.1, 0.2, 0.3), {});
+  };
+  const BodyPose wanted = posed(plain);
+  const BodyPose pose = posed(mirrored);
+  for (std::size_t node = 0; node < plain.scene.nodes.size(); ++node) {
+    CHECK(glm::length(posedPlace(pose, NodeIndex(node)) - posedPlace(wanted, NodeIndex(node))) < 1e-9);
+  }
+}
+
 TEST_CASE("The carrier is shifted in the world, with all that hangs on it and nothing else") {
   const Stander body(GENERATE(1.0, 0.01, 7.0));
   const BodyPoser poser(body.skeleton, body.pairsOf({body.hips}));
