@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/scene/morphs.h"
+
 namespace stretch::skinning {
 
 namespace {
@@ -24,20 +26,6 @@ Affine blended(const VertexInfluences& influences, const std::vector<Affine>& ma
     }
   }
   return sum;
-}
-
-/// A place or a normal at rest, moved by the morph targets.
-Vec3 morphed(const Vec3& rest, std::vector<glm::vec3> MorphTarget::*offsets, const Primitive& primitive,
-             const std::vector<float>& weights, std::size_t vertex) {
-  Vec3 moved = rest;
-  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
-  for (std::size_t target = 0; target < targets; ++target) {
-    const std::vector<glm::vec3>& offset = primitive.morphTargets[target].*offsets;
-    if (weights[target] != 0.0F && vertex < offset.size()) {
-      moved += static_cast<double>(weights[target]) * Vec3(offset[vertex]);
-    }
-  }
-  return moved;
 }
 
 Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {

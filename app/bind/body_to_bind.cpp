@@ -9,6 +9,7 @@
 
 #include "app/locators/build_rig.h"
 #include "core/anim/sampling.h"
+#include "core/scene/morphs.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/evidence/name_evidence.h"
 #include "rig/body/reading/detection.h"
@@ -104,11 +105,11 @@ Mat4 toWorldOf(const Scene& scene, const rig::body::BindPose& pose, const std::v
 void addPrimitive(const Scene& scene, NodeIndex node, const Primitive& primitive, const Mat4& toWorld,
                   BodyToBind& body) {
   const Node& holder = scene.nodes[at(node)];
-  const std::vector<float>& weights =
-      holder.morphWeights.empty() ? scene.meshes[at(holder.mesh)].morphWeights : holder.morphWeights;
+  const Mesh& mesh = scene.meshes[at(holder.mesh)];
   const auto first = static_cast<std::uint32_t>(body.positions.size());
   for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
-    body.positions.emplace_back(transformPoint(toWorld, skinning::morphedPosition(primitive, weights, v)));
+    body.positions.emplace_back(
+        transformPoint(toWorld, morphedPlace(mesh, primitive, holder.morphWeights, v)));
   }
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     body.triangles.push_back(

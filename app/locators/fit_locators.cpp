@@ -9,6 +9,7 @@
 #include "app/locators/build_rig.h"
 #include "app/locators/creature_locators.h"
 #include "core/anim/sampling.h"
+#include "core/scene/morphs.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/reading/detection.h"
 #include "skinning/linear_blend_skinning.h"
@@ -133,10 +134,13 @@ MeshesInWorld meshesAtRest(const Scene& scene) {
   const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
   MeshesInWorld meshes;
   for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
-    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+    const Node& holder = scene.nodes[at(node)];
+    const Mesh& mesh = scene.meshes[at(holder.mesh)];
+    for (const Primitive& primitive : mesh.primitives) {
       const auto first = static_cast<std::uint32_t>(meshes.positions.size());
-      for (const glm::vec3& position : primitive.positions) {
-        meshes.positions.push_back(transformPoint(worlds[at(node)], Vec3(position)));
+      for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+        meshes.positions.push_back(
+            transformPoint(worlds[at(node)], morphedPlace(mesh, primitive, holder.morphWeights, v)));
       }
       for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         meshes.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],

@@ -11,6 +11,7 @@
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
 #include "core/math/median.h"
+#include "core/scene/morphs.h"
 #include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig::body {
@@ -65,7 +66,8 @@ Bounds bindBounds(const Scene& scene, const BindPose& bindPose, const std::vecto
   return bounds;
 }
 
-void addSkinned(Bounds& bounds, const Primitive& primitive, const std::vector<Mat4>& joints) {
+void addSkinned(Bounds& bounds, const Mesh& mesh, const Primitive& primitive,
+                const std::vector<float>& weights, const std::vector<Mat4>& joints) {
   const std::size_t count = std::min(primitive.positions.size(), primitive.influences.size());
   for (std::size_t vertex = 0; vertex < count; ++vertex) {
     const VertexInfluences& influences = primitive.influences[vertex];
@@ -76,7 +78,7 @@ void addSkinned(Bounds& bounds, const Primitive& primitive, const std::vector<Ma
       }
     }
     if (moved[3][3] > 0.0) {
-      addFinite(bounds, transformPoint(moved / moved[3][3], Vec3(primitive.positions[vertex])));
+      addFinite(bounds, transformPoint(moved / moved[3][3], morphedPlace(mesh, primitive, weights, vertex)));
     }
   }
 }
@@ -96,13 +98,15 @@ Bounds shownBounds(const Scene& scene, const FrameState& shown, const std::vecto
     const std::vector<Mat4> joints =
         isSkinned ? skinMatrices(scene.skins[at(holder.skin)], shown) : std::vector<Mat4>{};
     const Mat4 carried = meshMatrix(shown, NodeIndex(node));
-    for (const Primitive& primitive : scene.meshes[at(holder.mesh)].primitives) {
+    const Mesh& mesh = scene.meshes[at(holder.mesh)];
+    const std::vector<float>& weights = shown.pose.weights[node];
+    for (const Primitive& primitive : mesh.primitives) {
       if (isSkinned && !primitive.influences.empty()) {
-        addSkinned(bounds, primitive, joints);
-      } else if (rigid[node]) {
-        std::ranges::for_each(primitive.positions, [&](const glm::vec3& position) {
-          addFinite(bounds, transformPoint(carried, Vec3(position)));
-        });
+        addSkinned(bounds, mesh, primitive, weights, joints);
+        continue;
+      }
+      for (std::size_t vertex = 0; vertex < primitive.positions.size() && rigid[node]; ++vertex) {
+        addFinite(bounds, transformPoint(carried, morphedPlace(mesh, primitive, weights, vertex)));
       }
     }
   }

@@ -2,7 +2,7 @@
 
 #include "core/math/finite.h"
 
-#include "core/scene/scene.h"
+#include "core/scene/morphs.h"
 #include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig::body {
@@ -20,25 +20,33 @@ NodeIndex strongestJoint(const VertexInfluences& influences, const Skin& skin) {
 }
 
 void addPoint(std::vector<std::vector<Vec3>>& clouds, NodeIndex node, const Mat4& placement,
-              const glm::vec3& position) {
-  const Vec3 world = transformPoint(placement, Vec3(position));
+              const Vec3& position) {
+  const Vec3 world = transformPoint(placement, position);
   if (node.exists() && at(node) < clouds.size() && isFinite(world)) {
     clouds[at(node)].push_back(world);
   }
 }
 
-void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, const Skin& skin,
-                const Mat4& placement) {
+// Vertices stand where the morph weights at rest put them.
+Vec3 placeOf(const Scene& scene, const Node& holder, const Primitive& primitive, std::size_t vertex) {
+  return morphedPlace(scene.meshes[static_cast<std::size_t>(holder.mesh)], primitive, holder.morphWeights,
+                      vertex);
+}
+
+void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Scene& scene, const Node& holder,
+                const Primitive& primitive, const Mat4& placement) {
+  const Skin& skin = scene.skins[static_cast<std::size_t>(holder.skin)];
   const std::size_t count = std::min(primitive.positions.size(), primitive.influences.size());
   for (std::size_t i = 0; i < count; ++i) {
-    addPoint(clouds, strongestJoint(primitive.influences[i], skin), placement, primitive.positions[i]);
+    addPoint(clouds, strongestJoint(primitive.influences[i], skin), placement,
+             placeOf(scene, holder, primitive, i));
   }
 }
 
-void addRigid(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, NodeIndex node,
-              const Mat4& world) {
-  for (const glm::vec3& position : primitive.positions) {
-    addPoint(clouds, node, world, position);
+void addRigid(std::vector<std::vector<Vec3>>& clouds, const Scene& scene, NodeIndex node,
+              const Primitive& primitive, const Mat4& world) {
+  for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+    addPoint(clouds, node, world, placeOf(scene, scene.nodes[at(node)], primitive, i));
   }
 }
 
@@ -58,7 +66,7 @@ void addSkinnedMeshes(const Scene& scene, const BindPose& bindPose, std::vector<
     const auto skin = static_cast<std::size_t>(node.skin);
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (!primitive.influences.empty()) {
-        addSkinned(clouds, primitive, scene.skins[skin], bindPose.placements[skin]);
+        addSkinned(clouds, scene, node, primitive, bindPose.placements[skin]);
       }
     }
   }
@@ -124,7 +132,7 @@ std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& 
     const bool isSkinned = isIndex(holder.skin, scene.skins.size());
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(holder.mesh)].primitives) {
       if (!isSkinned || primitive.influences.empty()) {
-        addRigid(clouds, primitive, NodeIndex(node), bindPose.worlds[node]);
+        addRigid(clouds, scene, NodeIndex(node), primitive, bindPose.worlds[node]);
       }
     }
   }

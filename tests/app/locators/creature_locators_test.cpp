@@ -122,6 +122,31 @@ TEST_CASE("A mesh gets the locators of the body that its shape shows, where its 
   }
 }
 
+TEST_CASE("Locators are fitted to the shape that morph weights give a mesh at rest", "[locators]") {
+  const Files files;
+  const Body person = bodies().front();
+  write(files, person.mesh);
+  Result<Document> document = openDocument(files.mesh);
+  REQUIRE(document);
+  const Result<FittedLocators> plain = fitLocators(*document);
+  Scene scene = *document->scene;
+  for (Primitive& primitive : scene.meshes.front().primitives) {
+    primitive.morphTargets = {{primitive.positions, {}}};
+    primitive.positions.assign(primitive.positions.size(), glm::vec3(0.0F));
+  }
+  scene.meshes.front().morphWeights = {1.0F};
+  document->scene = std::make_shared<const Scene>(std::move(scene));
+  const Result<FittedLocators> morphed = fitLocators(*document);
+  REQUIRE(plain);
+  REQUIRE(morphed);
+  for (const rig::Locator& locator : plain->locators.list) {
+    const rig::Locator* const found = rig::findLocator(morphed->locators, locator.name);
+    INFO(locator.name);
+    REQUIRE(found != nullptr);
+    CHECK(glm::distance(found->position, locator.position) < 1e-6);
+  }
+}
+
 TEST_CASE("A creature may face anywhere and be of any size: left stays its left", "[locators]") {
   const Files files;
   for (const Body& body : bodies()) {

@@ -39,7 +39,37 @@ void addBoxOn(Scene& scene, NodeIndex node, const Vec3& away) {
   scene.meshes.push_back({"box", {box}, {}});
 }
 
+// The same shape, half of it told by a morph target whose weight the nodes or the meshes give.
+Scene halfByMorphs(Scene scene, bool byNodes) {
+  for (Mesh& mesh : scene.meshes) {
+    for (Primitive& primitive : mesh.primitives) {
+      for (glm::vec3& position : primitive.positions) {
+        position *= 0.5F;
+      }
+      primitive.morphTargets = {{primitive.positions, {}}};
+    }
+    mesh.morphWeights = {byNodes ? 0.0F : 1.0F};
+  }
+  for (Node& node : scene.nodes) {
+    node.morphWeights = byNodes && node.mesh >= 0 ? std::vector<float>{1.0F} : std::vector<float>();
+  }
+  return scene;
+}
+
 } // namespace
+
+TEST_CASE("A body is as large as its morph weights at rest make it") {
+  SyntheticBiped body = makeNamedBody("Mixamo");
+  body.rigid = GENERATE(false, true);
+  const BuiltBiped built = build(body);
+  const Body plain = detectBody(built.scene);
+  for (const bool byNodes : {false, true}) {
+    CAPTURE(body.rigid, byNodes);
+    const Body found = detectBody(halfByMorphs(built.scene, byNodes));
+    CHECK(found.height == Approx(plain.height));
+    CHECK(found.size == Approx(plain.size));
+  }
+}
 
 TEST_CASE("The height is that of the shown body where its clip begins, and the size that of its bind pose") {
   const BuiltBiped built = build(makeNamedBody("Mixamo"));
