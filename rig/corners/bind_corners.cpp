@@ -7,9 +7,11 @@
 #include <utility>
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/scene/bind_chains.h"
+#include "core/scene/morphs.h"
 #include "rig/corners/corner_set.h"
 #include "rig/corners/vertex_split.h"
 
@@ -92,20 +94,54 @@ private:
   [[nodiscard]] Splits splitsOf(const MovedMesh& mesh) {
     VertexSplit split(mesh, sets_, options_);
     Splits splits;
-    for (const Primitive& primitive : scene_.meshes[at(scene_.nodes[at(mesh.node)].mesh)].primitives) {
+    const Node& holder = scene_.nodes[at(mesh.node)];
+    const Mesh& shape = scene_.meshes[at(holder.mesh)];
+    for (const Primitive& primitive : shape.primitives) {
       const std::vector<VertexInfluences> influences = influencesOf(primitive, mesh);
       auto& answers = splits.emplace_back();
       for (std::size_t v = 0; v < influences.size(); ++v) {
         const VertexInfluences* const onCorners =
             mesh.skin < 0 || primitive.onCorners.empty() ? nullptr : &primitive.onCorners[v];
-        answers.push_back(split.of(influences[v], onCorners, Vec3(primitive.positions[v])));
+        answers.push_back(
+            split.of(influences[v], onCorners, morphedPlace(shape, primitive, holder.morphWeights, v)));
         if (answers.back().isMoved || answers.back().isFitted) {
-          misses_.push_back(answers.back().miss / options_.height);
+          const double ofMorphs = missOfMorphs(mesh, primitive, influences[v], v);
+          misses_.push_back((answers.back().miss + ofMorphs) / options_.height);
           fit_.fitted += answers.back().isFitted ? 1 : 0;
         }
       }
     }
     return splits;
+  }
+
+  // How far off a vertex is, world units, where a clip's morph weights move it from where it is split:
+  // corners carry that offset, and do not stretch it.
+  [[nodiscard]] double missOfMorphs(const MovedMesh& mesh, const Primitive& primitive,
+                                    const VertexInfluences& influences, std::size_t vertex) const {
+    const Node& holder = scene_.nodes[at(mesh.node)];
+    const Mesh& shape = scene_.meshes[at(holder.mesh)];
+    double miss = 0.0;
+    for (const FrameState& moment : options_.moments) {
+      const std::vector<float>& weights = moment.pose.weights[at(mesh.node)];
+      if (weights == holder.morphWeights) {
+        continue;
+      }
+      const Vec3 offset = morphedPlace(shape, primitive, weights, vertex) -
+                          morphedPlace(shape, primitive, holder.morphWeights, vertex);
+      Vec3 lost(0.0);
+      for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+        const std::size_t slot = influences.joints[i];
+        if (influences.weights[i] > 0.0F && slot < mesh.joints.size() && sets_.contains(mesh.joints[slot])) {
+          const NodeIndex joint = mesh.joints[slot];
+          const Vec3 own = transformVector(mesh.inverseBind[slot], offset);
+          const Mat3 stretch = moment.stretch.empty() ? Mat3(1.0) : moment.stretch[at(joint)];
+          lost += static_cast<double>(influences.weights[i]) *
+                  transformVector(moment.worlds[at(joint)], stretch * own - own);
+        }
+      }
+      miss = std::max(miss, glm::length(lost));
+    }
+    return miss;
   }
 
   // A skin for a mesh that hung on a joint rigidly: the joint, and the corners that its vertices follow. The

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/scene/bind_chains.h"
+#include "core/scene/morphs.h"
 #include "rig/corners/enclosing_corners.h"
 #include "rig/rekey/stretch_frames.h"
 
@@ -32,7 +33,8 @@ std::map<NodeIndex, MovedPoints> pointsOf(const Scene& scene, const std::vector<
     if (mesh.skin >= 0 && !seen.emplace(index, mesh.skin).second) {
       continue;
     }
-    for (const Primitive& primitive : scene.meshes[at(index)].primitives) {
+    const Mesh& shape = scene.meshes[at(index)];
+    for (const Primitive& primitive : shape.primitives) {
       const std::vector<VertexInfluences> influences = influencesOf(primitive, mesh);
       for (std::size_t v = 0; v < influences.size(); ++v) {
         for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
@@ -40,7 +42,8 @@ std::map<NodeIndex, MovedPoints> pointsOf(const Scene& scene, const std::vector<
           const float weight = influences[v].weights[i];
           if (weight > 0.0F && slot < mesh.joints.size() && joints.contains(mesh.joints[slot])) {
             MovedPoints& moved = points[mesh.joints[slot]];
-            moved.all.push_back(transformPoint(mesh.inverseBind[slot], Vec3(primitive.positions[v])));
+            const Vec3 place = morphedPlace(shape, primitive, scene.nodes[at(mesh.node)].morphWeights, v);
+            moved.all.push_back(transformPoint(mesh.inverseBind[slot], place));
             if (weight < wholeWeight) {
               moved.shared.push_back(moved.all.back());
             }

@@ -202,6 +202,50 @@ TEST_CASE("Corners without weight are left out, and those of a bone that only le
 }
 
 TEST_CASE(
+    "Corners are split for where the weights at rest put a vertex, and a clip's other weights are told") {
+  std::vector<glm::vec3> positions;
+  for (const Vec3& point : tube(Quat(1, 0, 0, 0))) {
+    positions.emplace_back(point);
+  }
+  const Scene plain = forearm(positions);
+  Scene morphed = plain;
+  Primitive& primitive = morphed.meshes[0].primitives[0];
+  const glm::vec3 swollen(0.05F, 0.0F, 0.0F);
+  primitive.morphTargets = {{std::vector<glm::vec3>(positions.size(), swollen), {}}};
+  for (glm::vec3& position : primitive.positions) {
+    position -= swollen;
+  }
+  morphed.meshes[0].morphWeights = {1.0F};
+  const StretchKeys stretch = longer(Vec3(3.0, 0.6, 0.6));
+  CornerOptions options;
+  options.height = 2.0;
+  FrameState frame = frameOf(morphed, restPose(morphed), 0.0);
+  frame.stretch.assign(2, Mat3(1.0));
+  frame.stretch[0] = StretchFrame{Quat(1, 0, 0, 0), Vec3(3.0, 0.6, 0.6)}.matrix();
+  options.moments.push_back(frame);
+  gltf::Edits wanted;
+  addBindCorners(plain, {{0, {stretch}}}, options, wanted);
+  gltf::Edits edits;
+  const CornerFit still = addBindCorners(morphed, {{0, {stretch}}}, options, edits);
+  REQUIRE(edits.addedNodes.size() == wanted.addedNodes.size());
+  for (std::size_t corner = 0; corner < edits.addedNodes.size(); ++corner) {
+    CHECK(glm::length(edits.addedNodes[corner].rest.translation -
+                      wanted.addedNodes[corner].rest.translation) < 1e-6);
+  }
+  for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
+    const VertexInfluences& found = edits.boundMeshes[0].influences[0][vertex];
+    const VertexInfluences& exact = wanted.boundMeshes[0].influences[0][vertex];
+    CHECK(found.weights[0] == Approx(exact.weights[0]).margin(1e-4));
+  }
+  CHECK(still.worst < 1e-9);
+  options.moments.back().pose.weights[1] = {0.4F};
+  gltf::Edits again;
+  const CornerFit moved = addBindCorners(morphed, {{0, {stretch}}}, options, again);
+  CHECK(moved.worst == Approx(0.6 * 0.05 * (3.0 - 1.0) / options.height)); // what it sinks in is not
+                                                                           // stretched
+}
+
+TEST_CASE(
     "A bone that keeps its volume has four corners, and a limit of influences is kept and its miss told") {
   std::vector<glm::vec3> positions;
   for (const Vec3& point : tube(Quat(1, 0, 0, 0))) {
