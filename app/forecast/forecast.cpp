@@ -269,12 +269,13 @@ private:
 
   void judgeShear() {
     for (const gltf::Shear& shear : engine_.holdsShear ? std::vector<gltf::Shear>{} : file_.shear) {
+      const Node& node = document_.scene->nodes[at(shear.node)];
       add({.id = "shear",
            .limb = limbOfNode(document_, shear.node),
            .what = fmt::format("{} holds no shear: '{}' is sheared by up to {:.1f} degrees", engine_.name,
-                               document_.scene->nodes[at(shear.node)].name,
-                               90.0 - std::acos(shear.cosine) * 180.0 / pi),
-           .remedy = "scale leaves alone, as this program writes them"},
+                               node.name, 90.0 - std::acos(shear.cosine) * 180.0 / pi),
+           .remedy = node.isBindLeaf ? "save the stretch with --form volume"
+                                     : "scale leaves alone, as this program writes them"},
           shear.clip);
     }
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostTimesAClip = 64;
 
-// Nodes that meshes follow: their own, or as joints.
+// Nodes that meshes follow: their own, as joints, or as the second leaf of a stretched joint.
 std::vector<NodeIndex> visibleNodes(const Scene& scene) {
   std::vector<bool> isVisible(scene.nodes.size(), false);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -21,6 +21,11 @@ std::vector<NodeIndex> visibleNodes(const Scene& scene) {
   for (const Skin& skin : scene.skins) {
     for (const NodeIndex joint : skin.joints) {
       isVisible[at(joint)] = true;
+    }
+  }
+  for (const BindChain& chain : scene.bindChains) {
+    if (chain.endLeaf.exists()) {
+      isVisible[at(chain.endLeaf)] = true;
     }
   }
   std::vector<NodeIndex> nodes;

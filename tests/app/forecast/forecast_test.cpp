@@ -9,8 +9,10 @@
 #include "app/forecast/clip_changes.h"
 #include "app/forecast/forecast.h"
 #include "core/gltf/json/json.h"
+#include "core/math/rotation.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/nodes.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -323,6 +325,29 @@ TEST_CASE(
     CHECK(found[0].what.starts_with("Unity, humanoid rig leaves out 1 channels that scale mapped bones ("));
     CHECK(findingsOf(document, "unity-generic", "scale-of-mapped-bones").empty());
   }
+}
+
+TEST_CASE(
+    "A second leaf that is sheared is forecast where an engine holds no shear, and corners to play there") {
+  Result<Document> document = openDocument(punchGlb);
+  REQUIRE(document);
+  CHECK(findingsOf(*document, "unreal", "shear").empty());
+  Scene scene = *document->scene;
+  const NodeIndex joint(static_cast<std::size_t>(std::ranges::find(scene.nodes, "LeftForeArm", &Node::name) -
+                                                 scene.nodes.begin()));
+  const NodeIndex leaf = test::addNode(scene, "leaf", joint, Vec3(0.0));
+  const NodeIndex end = test::addNode(scene, "end", leaf, Vec3(0.0));
+  scene.nodes[at(leaf)].rest.rotation = axisAngle(Vec3(0.0, 0.0, 1.0), 0.6);
+  scene.nodes[at(leaf)].rest.scale = Vec3(2.0, 0.7, 0.7);
+  scene.nodes[at(end)].rest.rotation = axisAngle(Vec3(0.0, 0.0, 1.0), -0.6);
+  scene.nodes[at(end)].isBindLeaf = true;
+  scene.bindChains = {{joint, leaf, end}};
+  document->scene = std::make_shared<const Scene>(std::move(scene));
+  const std::vector<ForecastFinding> found = findingsOf(*document, "unreal", "shear");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].what.starts_with("Unreal holds no shear: 'end' is sheared by up to"));
+  CHECK(found[0].remedy == "save the stretch with --form volume");
+  CHECK(findingsOf(*document, "three", "shear").empty());
 }
 
 TEST_CASE("Keys that are not lines are left unjudged by the engines that read them otherwise") {

@@ -106,6 +106,24 @@ TEST_CASE("Shear at rest is told without a clip, and no tolerance leaves out wha
   CHECK(gltf::residualShear(scene, {}, 0.01).empty());
 }
 
+TEST_CASE("The second leaf of a stretched joint is told where the first one scales what it turns back") {
+  Scene scene = shearedScene();
+  scene.nodes[0].rest.scale = Vec3(1.0);
+  const NodeIndex leaf = test::addNode(scene, "leaf", NodeIndex(2), Vec3(0.0));
+  const NodeIndex end = test::addNode(scene, "end", leaf, Vec3(0.0));
+  scene.nodes[at(leaf)].rest.rotation = glm::angleAxis(0.6, Vec3(0.0, 0.0, 1.0));
+  scene.nodes[at(end)].rest.rotation = glm::angleAxis(-0.6, Vec3(0.0, 0.0, 1.0));
+  scene.bindChains = {{NodeIndex(2), leaf, end}};
+  CHECK(gltf::residualShear(scene, {}, 0.01).empty());
+  scene.nodes[at(leaf)].rest.scale = Vec3(2.0, 0.7, 0.7);
+  const std::vector<gltf::Shear> found = gltf::residualShear(scene, {}, 0.01);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].node == end);
+  CHECK(found[0].cosine == Approx(cosineAt(scene, restPose(scene), at(end))));
+  scene.bindChains = {{NodeIndex(2), leaf}}; // one leaf alone is scaled along its own axes
+  CHECK(gltf::residualShear(scene, {}, 0.01).empty());
+}
+
 TEST_CASE("Of a clip of very many keys 64 are looked at, evenly, the first among them") {
   const Scene scene = shearedScene();
   for (const std::size_t keys : {64U, 65U, 640U}) {
