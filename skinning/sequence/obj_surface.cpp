@@ -13,6 +13,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/math/srgb.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
@@ -65,7 +66,9 @@ public:
     }
   }
 
-  [[nodiscard]] bool isPlain() const { return texCoords_.empty() && normals_.empty() && names_.empty(); }
+  [[nodiscard]] bool isPlain() const {
+    return texCoords_.empty() && normals_.empty() && names_.empty() && !hasColors();
+  }
   [[nodiscard]] const std::vector<std::string>& libraries() const { return libraries_; }
   [[nodiscard]] const std::vector<std::string>& materialNames() const { return names_; }
 
@@ -88,6 +91,9 @@ public:
     }
     addTexCoords(vertices, surface);
     addNormals(vertices, surface);
+    for (std::size_t i = 0; i < vertices.size() && hasColors(); ++i) {
+      surface.colors.push_back(colors_[surface.places[i]]);
+    }
     return surface;
   }
 
@@ -95,6 +101,7 @@ private:
   void readLine(std::string_view keyword, std::string_view words) {
     if (keyword == "v") {
       ++positions_;
+      readColor(words);
     } else if (keyword == "vt") {
       const auto coordinate = numbersOfLine<glm::vec2>(words);
       texCoords_.emplace_back(coordinate.x, 1.0F - coordinate.y); // glTF counts v downwards.
@@ -110,6 +117,24 @@ private:
       name_ = trimmed(words);
     }
   }
+
+  /// Red, green and blue from 0 to 1 behind the place, encoded as sRGB.
+  void readColor(std::string_view words) {
+    for (int axis = 0; axis < 3; ++axis) {
+      nextWord(words);
+    }
+    glm::vec4 color(1.0F);
+    for (glm::length_t i = 0; i < 3; ++i) {
+      const auto part = parseNumber(nextWord(words));
+      if (!part) {
+        return;
+      }
+      color[i] = static_cast<float>(linearFromSrgb(std::clamp(*part, 0.0, 1.0)));
+    }
+    colors_.push_back(color);
+  }
+
+  [[nodiscard]] bool hasColors() const { return positions_ > 0 && colors_.size() == positions_; }
 
   int materialOf(const std::string& name) {
     const auto [known, isNew] = numbers_.try_emplace(name, static_cast<int>(names_.size()));
@@ -200,6 +225,7 @@ private:
   }
 
   std::size_t positions_ = 0;
+  std::vector<glm::vec4> colors_; ///< Of the places that have one.
   std::vector<glm::vec2> texCoords_;
   std::vector<glm::vec3> normals_;
   std::vector<ObjCorner> corners_;

@@ -146,6 +146,25 @@ TEST_CASE("an OBJ has texture coordinates where any corner does, and normals whe
   CHECK(partly->places.size() == 4);
 }
 
+TEST_CASE("an OBJ has colours where every vertex has three numbers behind its place") {
+  const std::string faces = "vn 0 0 1\nf 1//1 2//1 3//1\n";
+  const SurfacePointer painted = surfaceIn("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 2\nv 1 1 0 1 1 1\nf 1 2 3\n");
+  REQUIRE(painted);
+  REQUIRE(painted->colors.size() == 3);
+  CHECK(painted->colors[0] == glm::vec4(1.0F, 0.0F, 0.0F, 1.0F));
+  CHECK(painted->colors[1].y == Approx(0.2140411)); // sRGB as linear light
+  CHECK(painted->colors[1].z == 1.0F);
+  CHECK(painted->normals.empty());
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  for (const std::string& places :
+       {three, "v 5 5 5 1 0 0\n" + three, std::string("v 0 0 0 1\nv 1 0 0 1\nv 1 1 0 1\n")}) {
+    const SurfacePointer surface = surfaceIn(places + faces);
+    REQUIRE(surface);
+    CHECK(surface->colors.empty());
+  }
+  CHECK(surfaceIn("v 0 0 0 1\nv 1 0 0 1\nv 1 1 0 1\nf 1 2 3\n") == nullptr);
+}
+
 TEST_CASE("indices of looks count from the end where they are negative, and what they miss is left out") {
   const std::string start = std::string(corners) + "vt 0.25 1\nvt 0.75 1\n";
   const auto firstOf = [&](const std::string& corner) {
