@@ -12,6 +12,7 @@
 #include "core/scene/morphs.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/evidence/name_evidence.h"
+#include "rig/body/evidence/own_names.h"
 #include "rig/body/reading/detection.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -67,13 +68,12 @@ bool isOfBody(const Scene& scene, const rig::Body& body, NodeIndex joint) {
 
 // Handles for inverse kinematics stand where joints of limbs stand, and would take their weights. One that a
 // limb hangs on is a joint, whatever it is called.
-bool isHandle(const Document& document, NodeIndex joint) {
+bool isHandle(const Document& document, const std::string& name, NodeIndex joint) {
   const Scene& scene = *document.scene;
   const bool carriesLimb = std::ranges::any_of(document.body.limbs, [&](const rig::Limb& limb) {
     return isAncestorOrSelf(scene, joint, limb.joints.front());
   });
-  return rig::body::readName(scene.nodes[at(joint)].name).control && !carriesLimb &&
-         !isOfLimb(document.body, joint);
+  return rig::body::readName(name).control && !carriesLimb && !isOfLimb(document.body, joint);
 }
 
 std::set<NodeIndex> jointsToBind(const Document& document) {
@@ -88,8 +88,10 @@ std::set<NodeIndex> jointsToBind(const Document& document) {
       }
     }
   }
+  const std::vector<std::string> names = rig::body::ownNames(scene);
   std::erase_if(joints, [&](NodeIndex joint) {
-    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) || isHandle(document, joint) ||
+    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) ||
+           isHandle(document, names[at(joint)], joint) ||
            (hips.exists() && !isOfBody(scene, document.body, joint) &&
             (!followed.contains(joint) || isAncestorOrSelf(scene, joint, hips)));
   });

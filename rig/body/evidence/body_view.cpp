@@ -13,6 +13,7 @@
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
 #include "core/scene/scene.h"
+#include "rig/body/evidence/own_names.h"
 
 namespace stretch::rig::body {
 
@@ -67,7 +68,7 @@ struct DetachedFoot {
 class ViewBuilder {
 public:
   ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within)
-      : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)),
+      : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)), ownNames_(ownNames(scene)),
         clouds_(
             vertexClouds(scene, bindPose,
                          candidates == Candidates::skinJoints ? RigidMeshes::bodyParts : RigidMeshes::all)),
@@ -85,7 +86,7 @@ public:
     }
     measure();
     for (const NodeIndex node : order_) {
-      const NameEvidence name = readName(scene_.nodes[at(node)].name);
+      const NameEvidence name = readName(ownNames_[at(node)]);
       if (view_.count() < mostCandidates && isCandidate(node, name)) {
         add(node, name);
       }
@@ -160,6 +161,7 @@ private:
   void add(NodeIndex node, const NameEvidence& name) {
     view_.candidateOfNode[at(node)] = view_.count();
     view_.nodes.push_back(node);
+    view_.called.push_back(ownNames_[at(node)]);
     view_.names.push_back(name);
     view_.position.push_back(positionOf(bindPose_.worlds[at(node)]));
     NodeIndex above = scene_.nodes[at(node)].parent;
@@ -532,6 +534,7 @@ private:
   const Scene& scene_;
   const BindPose& bindPose_;
   std::vector<NodeIndex> order_;
+  std::vector<std::string> ownNames_;
   std::vector<std::vector<Vec3>> clouds_;
   std::vector<bool> possible_;
   std::vector<std::size_t> below_;

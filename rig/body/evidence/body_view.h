@@ -27,7 +27,8 @@ struct BodyView {
   std::vector<std::vector<int>> children;
   std::vector<int> depth;
   std::vector<Vec3> position;
-  std::vector<NameEvidence> names;
+  std::vector<std::string> called;        ///< Name of each candidate without what all joints' names share.
+  std::vector<NameEvidence> names;        ///< Evidence that it gives.
   std::vector<std::vector<Vec3>> points;  ///< Vertices that follow this joint most.
   std::vector<std::vector<Vec3>> tips;    ///< Positions of end joints and the like that hang from this joint.
   std::vector<std::size_t> verticesBelow; ///< Vertices of the joint and of all below it.

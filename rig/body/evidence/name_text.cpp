@@ -146,4 +146,18 @@ std::vector<NameChunk> nameChunks(std::string_view name) {
   return chunks;
 }
 
+std::vector<std::size_t> partStarts(std::string_view name) {
+  std::vector<std::size_t> starts;
+  const std::vector<char32_t> points = codePoints(name);
+  std::string_view left = name;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool isLetter = scriptOf(points[i]) != Script::separator;
+    if (i > 0 && isLetter && (startsChunk(points, i) || startsPart(points, i))) {
+      starts.push_back(name.size() - left.size());
+    }
+    takeCodePoint(left);
+  }
+  return starts;
+}
+
 } // namespace stretch::rig::body

@@ -17,4 +17,7 @@ struct NameChunk {
 /// Ideographs and kana form chunks of one part. Bytes that are no UTF-8 separate.
 [[nodiscard]] std::vector<NameChunk> nameChunks(std::string_view name);
 
+/// Bytes of a name at which a part of it begins, but for the first.
+[[nodiscard]] std::vector<std::size_t> partStarts(std::string_view name);
+
 } // namespace stretch::rig::body

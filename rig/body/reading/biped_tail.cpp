@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 20> worn{
     "coat", "cape", "cloak", "robe", "skirt", "dress", "cloth",  "shirt",  "scarf",    "sash",
     "belt", "rope", "hair",  "pony", "sword", "blade", "sheath", "weapon", "scabbard", "quiver"};
 
-const std::string& nameOf(const Scene& scene, const BodyView& view, int joint) {
-  return scene.nodes[at(view.nodes[static_cast<std::size_t>(joint)])].name;
+const std::string& nameOf(const BodyView& view, int joint) {
+  return view.called[static_cast<std::size_t>(joint)];
 }
 
 bool isWorn(const std::string& name) {
@@ -66,13 +66,13 @@ bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides
 
 } // namespace
 
-bool isNamedTail(const Scene& scene, const BodyView& view, const std::vector<int>& row) {
+bool isNamedTail(const BodyView& view, const std::vector<int>& row) {
   return std::ranges::any_of(
-      row, [&](int joint) { return partWords(nameOf(scene, view, joint)).contains(PartWord::tail); });
+      row, [&](int joint) { return partWords(nameOf(view, joint)).contains(PartWord::tail); });
 }
 
-std::vector<int> tailOfBiped(const Scene& scene, const BodyView& view, const MirrorPlane& plane,
-                             const Sides& sides, const Trunk& trunk, const std::vector<Limb>& limbs) {
+std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, const Sides& sides,
+                             const Trunk& trunk, const std::vector<Limb>& limbs) {
   constexpr double aside = 0.02;    // of the body, of the first joint
   constexpr double shortest = 0.03; // of the body
   std::vector<int> taken{trunk.head};
@@ -93,11 +93,10 @@ std::vector<int> tailOfBiped(const Scene& scene, const BodyView& view, const Mir
       continue;
     }
     const std::vector<int> row = rowFrom(view, joint);
-    if (row.size() < 2 ||
-        std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(scene, view, one)); })) {
+    if (row.size() < 2 || std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(view, one)); })) {
       continue;
     }
-    if (isNamedTail(scene, view, row) &&
+    if (isNamedTail(view, row) &&
         lengthOf(view, row) > std::max(shortest * view.size, lengthOf(view, named))) {
       named = row;
     }

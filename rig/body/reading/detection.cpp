@@ -110,7 +110,7 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
-  const std::vector<int> tail = tailOfBiped(scene, view, plane, sides, trunk, result.limbs);
+  const std::vector<int> tail = tailOfBiped(view, plane, sides, trunk, result.limbs);
   if (!tail.empty()) {
     std::vector<NodeIndex> joints;
     std::ranges::transform(tail, std::back_inserter(joints),
@@ -118,7 +118,7 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
     const LimbEnd end{.node = joints.back()};
     joints.pop_back();
     finding.tail = makeLimb({LimbKind::tail}, std::move(joints), end, bindPose.worlds);
-    const bool isNamed = isNamedTail(scene, view, tail);
+    const bool isNamed = isNamedTail(view, tail);
     finding.tail->confidence = isNamed ? 0.95 : 0.7;
     finding.tail->reasons = {isNamed ? "is named so" : "goes back from the trunk",
                              nodeNames(scene, finding.tail->joints)};

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/body/evidence/name_evidence.h"
+#include "rig/body/evidence/own_names.h"
 #include "rig/body/reading/extremities.h"
 
 namespace stretch::rig::body {
@@ -20,6 +21,7 @@ void doubt(Body& result, const std::string& why) {
 }
 
 bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
+  const std::vector<std::string> names = ownNames(scene);
   constexpr double leastDrop = 0.35;  // of the limb
   constexpr double leastStart = 0.25; // of its first bone
   bool hasArms = false;
@@ -28,7 +30,7 @@ bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& rea
   bool startsDown = true;
   for (const Limb& limb : reading.limbs) {
     if (limb.kind == LimbKind::leg) {
-      const NameEvidence name = readName(scene.nodes[at(limb.joints.front())].name);
+      const NameEvidence name = readName(names[at(limb.joints.front())]);
       const bool isUpperArm = name.role(Role::upperArm) >= 0.5;
       const bool isArm = isUpperArm || name.role(Role::clavicle) >= 0.5;
       const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
@@ -48,6 +50,7 @@ bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& rea
 }
 
 bool mayBePerson(const Scene& scene, const PlanReading& reading) {
+  const std::vector<std::string> names = ownNames(scene);
   bool hasArms = false;
   bool hasTail = false;
   double longestArm = 0.0;
@@ -57,7 +60,7 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   for (const Limb& limb : reading.limbs) {
     hasTail = hasTail || (limb.kind == LimbKind::tail && limb.restLength > longestArm);
     for (const NodeIndex joint : limb.joints) {
-      const std::string& name = scene.nodes[at(joint)].name;
+      const std::string& name = names[at(joint)];
       hasArms = hasArms || (isArm(limb) && readName(name).role(Role::upperArm) >= 0.5);
       hasTail = hasTail || (limb.kind == LimbKind::tail && partWords(name).contains(PartWord::tail));
     }
@@ -79,6 +82,7 @@ bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp
 
 bool hasLegsForArms(const Scene& scene, const Body& body) {
   constexpr double shorter = 0.7; // than the legs: nothing stands on such arms
+  const std::vector<std::string> names = ownNames(scene);
   int legs = 0;
   int arms = 0;
   double armLength = 0.0;
@@ -87,7 +91,7 @@ bool hasLegsForArms(const Scene& scene, const Body& body) {
     armLength = isArm(limb) ? std::max(armLength, limb.restLength) : armLength;
     legLength = isLeg(limb) ? std::max(legLength, limb.restLength) : legLength;
     for (const NodeIndex joint : isArm(limb) ? jointsAndEnd(limb) : std::vector<NodeIndex>{}) {
-      const std::set<PartWord> words = partWords(scene.nodes[at(joint)].name);
+      const std::set<PartWord> words = partWords(names[at(joint)]);
       legs += words.contains(PartWord::leg) ? 1 : 0;
       arms += words.contains(PartWord::arm) ? 1 : 0;
     }

@@ -184,7 +184,7 @@ private:
   }
 
   [[nodiscard]] bool isFeather(int joint) const {
-    const std::vector<NameChunk> chunks = nameChunks(scene_.nodes[at(view_.nodes[index(joint)])].name);
+    const std::vector<NameChunk> chunks = nameChunks(view_.called[index(joint)]);
     return std::ranges::any_of(
         chunks, [](const NameChunk& chunk) { return chunk.whole.find("feather") != std::string::npos; });
   }
@@ -301,7 +301,7 @@ private:
     for (const Vec3& point : view_.points[index(joint)]) {
       extremity.lowest = std::min(extremity.lowest, heightOf(point));
     }
-    std::set<PartWord> words = partWords(scene_.nodes[at(view_.nodes[index(joint)])].name);
+    std::set<PartWord> words = partWords(view_.called[index(joint)]);
     if (std::ranges::any_of(view_.childrenOf(joint), [&](int child) { return isFeather(child); })) {
       words.insert(PartWord::wing); // whatever it is called
     }

@@ -17,9 +17,8 @@ constexpr double namedShare = 0.3; // of a row's joints
 
 class PartFinder {
 public:
-  PartFinder(const Scene& scene, const BodyView& view, const MirrorPlane& plane, const Vec3& up,
-             std::optional<int> legPairs)
-      : scene_(scene), view_(view), plane_(plane), up_(up), legPairs_(legPairs) {}
+  PartFinder(const BodyView& view, const MirrorPlane& plane, const Vec3& up, std::optional<int> legPairs)
+      : view_(view), plane_(plane), up_(up), legPairs_(legPairs) {}
 
   PlanParts run(Extremities extremities) {
     parts_.extremities = std::move(extremities);
@@ -556,7 +555,7 @@ private:
       rest.points.erase(rest.points.begin(), rest.points.begin() + static_cast<std::ptrdiff_t>(shared));
       rest.length = polylineLength(rest.points);
       const bool named = std::ranges::any_of(rest.path, [&](int joint) {
-        return partWords(scene_.nodes[at(view_.nodes[index(joint)])].name).contains(PartWord::tail);
+        return partWords(view_.called[index(joint)]).contains(PartWord::tail);
       });
       // What hangs on the head is hair, or a crest.
       const int carrier = view_.parentOf(rest.path.front());
@@ -574,7 +573,6 @@ private:
     }
   }
 
-  const Scene& scene_;
   const BodyView& view_;
   const MirrorPlane& plane_;
   Vec3 up_;
@@ -592,7 +590,7 @@ int PlanParts::standingLegs() const {
 
 PlanParts partsOfBody(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                       const MirrorPlane& plane, const Vec3& up, std::optional<int> legPairs) {
-  return PartFinder(scene, view, plane, up, legPairs).run(takeApart(scene, bindPose, view, plane, up));
+  return PartFinder(view, plane, up, legPairs).run(takeApart(scene, bindPose, view, plane, up));
 }
 
 } // namespace stretch::rig::body

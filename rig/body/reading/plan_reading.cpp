@@ -414,7 +414,7 @@ private:
   // A row ends where it parts into fins.
   void endBeforeFins(Extremity& row) const {
     while (endsInFork(row) &&
-           partWords(scene_.nodes[at(nodeOf(row.path.back()))].name).contains(PartWord::fin)) {
+           partWords(view_.called[static_cast<std::size_t>(row.path.back())]).contains(PartWord::fin)) {
       row.tip = NodeIndex::none;
       row.path.pop_back();
       row.points.resize(row.path.size());
