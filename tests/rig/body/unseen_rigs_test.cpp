@@ -65,6 +65,20 @@ TEST_CASE("The joint at which an arm ends may be called its end") {
   CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
 }
 
+TEST_CASE("What is called an end, moves the mesh and carries what does is a joint of its limb") {
+  SyntheticBiped body = bodyOfProgram("Source engine");
+  body.tubes = true;
+  for (const auto& [side, sign] : sides) {
+    body.names["hand" + side] = "hand_end" + side;
+    body.names["foot" + side] = "foot_end" + side;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
+}
+
 TEST_CASE(
     "A leg that stands on its toes goes on from the heel to the ground, one that is straight does not") {
   const BuiltBiped built = build(onItsToes());
