@@ -100,6 +100,11 @@ void addRoles(NameEvidence& evidence, const std::vector<Word>& words) {
     double& fit = evidence.roles[static_cast<std::size_t>(entry.role)];
     fit = std::max(fit, fits ? entry.fit : entry.fit * (isPaired(entry.role) ? 0.5 : 0.0));
   }
+  // "head neck upper" is what carries a head.
+  if (has(words, Word::neck) && has(words, Word::head)) {
+    double& head = evidence.roles[static_cast<std::size_t>(Role::head)];
+    head = std::min(head, 0.5);
+  }
   if (has(words, Word::hip) && evidence.side == Side::none) {
     evidence.roles[static_cast<std::size_t>(Role::hips)] = 1.0;
     evidence.roles[static_cast<std::size_t>(Role::thigh)] = 0.0;

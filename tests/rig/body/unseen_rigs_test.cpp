@@ -79,6 +79,17 @@ TEST_CASE("What is called an end, moves the mesh and carries what does is a join
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
 }
 
+TEST_CASE("Of two joints called head and neck the first is the neck") {
+  SyntheticBiped body = makeNamedBody("Mixamo");
+  body.names["neck0"] = "head neck lower";
+  body.names["head"] = "head neck upper";
+  addPart(body, "head jaw", "head", {0, 1.62, 0.05});
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::neck) == "neck0 -> head");
+  CHECK(keyOf(built, read.head) == "head");
+}
+
 TEST_CASE(
     "A leg that stands on its toes goes on from the heel to the ground, one that is straight does not") {
   const BuiltBiped built = build(onItsToes());
