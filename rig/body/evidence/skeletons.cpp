@@ -1,11 +1,12 @@
 #include "rig/body/evidence/skeletons.h"
 
+#include <algorithm>
 #include <set>
 
 namespace stretch::rig::body {
 
 std::vector<NodeIndex> skeletonsApart(const Scene& scene) {
-  constexpr int leastJoints = 10;
+  constexpr int leastJoints = 5;
   constexpr std::size_t mostSkeletons = 8; // keeps a crowd from costing much
   const std::set<NodeIndex> joints = skinJoints(scene);
   std::vector<NodeIndex> topOf(scene.nodes.size()); // the topmost joint at or above each node; -1: none
@@ -20,11 +21,14 @@ std::vector<NodeIndex> skeletonsApart(const Scene& scene) {
     }
   }
   std::vector<NodeIndex> tops;
-  for (std::size_t node = 0; node < carried.size() && tops.size() < mostSkeletons; ++node) {
+  for (std::size_t node = 0; node < carried.size(); ++node) {
     if (carried[node] >= leastJoints) {
       tops.emplace_back(node);
     }
   }
+  std::ranges::stable_sort(tops, std::ranges::greater{}, [&](NodeIndex top) { return carried[at(top)]; });
+  tops.resize(std::min(tops.size(), mostSkeletons));
+  std::ranges::sort(tops);
   return tops;
 }
 

@@ -7,7 +7,8 @@
 namespace stretch::rig::body {
 
 /// Topmost joints of skeletons that may each be a character of its own: joints of skins that hang from no
-/// other one and carry at least ten. At most eight, in the order of the file.
+/// other one and carry, themselves counted, at least five. Of more than eight those that carry most, in the
+/// order of the file.
 [[nodiscard]] std::vector<NodeIndex> skeletonsApart(const Scene& scene);
 
 } // namespace stretch::rig::body

@@ -1,6 +1,7 @@
 #include "rig/body/reading/detection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -9,8 +10,8 @@
 #include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
 #include "rig/body/evidence/skeletons.h"
-#include "rig/body/reading/biped_tail.h"
 #include "rig/body/reading/doubts.h"
+#include "rig/body/reading/finding.h"
 #include "rig/body/reading/humanoid.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/plan_reading.h"
@@ -24,124 +25,7 @@ namespace body {
 
 namespace {
 
-constexpr double leastConfidence = 0.25; // below it a limb is not reported
-constexpr double sureConfidence = 0.35;  // from it on a limb counts towards a biped
-constexpr double doubtful = 0.3;         // most that a limb of something else gets
-
-// What one way of choosing candidates found.
-struct Finding {
-  Body result;
-  std::optional<Limb> tail; // of a biped
-  int legs = 0;             // that it stands on
-  Vec3 bodyUp{0.0};
-  Vec3 legsReach{0.0}; // from the hips to the feet
-  bool limbsAreNamed = false;
-  NodeIndex skeleton; // topmost joint of the one of several that it is of
-
-  [[nodiscard]] double weight() const {
-    double sum = 0.0;
-    for (const Limb& limb : result.limbs) {
-      sum += limb.confidence;
-    }
-    return sum;
-  }
-};
-
-bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
-  const Limb* limb = limbAt(limbs, place);
-  return limb != nullptr && limb->confidence >= sureConfidence;
-}
-
-bool makesBiped(const std::vector<Limb>& limbs) {
-  const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
-  const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
-  const bool trunk = isSure(limbs, biped::spine);
-  // A robe may hide the legs of a body that has everything else.
-  const bool wearsRobe = arms && isSure(limbs, biped::neck);
-  return (legs && (arms || trunk)) || wearsRobe;
-}
-
-Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
-  if (trunk.hips >= 0 && trunk.head >= 0) {
-    return view.at(trunk.head) - view.at(trunk.hips);
-  }
-  if (reading.legs) {
-    return (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
-           meanEnd(*reading.legs);
-  }
-  return Vec3(0.0);
-}
-
-// Where other rows of joints make as good a pair, wings or strips of cloth beside arms or legs, and no names
-// tell them apart, that is said.
-void doubtPairs(const BipedReading& reading, Body& result) {
-  constexpr double clearly = 1.3;
-  constexpr double doubted = 0.45;
-  for (const auto& [pair, ahead, kind] : {std::tuple(&reading.arms, reading.armsAhead, LimbKind::arm),
-                                          std::tuple(&reading.legs, reading.legsAhead, LimbKind::leg)}) {
-    if (!*pair || ahead >= clearly || isNamed(**pair)) {
-      continue;
-    }
-    for (Limb& limb : result.limbs) {
-      limb.confidence = limb.kind == kind ? std::min(limb.confidence, doubted) : limb.confidence;
-    }
-    const std::string limbs = kind == LimbKind::arm ? "arms" : "legs";
-    result.warnings.push_back("other rows of joints may as well be the " + limbs +
-                              ", and no names tell: are the " + limbs + " right?");
-  }
-}
-
-Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates,
-                 NodeIndex within = NodeIndex::none) {
-  const BodyView view = viewBody(scene, bindPose, candidates, within);
-  const MirrorPlane plane = findMirrorPlane(view);
-  const BipedReading reading = readBiped(view, plane);
-  Finding finding;
-  if (!reading.arms && !reading.legs) {
-    return finding;
-  }
-  const Sides sides = findSides(view, plane, reading);
-  const Trunk trunk = readTrunk(view, plane, reading);
-  Body& result = finding.result;
-  result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
-  doubtPairs(reading, result);
-  finding.limbsAreNamed =
-      (reading.arms && isNamed(*reading.arms)) || (reading.legs && isNamed(*reading.legs));
-  std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
-  std::erase_if(result.limbs,
-                [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
-  const std::vector<int> tail = tailOfBiped(view, plane, sides, trunk, result.limbs);
-  if (!tail.empty()) {
-    std::vector<NodeIndex> joints;
-    std::ranges::transform(tail, std::back_inserter(joints),
-                           [&](int joint) { return view.nodes[stretch::at(joint)]; });
-    const LimbEnd end{.node = joints.back()};
-    joints.pop_back();
-    finding.tail = makeLimb({LimbKind::tail}, std::move(joints), end, bindPose.worlds);
-    const bool isNamed = isNamedTail(view, tail);
-    finding.tail->confidence = isNamed ? 0.95 : 0.7;
-    finding.tail->reasons = {isNamed ? "is named so" : "goes back from the trunk",
-                             nodeNames(scene, finding.tail->joints)};
-  }
-  result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
-  result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
-  // Limbs without an upright body between them are no biped's, unless it stands on two of them.
-  constexpr double leastRelation = 0.6;
-  finding.legs = standingLegs(view, plane, reading);
-  const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
-                       (finding.legs == 2 && reading.relation >= 0.0);
-  result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
-  if (finding.legs <= 2) {
-    std::ranges::copy(sides.warnings, std::back_inserter(result.warnings));
-  } else {
-    result.warnings.clear();
-  }
-  finding.bodyUp = bodyUpOf(view, reading, trunk);
-  if (reading.legs) {
-    finding.legsReach = meanEnd(*reading.legs) - meanBase(view, *reading.legs);
-  }
-  return finding;
-}
+constexpr double doubtful = 0.3; // most that a limb of something else gets
 
 bool hasRigidParts(const Scene& scene) {
   return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin < 0; });
@@ -151,13 +35,6 @@ bool hasRigidParts(const Scene& scene) {
 bool mayMissParts(const Scene& scene, const Body& found) {
   return hasRigidParts(scene) &&
          (limbAt(found.limbs, biped::leftArm) == nullptr || limbAt(found.limbs, biped::rightArm) == nullptr);
-}
-
-bool isBetter(const Finding& finding, const Finding& than) {
-  if (finding.result.isBiped != than.result.isBiped) {
-    return finding.result.isBiped;
-  }
-  return finding.weight() > than.weight() + 1e-9;
 }
 
 // Whether two bodies stand in one place, as clothes with a skeleton of their own do.
@@ -171,40 +48,8 @@ bool isSamePlace(const BindPose& bindPose, const Body& a, const Body& b) {
   });
 }
 
-// Of several skeletons that are each a biped, the one that is read best: limbs of two bodies make none.
-std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose) {
-  const std::vector<NodeIndex> skeletons = skeletonsApart(scene);
-  if (skeletons.size() < 2) {
-    return std::nullopt;
-  }
-  std::vector<Finding> bipeds;
-  for (const NodeIndex top : skeletons) {
-    Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
-    finding.skeleton = top;
-    const bool isKnown = std::ranges::any_of(
-        bipeds, [&](const Finding& other) { return isSamePlace(bindPose, other.result, finding.result); });
-    if (finding.result.isBiped && !isKnown) {
-      bipeds.push_back(std::move(finding));
-    }
-  }
-  if (bipeds.size() < 2) {
-    return std::nullopt;
-  }
-  Finding best = bipeds.front();
-  for (const Finding& finding : bipeds) {
-    best = isBetter(finding, best) ? finding : best;
-  }
-  best.result.warnings.push_back("at least " + std::to_string(bipeds.size()) +
-                                 " characters in the file: the limbs are those of " +
-                                 nodeNames(scene, {best.skeleton}));
-  return best;
-}
-
 Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
-  std::optional<Finding> best = findOneOfSeveral(scene, bindPose);
-  if (best) {
-    return *std::move(best);
-  }
+  std::optional<Finding> best;
   for (const Candidates candidates :
        {Candidates::skinJoints, Candidates::nodesNoMeshes, Candidates::allNodes}) {
     if (candidates == Candidates::skinJoints && scene.skins.empty()) {
@@ -383,7 +228,7 @@ bool hasWings(const PlanReading& reading) {
 }
 
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
-void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
   const bool upright = standsUpright(finding);
   const bool armless =
@@ -410,7 +255,87 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
             "its arms are called so, and nothing is called a tail: if it is a person who lies or bows, "
             "choose the plan biped");
     }
-  } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
+  }
+}
+
+// Whether a skeleton is a body by itself: a person with arms, legs and a trunk, or what another plan fits.
+bool isWholeBody(const Finding& finding) {
+  const std::vector<Limb>& limbs = finding.result.limbs;
+  return finding.result.plan == "biped"
+             ? finding.result.isBiped &&
+                   std::ranges::all_of(std::array{biped::leftArm, biped::rightArm, biped::leftLeg,
+                                                  biped::rightLeg, biped::spine},
+                                       [&](const LimbPlace& place) { return isSure(limbs, place); })
+             : finding.result.plan != "other";
+}
+
+// A row of joints apart may be hair: it is a serpent only among serpents.
+bool isOnLegs(const Finding& finding) {
+  return std::ranges::any_of(finding.result.limbs, isLeg);
+}
+
+// Whether all skeletons together show but the ends of limbs beyond what one shows alone: feet under the root.
+bool addsEnds(const Body& together, const Body& alone) {
+  bool adds = false;
+  bool isSame = together.plan == alone.plan && together.limbs.size() == alone.limbs.size();
+  for (const Limb& limb : alone.limbs) {
+    const Limb* const other = limbAt(together.limbs, limb);
+    const bool isOpen = !limb.endNode.exists();
+    isSame = isSame && other != nullptr && other->joints == limb.joints &&
+             (isOpen || limb.endNode == other->endNode);
+    adds = adds || (isSame && isOpen && other->endNode.exists());
+  }
+  return isSame && adds;
+}
+
+// Of several skeletons that are each a body, the one that is read best: limbs of two bodies make none.
+// Nothing where none is a body by itself. `plan`: that alone; empty: any.
+std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose,
+                                        const std::string& plan = {}) {
+  const std::vector<NodeIndex> skeletons = skeletonsApart(scene);
+  std::vector<Finding> bodies;
+  for (const NodeIndex top : skeletons.size() < 2 ? std::vector<NodeIndex>{} : skeletons) {
+    Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
+    finding.skeleton = top;
+    takeFittingPlan(scene, bindPose, finding);
+    if (isWholeBody(finding) && (plan.empty() || finding.result.plan == plan)) {
+      bodies.push_back(std::move(finding));
+    }
+  }
+  if (bodies.size() < skeletons.size()) {
+    std::erase_if(bodies, [](const Finding& finding) { return !isOnLegs(finding); });
+  }
+  if (bodies.empty()) {
+    return std::nullopt;
+  }
+  Finding best = bodies.front();
+  std::vector<const Finding*> apart;
+  for (const Finding& finding : bodies) {
+    best = isBetter(finding, best) ? finding : best;
+    if (std::ranges::none_of(apart, [&](const Finding* other) {
+          return isSamePlace(bindPose, other->result, finding.result);
+        })) {
+      apart.push_back(&finding);
+    }
+  }
+  Finding together = findWith(scene, bindPose, Candidates::skinJoints);
+  takeFittingPlan(scene, bindPose, together);
+  if (addsEnds(together.result, best.result)) {
+    return together;
+  }
+  if (apart.size() > 1) {
+    best.result.warnings.push_back("at least " + std::to_string(apart.size()) +
+                                   " characters in the file: the limbs are those of " +
+                                   nodeNames(scene, {best.skeleton}));
+  }
+  return best;
+}
+
+// As `findOneOfSeveral` leaves it, else of all joints, read as one of the other plans where one fits.
+void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Body& result = finding.result;
+  takeFittingPlan(scene, bindPose, finding);
+  if (result.plan == "biped" && !result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
     takeChains(scene, bindPose, finding);
     result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
                                                            ", and no other plan fits"
@@ -495,10 +420,12 @@ void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Fin
 
 Body detectBody(const Scene& scene, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
-  body::Finding finding = body::findLimbs(scene, bindPose);
   const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
+  std::optional<body::Finding> one =
+      body::findOneOfSeveral(scene, bindPose, table.limbs.empty() ? "" : "biped");
+  body::Finding finding = one ? *std::move(one) : body::findLimbs(scene, bindPose);
   body::applyHumanoid(finding, table);
-  if (table.limbs.empty()) {
+  if (table.limbs.empty() && !one) {
     body::takePlan(scene, bindPose, finding);
   }
   body::addTail(finding);
@@ -517,14 +444,15 @@ Body detectBody(const Scene& scene, const Clip* clip) {
 
 Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
-  body::Finding finding = body::findLimbs(scene, bindPose);
+  std::optional<body::Finding> one = body::findOneOfSeveral(scene, bindPose, plan.id);
+  body::Finding finding = one ? *std::move(one) : body::findLimbs(scene, bindPose);
   finding.result.warnings.clear();
   if (plan.id == "biped") {
     body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
     body::addTail(finding);
   } else if (plan.id == "other") {
     body::takeChains(scene, bindPose, finding);
-  } else {
+  } else if (!one) {
     const auto reading = body::readAnyView(scene, bindPose, [&](const body::BodyView& view) {
       body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
       return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));

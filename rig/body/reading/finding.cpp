@@ -1,0 +1,125 @@
+#include "rig/body/reading/finding.h"
+
+#include <algorithm>
+
+#include "rig/body/reading/biped_reading.h"
+#include "rig/body/reading/biped_tail.h"
+#include "rig/body/reading/limb_assembly.h"
+#include "rig/body/reading/stance.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr double leastConfidence = 0.25; // below it a limb is not reported
+constexpr double sureConfidence = 0.35;  // from it on a limb counts towards a biped
+
+} // namespace
+
+bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
+  const Limb* limb = limbAt(limbs, place);
+  return limb != nullptr && limb->confidence >= sureConfidence;
+}
+
+bool makesBiped(const std::vector<Limb>& limbs) {
+  const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
+  const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
+  const bool trunk = isSure(limbs, biped::spine);
+  // A robe may hide the legs of a body that has everything else.
+  const bool wearsRobe = arms && isSure(limbs, biped::neck);
+  return (legs && (arms || trunk)) || wearsRobe;
+}
+
+namespace {
+
+Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
+  if (trunk.hips >= 0 && trunk.head >= 0) {
+    return view.at(trunk.head) - view.at(trunk.hips);
+  }
+  if (reading.legs) {
+    return (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
+           meanEnd(*reading.legs);
+  }
+  return Vec3(0.0);
+}
+
+// Where other rows of joints make as good a pair, wings or strips of cloth beside arms or legs, and no names
+// tell them apart, that is said.
+void doubtPairs(const BipedReading& reading, Body& result) {
+  constexpr double clearly = 1.3;
+  constexpr double doubted = 0.45;
+  for (const auto& [pair, ahead, kind] : {std::tuple(&reading.arms, reading.armsAhead, LimbKind::arm),
+                                          std::tuple(&reading.legs, reading.legsAhead, LimbKind::leg)}) {
+    if (!*pair || ahead >= clearly || isNamed(**pair)) {
+      continue;
+    }
+    for (Limb& limb : result.limbs) {
+      limb.confidence = limb.kind == kind ? std::min(limb.confidence, doubted) : limb.confidence;
+    }
+    const std::string limbs = kind == LimbKind::arm ? "arms" : "legs";
+    result.warnings.push_back("other rows of joints may as well be the " + limbs +
+                              ", and no names tell: are the " + limbs + " right?");
+  }
+}
+
+} // namespace
+
+Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within) {
+  const BodyView view = viewBody(scene, bindPose, candidates, within);
+  const MirrorPlane plane = findMirrorPlane(view);
+  const BipedReading reading = readBiped(view, plane);
+  Finding finding;
+  if (!reading.arms && !reading.legs) {
+    return finding;
+  }
+  const Sides sides = findSides(view, plane, reading);
+  const Trunk trunk = readTrunk(view, plane, reading);
+  Body& result = finding.result;
+  result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
+  doubtPairs(reading, result);
+  finding.limbsAreNamed =
+      (reading.arms && isNamed(*reading.arms)) || (reading.legs && isNamed(*reading.legs));
+  std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
+  std::erase_if(result.limbs,
+                [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
+  const std::vector<int> tail = tailOfBiped(view, plane, sides, trunk, result.limbs);
+  if (!tail.empty()) {
+    std::vector<NodeIndex> joints;
+    std::ranges::transform(tail, std::back_inserter(joints),
+                           [&](int joint) { return view.nodes[stretch::at(joint)]; });
+    const LimbEnd end{.node = joints.back()};
+    joints.pop_back();
+    finding.tail = makeLimb({LimbKind::tail}, std::move(joints), end, bindPose.worlds);
+    const bool isNamed = isNamedTail(view, tail);
+    finding.tail->confidence = isNamed ? 0.95 : 0.7;
+    finding.tail->reasons = {isNamed ? "is named so" : "goes back from the trunk",
+                             nodeNames(scene, finding.tail->joints)};
+  }
+  result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
+  result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
+  // Limbs without an upright body between them are no biped's, unless it stands on two of them.
+  constexpr double leastRelation = 0.6;
+  finding.legs = standingLegs(view, plane, reading);
+  const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
+                       (finding.legs == 2 && reading.relation >= 0.0);
+  result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  if (finding.legs <= 2) {
+    std::ranges::copy(sides.warnings, std::back_inserter(result.warnings));
+  } else {
+    result.warnings.clear();
+  }
+  finding.bodyUp = bodyUpOf(view, reading, trunk);
+  if (reading.legs) {
+    finding.legsReach = meanEnd(*reading.legs) - meanBase(view, *reading.legs);
+  }
+  return finding;
+}
+
+bool isBetter(const Finding& finding, const Finding& than) {
+  if (finding.result.isBiped != than.result.isBiped) {
+    return finding.result.isBiped;
+  }
+  return finding.weight() > than.weight() + 1e-9;
+}
+
+} // namespace stretch::rig::body
