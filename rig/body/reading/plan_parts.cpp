@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/math/polyline.h"
+#include "rig/body/reading/hind_part.h"
 
 namespace stretch::rig::body {
 
@@ -29,7 +29,7 @@ public:
     findForward();
     orderPairs();
     findTrunk();
-    findTail();
+    parts_.axis.tail = tailOf(view_, parts_);
     return std::move(parts_);
   }
 
@@ -51,12 +51,6 @@ private:
 
   [[nodiscard]] static bool isNamed(const ExtremityPair& pair, PartWord word) {
     return pair.word(word) >= namedShare;
-  }
-
-  // The joint that both sides hang from, whatever one of them has between.
-  [[nodiscard]] int carrierOf(const ExtremityPair& pair) const {
-    const int carrier = view_.commonAncestor(pair.negative.attach, pair.positive.attach);
-    return carrier >= 0 ? carrier : pair.positive.attach;
   }
 
   // By name, else by what it does; nothing for ears, teeth and what is too small to be a limb.
@@ -106,7 +100,7 @@ private:
       return;
     }
     std::erase_if(parts_.pairs, [&](const KindredPair& one) {
-      return one.kind == LimbKind::chain && view_.isAboveOrSelf(head, carrierOf(one.pair));
+      return one.kind == LimbKind::chain && view_.isAboveOrSelf(head, carrierOf(view_, one.pair));
     });
   }
 
@@ -184,7 +178,8 @@ private:
   // Of a body on six or eight legs: what spreads beside them are wings, what the head carries none.
   [[nodiscard]] LimbKind feelerOrWing(const ExtremityPair& pair) const {
     const Vec3 along = pair.positive.points.back() - pair.positive.points.front();
-    const bool isAtHead = parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, carrierOf(pair));
+    const bool isAtHead =
+        parts_.axis.head >= 0 && view_.isAboveOrSelf(parts_.axis.head, carrierOf(view_, pair));
     const bool spreads = std::abs(glm::dot(along, plane_.normal)) > 0.7 * glm::length(along);
     return spreads && !isAtHead && pair.length() > 0.25 * view_.size ? LimbKind::wing : LimbKind::feeler;
   }
@@ -229,10 +224,10 @@ private:
     double score = 2.0 * (row.word(PartWord::head) > 0.0 ? 1.0 : 0.0) -
                    2.0 * (row.word(PartWord::tail) > 0.0 ? 1.0 : 0.0) + 0.1 * row.length / view_.size;
     for (const KindredPair& one : parts_.pairs) {
-      score += isOn(row.path, carrierOf(one.pair)) ? 0.5 : 0.0;
+      score += isOn(row.path, carrierOf(view_, one.pair)) ? 0.5 : 0.0;
     }
     for (const ExtremityPair* ornament : ornaments_) {
-      score += isOn(row.path, carrierOf(*ornament)) ? 0.5 : 0.0;
+      score += isOn(row.path, carrierOf(view_, *ornament)) ? 0.5 : 0.0;
     }
     return score - (row.word(PartWord::ornament) > 0.0 ? 0.5 : 0.0);
   }
@@ -368,7 +363,8 @@ private:
 
   [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
     return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-      return (countsChains || one.kind != LimbKind::chain) && view_.isAboveOrSelf(joint, carrierOf(one.pair));
+      return (countsChains || one.kind != LimbKind::chain) &&
+             view_.isAboveOrSelf(joint, carrierOf(view_, one.pair));
     });
   }
 
@@ -480,7 +476,7 @@ private:
     const auto legCount = legs().size();
     for (const KindredPair& one : parts_.pairs) {
       const bool counts = one.kind == LimbKind::leg || (legCount < 2 && one.kind != LimbKind::feeler);
-      const int place = counts ? placeOn(parts_.axis.row, carrierOf(one.pair)) : -1;
+      const int place = counts ? placeOn(parts_.axis.row, carrierOf(view_, one.pair)) : -1;
       if (place < 0) {
         continue;
       }
@@ -514,6 +510,8 @@ private:
       }
       return;
     }
+    const std::vector<int> hindTrunk =
+        chest == first && legs().size() == 2 ? trunkBehind(view_, parts_) : std::vector<int>{};
     if (chest == first) {
       chest = neckStart(first, head) - 1;
     }
@@ -528,6 +526,10 @@ private:
       axis.spine = {axis.hips};
       axis.spineEnd = axis.row[index(first + 1)];
     }
+    if (!hindTrunk.empty()) { // the body is rooted where its front legs hang
+      axis.spineEnd = hindTrunk.back();
+      axis.spine.assign(hindTrunk.begin(), hindTrunk.end() - 1);
+    }
   }
 
   // Of the first joint that is named so; without names the upper half of what lies before the head.
@@ -538,39 +540,6 @@ private:
       }
     }
     return std::max(first + 1, (first + head + 1) / 2);
-  }
-
-  // A row of the middle that goes back from the trunk.
-  void findTail() {
-    const std::vector<int>& row = parts_.axis.row;
-    double best = 0.0;
-    for (const Extremity& other : parts_.extremities.middle) {
-      const auto [ownEnd, otherStart] = std::ranges::mismatch(row, other.path);
-      const auto shared = static_cast<std::size_t>(otherStart - other.path.begin());
-      if (otherStart == other.path.end() || ownEnd == row.end()) {
-        continue;
-      }
-      Extremity rest = other;
-      rest.path.assign(otherStart, other.path.end());
-      rest.points.erase(rest.points.begin(), rest.points.begin() + static_cast<std::ptrdiff_t>(shared));
-      rest.length = polylineLength(rest.points);
-      const bool named = std::ranges::any_of(rest.path, [&](int joint) {
-        return partWords(view_.called[index(joint)]).contains(PartWord::tail);
-      });
-      // What hangs on the head is hair, or a crest.
-      const int carrier = view_.parentOf(rest.path.front());
-      const bool isOnHead =
-          parts_.axis.head >= 0 && carrier >= 0 && view_.isAboveOrSelf(parts_.axis.head, carrier);
-      const bool back =
-          !isOnHead && glm::dot(rest.points.back() - rest.points.front(), parts_.axis.forward) < 0.0;
-      const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
-      const double least = (named ? 0.03 : 0.12) * view_.size;
-      const double score = rest.length + (named ? view_.size : 0.0);
-      if (rest.length > least && (named || (back && !isOrnament)) && score > best) {
-        best = score;
-        parts_.axis.tail = rest;
-      }
-    }
   }
 
   const BodyView& view_;

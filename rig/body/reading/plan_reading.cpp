@@ -362,8 +362,11 @@ private:
       return;
     }
     if (axis.spineEnd >= 0 && !axis.spine.empty()) {
+      const bool runsBack = std::ranges::find(axis.row, axis.spineEnd) == axis.row.end();
       addRow(plan, biped::spine, axis.spine, axis.spineEnd,
-             "from the hips to where the front of the body begins", limbs);
+             runsBack ? "from where the front of the body begins to the hips"
+                      : "from the hips to where the front of the body begins",
+             limbs);
     }
     if (axis.head >= 0 && !axis.neck.empty()) {
       addRow(plan, biped::neck, axis.neck, axis.head, "between the trunk and the head", limbs);

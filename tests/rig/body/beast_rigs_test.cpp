@@ -220,3 +220,19 @@ TEST_CASE("An arm from which feathers hang is a wing, however upright its bird s
   nameByKeys(body);
   CHECK(detectBody(build(body).scene).plan == "bird");
 }
+
+TEST_CASE("The tail of a beast that is rooted before its hips begins behind them") {
+  SyntheticBiped horse = makeHorse();
+  const bool isAtChest = GENERATE(true, false);
+  jointOf(horse, "spine0").parent = isAtChest ? "spine1" : "";
+  jointOf(horse, "spine1").parent = isAtChest ? "" : "spine0";
+  jointOf(horse, "hips").parent = "spine0";
+  nameByKeys(horse);
+  const BuiltBiped built = build(horse);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "quadruped");
+  CHECK(describe(built, read, {LimbKind::tail}).starts_with("tail0 "));
+  if (isAtChest) {
+    CHECK(describe(built, read, biped::spine) == "spine1 spine0 -> hips");
+  }
+}
