@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/polyline.h"
+
 namespace stretch::rig::body {
 
 bool isEven(const Extremity& row) {
@@ -46,6 +48,47 @@ bool startsAtAnchor(const BodyView& view, const Extremity& row) {
   const bool turnsBack = glm::dot(first, row.points[2] - row.points[1]) < 0.0;
   const bool isOff = view.hasVertices && (glm::length(first) > longer * longest || turnsBack);
   return glm::length(first) < hardlyABone || isOff;
+}
+
+namespace {
+
+void endBefore(Extremity& row, std::size_t place) {
+  row.tip = NodeIndex::none;
+  row.path.resize(place);
+  row.points.resize(place);
+  row.length = polylineLength(row.points);
+}
+
+} // namespace
+
+void endAtHead(Extremity& row, const Axis& axis) {
+  const auto head = std::ranges::find(row.path, axis.head);
+  if (!axis.headIsNamed || head == row.path.end() || (head + 1 == row.path.end() && !row.tip.exists())) {
+    return;
+  }
+  Extremity body = row;
+  endBefore(body, static_cast<std::size_t>(head - row.path.begin()) + 1);
+  if (body.path.size() > 2 && 2.0 * body.length > row.length) { // else the row begins at the head
+    row = std::move(body);
+  }
+}
+
+bool isInFork(const BodyView& view, const Extremity& row, std::size_t place) {
+  return place > 1 && place < row.path.size() && view.childrenOf(view.parentOf(row.path[place])).size() > 1;
+}
+
+void endBeforeFins(const BodyView& view, Extremity& row) {
+  std::size_t first = row.path.size();
+  while (first > 0 &&
+         partWords(view.called[static_cast<std::size_t>(row.path[first - 1])]).contains(PartWord::fin)) {
+    --first;
+  }
+  while (first < row.path.size() && !isInFork(view, row, first)) {
+    ++first;
+  }
+  if (first < row.path.size()) {
+    endBefore(row, first);
+  }
 }
 
 } // namespace stretch::rig::body

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rig/body/evidence/body_view.h"
-#include "rig/body/reading/extremities.h"
+#include "rig/body/reading/plan_parts.h"
 
 namespace stretch::rig::body {
 
@@ -17,5 +17,14 @@ namespace stretch::rig::body {
 /// has a bone, or, where others move vertices, one that leads from a root in the middle or on the ground to
 /// an end of the body.
 [[nodiscard]] bool startsAtAnchor(const BodyView& view, const Extremity& row);
+
+/// Ends a row at the head that is named so, where it goes on into a jaw, a tongue or an eye.
+void endAtHead(Extremity& row, const Axis& axis);
+
+/// Whether another joint hangs beside one of a row, which is not of its first two.
+[[nodiscard]] bool isInFork(const BodyView& view, const Extremity& row, std::size_t place);
+
+/// Ends a row where it parts into fins.
+void endBeforeFins(const BodyView& view, Extremity& row);
 
 } // namespace stretch::rig::body

@@ -408,22 +408,6 @@ private:
     }
   }
 
-  // Whether another joint hangs beside the last one of a row.
-  [[nodiscard]] bool endsInFork(const Extremity& row) const {
-    const int parent = row.path.size() < 3 ? -1 : view_.parentOf(row.path.back());
-    return parent >= 0 && view_.childrenOf(parent).size() > 1;
-  }
-
-  // A row ends where it parts into fins.
-  void endBeforeFins(Extremity& row) const {
-    while (endsInFork(row) &&
-           partWords(view_.called[static_cast<std::size_t>(row.path.back())]).contains(PartWord::fin)) {
-      row.tip = NodeIndex::none;
-      row.path.pop_back();
-      row.points.resize(row.path.size());
-    }
-  }
-
   // A serpent: the longest row is its trunk; anchors before it are left out.
   void addLongRow(const BodyPlan& plan, std::vector<Limb>& limbs) const {
     const Extremity* const longest = longestRow();
@@ -436,9 +420,11 @@ private:
       row.path.erase(row.path.begin());
       row.points.erase(row.points.begin());
     }
-    endBeforeFins(row);
+    endAtHead(row, parts_.axis);
+    endBeforeFins(view_, row);
     addWhole(*spine, row, "one row of joints along the body", limbs);
-    if (endsInFork(row) && !limbs.empty() && !parts_.axis.headIsNamed && row.word(PartWord::tail) <= 0.0) {
+    if (isInFork(view_, row, row.path.size() - 1) && !limbs.empty() && !parts_.axis.headIsNamed &&
+        row.word(PartWord::tail) <= 0.0) {
       limbs.back().confidence = std::min(limbs.back().confidence, 0.45);
       limbs.back().reasons.emplace_back("it ends where joints part, which may be fins");
     }

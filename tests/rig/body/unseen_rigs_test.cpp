@@ -154,6 +154,35 @@ TEST_CASE("The trunk of a shark ends where its tail parts into fins") {
   CHECK(guessed->confidence < 0.5);
 }
 
+TEST_CASE("The trunk of a serpent ends at its head, whatever a face has beyond it") {
+  SyntheticBiped body = makeSnake();
+  nameByKeys(body);
+  addPart(body, "jaw", "head", {0, 0.06, 1.34});
+  const bool hasTongue = GENERATE(false, true);
+  for (int i = 0; i < 3 && hasTongue; ++i) {
+    addPart(body, "tongue" + std::to_string(i), i == 0 ? "head" : "tongue" + std::to_string(i - 1),
+            {0, 0.08, 1.45 + 0.07 * i});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "serpent");
+  CHECK(describe(built, read, biped::spine).ends_with("segment15 -> head"));
+}
+
+TEST_CASE("The trunk of a fish ends where fins of two joints begin") {
+  SyntheticBiped body = makeFish();
+  nameByKeys(body);
+  for (const auto& [fin, up] :
+       {std::pair(std::string("tailFinUp"), 1.0), std::pair(std::string("tailFinLow"), -1.0)}) {
+    addPart(body, fin + "0", "back7", {0, 1.0 + 0.1 * up, -1.1});
+    addPart(body, fin + "1", fin + "0", {0, 1.0 + 0.2 * up, -1.18});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "serpent");
+  CHECK(describe(built, read, biped::spine).ends_with("back6 -> back7"));
+}
+
 TEST_CASE(
     "Whose four legs are called arms and legs, and who lies, is doubted and told, with a tail or without") {
   SyntheticBiped body = bodyOfProgram("Arms by number");
