@@ -176,6 +176,7 @@ NameEvidence readName(std::string_view name) {
   evidence.finger = has(words, Word::finger) && !namesTrunk && !namesLeg;
   evidence.palm = has(words, Word::palm);
   evidence.face = has(words, Word::face);
+  evidence.fin = has(words, Word::fin) && !namesLimb;
   evidence.accessory = has(words, Word::accessory) || evidence.face;
   addRoles(evidence, words);
   evidence.key = mirrorKey(chunks) + digitsOf(name);

@@ -37,8 +37,9 @@ struct NameEvidence {
   bool palm = false;
   bool accessory = false; ///< Belongs to neither limb nor trunk; parts of a face are among them.
   bool face = false;
-  std::string key; ///< The name without its side and case: equal for the two of a mirrored pair. May be
-                   ///< empty.
+  bool fin = false; ///< Named so, and nothing of an arm or a leg.
+  std::string key;  ///< The name without its side and case: equal for the two of a mirrored pair. May be
+                    ///< empty.
 
   [[nodiscard]] double role(Role which) const { return roles[static_cast<std::size_t>(which)]; }
 };

@@ -209,6 +209,8 @@ constexpr std::array entries = std::to_array<Entry>({
     {"arrow", Word::accessory}, {"staff", Word::accessory}, {"髪", Word::accessory}, {"目", Word::face},
     {"乳", Word::accessory}, {"スカート", Word::accessory}, {"耳", Word::accessory}, {"舌", Word::face},
     {"尻尾", Word::accessory}, {"眉", Word::face}, {"袖", Word::accessory},
+    {"fin", Word::fin}, {"fins", Word::fin}, {"flipper", Word::fin}, {"flippers", Word::fin},
+    {"fluke", Word::fin}, {"flukes", Word::fin}, {"pectoral", Word::fin}, {"nageoire", Word::fin},
     {"jnt", Word::noise}, {"joint", Word::noise}, {"joints", Word::noise}, {"bone", Word::noise},
     {"bones", Word::noise}, {"bn", Word::noise}, {"skeleton", Word::noise}, {"skel", Word::noise},
     {"bip", Word::noise}, {"biped", Word::noise}, {"def", Word::noise}, {"deform", Word::noise},

@@ -48,6 +48,7 @@ enum class Word {
   end,       ///< The tip of a bone, no joint of its own.
   accessory, ///< Anything that a biped has besides limbs and trunk: hair, cloth, weapons.
   face,      ///< Front of the head: eyes, jaw, nose.
+  fin,       ///< Fin or flipper.
   noise      ///< "joint", "bone": says nothing.
 };
 

@@ -62,6 +62,13 @@ void doubtPairs(const BipedReading& reading, Body& result) {
   }
 }
 
+// Fins make no person, unless it stands on legs, as a penguin does.
+bool hasFinsAlone(const BodyView& view, const BipedReading& reading, const Body& found) {
+  const auto isFin = [&](const std::optional<LimbGuess>& arm) { return arm && view.name(arm->base).fin; };
+  return !(isSure(found.limbs, biped::leftLeg) && isSure(found.limbs, biped::rightLeg)) && reading.arms &&
+         (isFin(reading.arms->negative) || isFin(reading.arms->positive));
+}
+
 } // namespace
 
 Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within) {
@@ -103,6 +110,9 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
                        (finding.legs == 2 && reading.relation >= 0.0);
   result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  if (hasFinsAlone(view, reading, result)) {
+    return {};
+  }
   if (finding.legs <= 2) {
     std::ranges::copy(sides.warnings, std::back_inserter(result.warnings));
   } else {

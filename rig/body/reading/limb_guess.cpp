@@ -65,7 +65,8 @@ private:
 
   [[nodiscard]] bool canBend(int candidate) const {
     const NameEvidence& name = view_.name(candidate);
-    return view_.movesMesh(candidate) && !name.finger && !name.accessory;
+    const bool isFin = name.fin && region_ == Region::leg; // arms of a penguin are flippers
+    return view_.movesMesh(candidate) && !name.finger && !name.accessory && !isFin;
   }
 
   // Whether a bone of a joint leads on as the one that leads to it, as that of a joint on a bone does.

@@ -32,7 +32,9 @@ double jointFit(const NameEvidence& name, Role role) {
   const double best = *std::ranges::max_element(name.roles);
   constexpr double clear = 0.8;
   const double against = best >= clear ? 0.5 * (best - here) : 0.0;
-  return here - against - (name.finger ? 0.6 : 0.0) - (name.accessory ? 0.8 : 0.0) - (name.twist ? 0.6 : 0.0);
+  const bool isFin = name.fin && (role == Role::thigh || role == Role::shin || role == Role::ankle);
+  return here - against - (name.finger ? 0.6 : 0.0) - (name.accessory || isFin ? 0.8 : 0.0) -
+         (name.twist ? 0.6 : 0.0);
 }
 
 // A name's words alone: halves of a bone are told apart by numbers.

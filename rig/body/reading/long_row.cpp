@@ -91,4 +91,11 @@ void endBeforeFins(const BodyView& view, Extremity& row) {
   }
 }
 
+double trunkLength(const BodyView& view, const Extremity& row) {
+  Extremity trunk = row;
+  endBeforeFins(view, trunk);
+  const bool isFin = row.word(PartWord::fin) > 0.0 && trunk.path.size() == row.path.size();
+  return (isFin ? 0.5 : 1.0) * trunk.length; // a fin may be longer than what it ends
+}
+
 } // namespace stretch::rig::body

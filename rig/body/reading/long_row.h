@@ -27,4 +27,7 @@ void endAtHead(Extremity& row, const Axis& axis);
 /// Ends a row where it parts into fins.
 void endBeforeFins(const BodyView& view, Extremity& row);
 
+/// Length of a row before it parts into fins; half of that of a row that is a fin.
+[[nodiscard]] double trunkLength(const BodyView& view, const Extremity& row);
+
 } // namespace stretch::rig::body

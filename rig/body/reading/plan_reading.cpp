@@ -207,11 +207,8 @@ private:
 
   [[nodiscard]] const Extremity* longestRow() const {
     const auto& rows = parts_.extremities.middle;
-    const auto trunkLength = [](const Extremity& row) {
-      return (row.word(PartWord::fin) > 0.0 ? 0.5 : 1.0) * row.length; // a fin may be longer than what it
-                                                                       // ends
-    };
-    const auto longest = std::ranges::max_element(rows, {}, trunkLength);
+    const auto longest =
+        std::ranges::max_element(rows, {}, [&](const Extremity& row) { return trunkLength(view_, row); });
     return longest == rows.end() ? nullptr : &*longest;
   }
 
@@ -437,6 +434,9 @@ private:
     std::ranges::copy_if(axis.row, std::back_inserter(other), [&](int joint) {
       return std::ranges::find(longest->path, joint) == longest->path.end();
     });
+    if (const auto head = std::ranges::find(other, axis.head); axis.headIsNamed && head != other.end()) {
+      other.erase(head + 1, other.end());
+    }
     const double length =
         other.empty() ? 0.0 : glm::distance(view_.at(other.front()), view_.at(other.back()));
     if (other.size() >= 2 && length > 0.1 * longest->length) {

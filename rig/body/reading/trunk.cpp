@@ -117,7 +117,7 @@ private:
   [[nodiscard]] bool isCentral(int joint) const {
     const NameEvidence& name = view_.name(joint);
     return std::abs(plane_.lateral(view_.at(joint))) < 0.04 * view_.size && !name.accessory && !name.finger &&
-           name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
+           !name.fin && name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
   }
 
   // The joint that is named head and stands highest in the tree, else the highest one in the middle.

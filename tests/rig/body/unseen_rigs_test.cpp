@@ -183,6 +183,25 @@ TEST_CASE("The trunk of a fish ends where fins of two joints begin") {
   CHECK(describe(built, read, biped::spine).ends_with("back6 -> back7"));
 }
 
+TEST_CASE("Fins are no legs") {
+  SyntheticBiped body;
+  body.tubes = true;
+  addPart(body, "body", "", {0, 0.5, 0});
+  addPart(body, "chest", "body", {0, 0.5, 0.35});
+  addPart(body, "head", "chest", {0, 0.5, 0.65});
+  const std::string fin = GENERATE("pectoralFin", "flipper", "pectoral");
+  addPartPair(body, fin + "0", "chest", {0.15, 0.42, 0.3}, false);
+  addPartPair(body, fin + "1", fin + "0", {0.35, 0.32, 0.18}, true);
+  addPartPair(body, fin + "2", fin + "1", {0.55, 0.22, 0.06}, true);
+  for (int i = 0; i < 4; ++i) {
+    addPart(body, "tail" + std::to_string(i), i == 0 ? "body" : "tail" + std::to_string(i - 1),
+            {0, 0.5, -0.25 - 0.25 * i});
+  }
+  const Body read = detectBody(build(body).scene);
+  CHECK_FALSE(read.isBiped);
+  CHECK(std::ranges::none_of(read.limbs, isLeg));
+}
+
 TEST_CASE(
     "Whose four legs are called arms and legs, and who lies, is doubted and told, with a tail or without") {
   SyntheticBiped body = bodyOfProgram("Arms by number");
