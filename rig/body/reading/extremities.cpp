@@ -37,6 +37,8 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
     {"pectoral", PartWord::fin}, {"dorsal", PartWord::fin}, {"nageoire", PartWord::fin},
     {"antenna", PartWord::feeler}, {"antennae", PartWord::feeler}, {"feeler", PartWord::feeler},
     {"tentacle", PartWord::feeler}, {"palp", PartWord::feeler}, {"pedipalp", PartWord::feeler},
+    {"claw", PartWord::claw}, {"claws", PartWord::claw}, {"pincer", PartWord::claw},
+    {"pincers", PartWord::claw}, {"chela", PartWord::claw}, {"chelae", PartWord::claw},
     {"tail", PartWord::tail}, {"queue", PartWord::tail}, {"schwanz", PartWord::tail},
     {"cola", PartWord::tail}, {"coda", PartWord::tail}, {"cauda", PartWord::tail},
     {"rabo", PartWord::tail}, {"хвост", PartWord::tail}, {"尾巴", PartWord::tail}, {"尻尾", PartWord::tail}, {"abdomen", PartWord::tail},

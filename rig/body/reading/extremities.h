@@ -12,8 +12,8 @@
 namespace stretch::rig::body {
 
 /// Part that a joint's name tells beyond a biped's words.
-enum class PartWord { leg, arm, wing, fin, feeler, tail, head, ornament, front, back };
-inline constexpr std::size_t partWordCount = 10;
+enum class PartWord { leg, arm, wing, fin, feeler, tail, head, ornament, front, back, claw };
+inline constexpr std::size_t partWordCount = 11;
 
 /// A row of joints that ends free: what reaches out from the middle of a body, or a part of its middle.
 struct Extremity {

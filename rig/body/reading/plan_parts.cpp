@@ -108,15 +108,22 @@ private:
   void nameChains() {
     const auto legCount = legs().size();
     for (KindredPair& one : parts_.pairs) {
-      if (one.kind == LimbKind::arm && legCount >= 3) { // pincers
+      const bool isPincer = one.kind == LimbKind::arm || isClaw(one);
+      if (isPincer && legCount - (one.kind == LimbKind::leg ? 1 : 0) >= 3) {
         one.kind = LimbKind::feeler;
       } else if (one.kind == LimbKind::chain) {
-        one.isGuessed = legCount == 1;
         one.kind = legCount == 0   ? LimbKind::fin
                    : legCount >= 3 ? feelerOrWing(one.pair)
                                    : armOrWing(one.pair);
+        one.isGuessed = legCount == 1 || one.kind == LimbKind::wing;
       }
     }
+  }
+
+  // Beside the legs of a crab, and not at the end of one.
+  [[nodiscard]] static bool isClaw(const KindredPair& one) {
+    const bool mayBe = one.kind == LimbKind::chain || one.kind == LimbKind::leg;
+    return mayBe && isNamed(one.pair, PartWord::claw) && one.pair.word(PartWord::leg) == 0.0;
   }
 
   // One pair alone carries the body only where it goes down: the fins of a fish that lies reach its lowest

@@ -13,7 +13,7 @@ struct KindredPair {
   LimbKind kind = LimbKind::leg;
   ExtremityPair pair;
   bool stands = false;
-  bool isGuessed = false; ///< No name tells whether they are arms or wings.
+  bool isGuessed = false; ///< No name tells whether they are arms or wings, or wings or feelers.
 };
 
 /// The middle of a body that is no upright one: candidates, each list from the hips outwards.

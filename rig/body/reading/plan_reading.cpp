@@ -101,7 +101,10 @@ public:
     reading.reasons = reasons(plan);
     reading.warnings = sides_.warnings;
     if (std::ranges::any_of(parts_.pairs, &KindredPair::isGuessed)) {
-      reading.warnings.emplace_back("no name tells whether its front limbs are arms or wings");
+      reading.warnings.emplace_back(plan.legs < 4 ? "no name tells whether its front limbs are arms or wings"
+                                    : plan.legs < 6
+                                        ? "no name tells whether a pair of its limbs are arms or wings"
+                                        : "no name tells whether a pair of its limbs are wings or feelers");
     }
     return reading;
   }

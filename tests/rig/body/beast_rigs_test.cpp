@@ -221,6 +221,30 @@ TEST_CASE("An arm from which feathers hang is a wing, however upright its bird s
   CHECK(detectBody(build(body).scene).plan == "bird");
 }
 
+TEST_CASE("The claws of a crab are feelers, not wings") {
+  SyntheticBiped crab = makeManyLegged(4);
+  std::erase_if(crab.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("antenna"); });
+  const std::string stem = GENERATE("claw", "pincer", "chela", "pedipalp", "limb");
+  addBoth(crab, stem + "0", "thorax", {0.2, 0.4, 0.35});
+  for (int i = 1; i < 3; ++i) {
+    for (const std::string side : {".l", ".r"}) {
+      const double sign = side == ".l" ? 1.0 : -1.0;
+      crab.joints.push_back({stem + std::to_string(i) + side,
+                             stem + std::to_string(i - 1) + side,
+                             {sign * (0.2 + 0.35 * i), 0.4, 0.35 + 0.25 * i}});
+    }
+  }
+  nameByKeys(crab);
+  const Body read = detectBody(build(crab).scene);
+  REQUIRE(read.plan == "spider");
+  const bool hasFeelers = findLimb(read, {LimbKind::feeler, LimbSide::left}) != nullptr;
+  const bool asks = std::ranges::any_of(read.warnings, [](const std::string& warning) {
+    return warning.find("wings or feelers") != std::string::npos;
+  });
+  CHECK(hasFeelers == (stem != "limb"));
+  CHECK(asks == (stem == "limb")); // No word tells: taken for wings, and asked.
+}
+
 TEST_CASE("The tail of a beast that is rooted before its hips begins behind them") {
   SyntheticBiped horse = makeHorse();
   const bool isAtChest = GENERATE(true, false);
