@@ -21,8 +21,8 @@ struct ReleaseLength {
 /// Whether a sphere at the pivot, where nothing is scaled, moves the limb: that fades beyond the range.
 [[nodiscard]] bool pullsPivot(const SolvedTrail& solved, double framesPerSecond);
 
-/// Where a trail begins to act, seconds: on a loop what it does before the clip's first key, and before its
-/// range, is seen at the loop's end.
+/// Returns where a trail begins to act, seconds: on a loop what it does before the clip's first key, and
+/// before its range, is seen at the loop's end.
 [[nodiscard]] double firstSeconds(const MotionState& motion, const SolvedTrail& solved);
 
 /// From the tip to the next key of the nodes on the release's way; nothing on a densely keyed clip, or where
