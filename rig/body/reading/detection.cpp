@@ -258,11 +258,12 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
   }
 }
 
-// Whether a skeleton is a body by itself: a person with arms, legs and a trunk, or what another plan fits.
+// Whether a skeleton is a body by itself: a person with arms, legs, a trunk and a head, or what another plan
+// fits.
 bool isWholeBody(const Finding& finding) {
   const std::vector<Limb>& limbs = finding.result.limbs;
   return finding.result.plan == "biped"
-             ? finding.result.isBiped &&
+             ? finding.result.isBiped && finding.result.head.exists() &&
                    std::ranges::all_of(std::array{biped::leftArm, biped::rightArm, biped::leftLeg,
                                                   biped::rightLeg, biped::spine},
                                        [&](const LimbPlace& place) { return isSure(limbs, place); })

@@ -115,6 +115,21 @@ TEST_CASE("The joints of clothes with a skeleton of their own are none of the bo
   CHECK_FALSE(tellsOfOthers(read));
 }
 
+TEST_CASE("A person whose trunk is a skeleton beside that of the limbs keeps its spine and its neck") {
+  SyntheticBiped body = person();
+  body.joints.push_back({"torso", "", jointOf(body, "hips").position});
+  body.names["torso"] = "torso";
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "clavicle" + side).parent = "torso";
+    jointOf(body, "thigh" + side).parent = "torso";
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  CHECK(describe(built, read, biped::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, read, biped::neck) == "neck0 -> head");
+}
+
 TEST_CASE("A person whose legs hang from skeletons of their own keeps them") {
   SyntheticBiped body = person();
   const std::string from = GENERATE("thigh", "foot");
