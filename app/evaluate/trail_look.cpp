@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -15,7 +14,6 @@
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/part_motion.h"
-#include "rig/motion/release_length.h"
 
 namespace stretch::app {
 
@@ -28,19 +26,15 @@ constexpr double longestEdge = 4.0;                 // times its length, on a li
 constexpr double placeMargin = 0.02;                // of the height
 constexpr double farthestJump = 0.25;               // of the limb's length, within a frame
 
-// All whole frames of the window: on a loop what lies past one end of the clip is at the other.
 std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTrail& trail) {
   const double fps = motion.framesPerSecond;
-  const double turn = motion.loops ? motion.endSeconds - motion.startSeconds : 0.0;
-  std::set<double> frames;
-  for (const double shift : {0.0, turn, -turn}) {
-    const double start = std::max(rig::firstSeconds(motion, trail), trail.windowStartSeconds + shift);
-    const double last = std::floor(std::min(trail.windowEndSeconds + shift, motion.endSeconds) * fps + 1e-6);
-    for (double frame = std::ceil(start * fps - 1e-6); frame <= last; frame += 1.0) {
-      frames.insert(frame);
-    }
+  const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);
+  std::vector<double> frames;
+  for (double frame = std::max(0.0, std::ceil(trail.windowStartSeconds * fps - 1e-6)); frame <= last;
+       frame += 1.0) {
+    frames.push_back(frame);
   }
-  return {frames.begin(), frames.end()};
+  return frames;
 }
 
 double distanceBetween(const glm::vec3& a, const glm::vec3& b) {

@@ -4,7 +4,6 @@
 #include <glm/matrix.hpp>
 
 #include "app/edits/pose/adjustment_edits.h"
-#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/trail_look.h"
@@ -121,21 +120,6 @@ std::vector<std::string> warningsOf(const Document& document) {
 }
 
 } // namespace
-
-TEST_CASE("A way back that goes on at a loop's start is looked at there as well") {
-  Document document = setLooping(punching(20.0, 3.0), 0, true);
-  rig::TrailSettings& settings = document.trails.front().settings;
-  settings.startFrame = 10.0;
-  settings.releaseFrames = 8.0;
-  settings.overshoot = 1.0; // The arm swings to the other side halfway.
-  const rig::MotionState motion = prepareMotion(document, 0);
-  const TrailLook look(std::make_shared<ClipFacts>(document, 0), motion.trails.front(), LookAt::limb);
-  const Finding turns = look.findings(motion).turns;
-  REQUIRE(turns.any());
-  CHECK(turns.first > 0.0);
-  CHECK(turns.last < 8.0);
-  CHECK(look.foundAt(motion, {turns.worstFrame}) == turns.worstFrame);
-}
 
 TEST_CASE("a punch that is twice as long gives no cause for a warning") {
   CHECK(warningsOf(punching(10.0, 2.0)).empty());
