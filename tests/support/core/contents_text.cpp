@@ -17,7 +17,9 @@ public:
       add(static_cast<double>(vector[i]));
     }
   }
-  [[nodiscard]] std::string text() const { return fmt::format("{} : {:.3f}", count_, sum_); }
+  [[nodiscard]] std::string text(int decimals = 3) const {
+    return fmt::format("{} : {:.{}f}", count_, sum_, decimals);
+  }
 
 private:
   double sum_ = 0.0;
@@ -25,12 +27,12 @@ private:
 };
 
 template <typename List>
-std::string sumOf(const List& vectors) {
+std::string sumOf(const List& vectors, int decimals = 3) {
   Sum sum;
   for (const auto& vector : vectors) {
     sum.addVector(vector);
   }
-  return sum.text();
+  return sum.text(decimals);
 }
 
 std::string primitiveText(const Primitive& primitive) {
@@ -45,10 +47,12 @@ std::string primitiveText(const Primitive& primitive) {
       influences.add(static_cast<double>(vertex.weights[i]));
     }
   }
+  // What packs normals into bytes rounds them as the processor does.
+  constexpr int normalDecimals = 0;
   std::string text = fmt::format(
       "    places {} , normals {} , texture {} and {} , colours {} , indices {} , follow {} mended {} , "
       "material {}\n",
-      sumOf(primitive.positions), sumOf(primitive.normals), sumOf(primitive.texCoords),
+      sumOf(primitive.positions), sumOf(primitive.normals, normalDecimals), sumOf(primitive.texCoords),
       sumOf(primitive.emissiveTexCoords), sumOf(primitive.colors), indices.text(), influences.text(),
       primitive.areInfluencesMended, primitive.material);
   for (const MorphTarget& target : primitive.morphTargets) {
