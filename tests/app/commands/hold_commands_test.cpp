@@ -402,12 +402,13 @@ TEST_CASE("A hold whose range would meet another one of its limb is refused, and
   rig::Holds pins;
   for (const Vec2& range : {Vec2(0.0, 6.0), Vec2(8.0, 14.0)}) {
     rig::Pin pin;
-    pin.limb = "left-leg";
+    pin.limb = "left-arm";
     pin.time.rangeFrames = range;
     pin.atFrame = 0.0;
     pins.pins.push_back(pin);
   }
   const Result<Document> pinned = placeHolds(document, pins);
+  INFO(test::refusal(pinned));
   REQUIRE(pinned);
   for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
     rig::Pin wide = pinned->holds.pins[which];
