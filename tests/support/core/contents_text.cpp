@@ -17,9 +17,7 @@ public:
       add(static_cast<double>(vector[i]));
     }
   }
-  [[nodiscard]] std::string text(int decimals = 3) const {
-    return fmt::format("{} : {:.{}f}", count_, sum_, decimals);
-  }
+  [[nodiscard]] std::string text() const { return fmt::format("{} : {:.3f}", count_, sum_); }
 
 private:
   double sum_ = 0.0;
@@ -27,12 +25,12 @@ private:
 };
 
 template <typename List>
-std::string sumOf(const List& vectors, int decimals = 3) {
+std::string sumOf(const List& vectors) {
   Sum sum;
   for (const auto& vector : vectors) {
     sum.addVector(vector);
   }
-  return sum.text(decimals);
+  return sum.text();
 }
 
 std::string primitiveText(const Primitive& primitive) {
@@ -47,12 +45,10 @@ std::string primitiveText(const Primitive& primitive) {
       influences.add(static_cast<double>(vertex.weights[i]));
     }
   }
-  // What packs normals into bytes rounds them as the processor does.
-  constexpr int normalDecimals = 0;
   std::string text = fmt::format(
       "    places {} , normals {} , texture {} and {} , colours {} , indices {} , follow {} mended {} , "
       "material {}\n",
-      sumOf(primitive.positions), sumOf(primitive.normals, normalDecimals), sumOf(primitive.texCoords),
+      sumOf(primitive.positions), sumOf(primitive.normals), sumOf(primitive.texCoords),
       sumOf(primitive.emissiveTexCoords), sumOf(primitive.colors), indices.text(), influences.text(),
       primitive.areInfluencesMended, primitive.material);
   for (const MorphTarget& target : primitive.morphTargets) {
