@@ -556,19 +556,20 @@ TEST_CASE("A source that a rig or a binding has changed is kept aside once, come
   const fs::path source = fs::path(file).replace_extension("source") / "source.glb";
   CHECK_FALSE(fs::exists(source)); // The file has it.
 
-  Session& session = *desk.document.character();
-  Document changed = session.document();
-  changed.source = std::make_shared<const gltf::Source>(*changed.source);
-  REQUIRE(session.edit(std::move(changed), "Bind"));
+  const auto bind = [&] {
+    Session& session = *desk.document.character();
+    Document changed = session.document();
+    changed.source = std::make_shared<const gltf::Source>(*changed.source);
+    REQUIRE(session.edit(changed, "Bind"));
+  };
+  bind();
   work.update(desk, desk.clock += 10.0);
   REQUIRE(fs::exists(source));
   fs::remove(source);
   desk.edit();
   work.update(desk, desk.clock += 10.0);
   CHECK_FALSE(fs::exists(source)); // It was written already.
-  changed = session.document();
-  changed.source = std::make_shared<const gltf::Source>(*changed.source);
-  REQUIRE(session.edit(std::move(changed), "Bind"));
+  bind();
   work.update(desk, desk.clock += 10.0);
   REQUIRE(fs::exists(source));
 

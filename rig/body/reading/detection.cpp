@@ -424,9 +424,10 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
   std::optional<body::Finding> one =
       body::findOneOfSeveral(scene, bindPose, table.limbs.empty() ? "" : "biped");
-  body::Finding finding = one ? *std::move(one) : body::findLimbs(scene, bindPose);
+  const bool isOne = one.has_value();
+  body::Finding finding = isOne ? *std::move(one) : body::findLimbs(scene, bindPose);
   body::applyHumanoid(finding, table);
-  if (table.limbs.empty() && !one) {
+  if (table.limbs.empty() && !isOne) {
     body::takePlan(scene, bindPose, finding);
   }
   body::addTail(finding);
@@ -446,14 +447,15 @@ Body detectBody(const Scene& scene, const Clip* clip) {
 Body bodyAsPlan(const Scene& scene, const BodyPlan& plan, const Clip* clip) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   std::optional<body::Finding> one = body::findOneOfSeveral(scene, bindPose, plan.id);
-  body::Finding finding = one ? *std::move(one) : body::findLimbs(scene, bindPose);
+  const bool isOne = one.has_value();
+  body::Finding finding = isOne ? *std::move(one) : body::findLimbs(scene, bindPose);
   finding.result.warnings.clear();
   if (plan.id == "biped") {
     body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
     body::addTail(finding);
   } else if (plan.id == "other") {
     body::takeChains(scene, bindPose, finding);
-  } else if (!one) {
+  } else if (!isOne) {
     const auto reading = body::readAnyView(scene, bindPose, [&](const body::BodyView& view) {
       body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
       return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));

@@ -52,7 +52,8 @@ SyntheticBiped partOf(SyntheticBiped body, const std::vector<std::string>& stems
 SyntheticBiped before(const SyntheticBiped& first, const SyntheticBiped& second) {
   SyntheticBiped body = second;
   addOther(body, first, Vec3(0.0));
-  std::ranges::rotate(body.joints, body.joints.begin() + static_cast<std::ptrdiff_t>(second.joints.size()));
+  std::rotate(body.joints.begin(), body.joints.begin() + static_cast<std::ptrdiff_t>(second.joints.size()),
+              body.joints.end());
   return body;
 }
 

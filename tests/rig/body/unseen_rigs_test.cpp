@@ -7,6 +7,7 @@
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/families/whole_rigs.h"
+#include "tests/support/rig/naming_schemes.h"
 #include "tests/support/rig/synthetic_biped.h"
 
 using namespace stretch;

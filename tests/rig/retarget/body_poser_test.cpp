@@ -152,6 +152,7 @@ TEST_CASE("A body below a mirror is posed as the same one without") {
   const auto posed = [](const Stander& body) {
     const std::vector<JointPair> pairs = body.pairsOf({body.hips, body.spine, body.shins[0]});
     std::vector<Quat> turns;
+    turns.reserve(pairs.size());
     for (const JointPair& pair : pairs) {
       turns.push_back(axisAngle(Vec3(1, 2, 3), 0.4 * static_cast<double>(turns.size() + 1)) *
                       rotationOf(body.skeleton.bind[at(pair.joint)]));

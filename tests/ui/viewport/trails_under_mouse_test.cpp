@@ -88,8 +88,8 @@ enum class Mark { tangent, sphere, trail, controller, limb, axis };
 struct MarkedTrails : TwoTrails {
   MarkedTrails() {
     app::selectTrail(session(), viewport.shown.trails.front().id);
-    spheres = app::placedSpheres(session(), session().view().selection.trail());
-    session().view().selection.editTrails().spheres = {spheres.back().frame};
+    spheres_ = app::placedSpheres(session(), session().view().selection.trail());
+    session().view().selection.editTrails().spheres = {spheres_.back().frame};
     frame();
     REQUIRE_FALSE(viewport.tangents.handles.empty());
   }
@@ -103,7 +103,7 @@ struct MarkedTrails : TwoTrails {
       REQUIRE(viewport.hoveredTangent);
       break;
     case Mark::sphere:
-      pointAt(spheres.front().positionWorld);
+      pointAt(spheres_.front().positionWorld);
       REQUIRE(viewport.hoveredSphere);
       break;
     case Mark::trail:
@@ -120,7 +120,7 @@ struct MarkedTrails : TwoTrails {
       break;
     case Mark::axis:
       for (double up = 20.0; up < 70.0 && !viewport.hoveredAxis; up += 2.0) {
-        pointAt(pixelsOf(spheres.back().positionWorld) - Vec2(0.0, up));
+        pointAt(pixelsOf(spheres_.back().positionWorld) - Vec2(0.0, up));
       }
       REQUIRE(viewport.hoveredAxis);
       break;
@@ -142,7 +142,7 @@ private:
     return 0.5 * (positionOf(pose.worlds[at(arm.joints[0])]) + positionOf(pose.worlds[at(arm.joints[1])]));
   }
 
-  std::vector<app::PlacedSphere> spheres;
+  std::vector<app::PlacedSphere> spheres_;
 };
 
 } // namespace
@@ -181,12 +181,12 @@ TEST_CASE("Nothing of a trail that is not drawn lies under the mouse: hidden, or
     if (isHidden) {
       app::Document hidden = before;
       app::findTrail(hidden, session.view().selection.trail())->visible = false;
-      REQUIRE(session.edit(std::move(hidden), "Hide the trail"));
+      CHECK(session.edit(hidden, "Hide the trail"));
     } else {
       session.view().showLocators = true;
       app::Document located = before;
       located.locators.list.push_back({.name = "spine", .position = {9.0, 9.0, 9.0}});
-      REQUIRE(session.edit(std::move(located), "Fit"));
+      CHECK(session.edit(located, "Fit"));
       REQUIRE(app::showsLocators(session));
     }
     stage.frame();
