@@ -73,6 +73,14 @@ public:
   double clock = 0.0;
 };
 
+/// An autosave as if another process had kept it whose number a living one has now.
+gltf::Json ofGoneProcess(const fs::path& autosave) {
+  gltf::Json kept = gltf::Json::parse(*readText(autosave));
+  kept["process"] = static_cast<long>(getppid());
+  kept["began"] = 1U;
+  return kept;
+}
+
 } // namespace
 
 TEST_CASE("A file is opened beside the caller, one that cannot be read leaves what is open", "[jobs]") {
@@ -240,9 +248,7 @@ TEST_CASE("Work of a process that is gone is offered, even where another one has
   desk.edit();
   work.update(desk, 10.0);
   const fs::path file = autosavePath(desk.file("a.glb"));
-  gltf::Json kept = gltf::Json::parse(*readText(file));
-  kept["process"] = static_cast<long>(getppid());
-  kept["began"] = 1U;
+  gltf::Json kept = ofGoneProcess(file);
   REQUIRE(writeText(file, kept.dump()));
   CHECK(findAutosave(desk.file("a.glb")));
   kept.erase("began"); // Of a version that did not say: it may be alive.
@@ -515,9 +521,7 @@ TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is l
   desk.edit();
   work.update(desk, 10.0);
   const fs::path file = autosavePath(desk.file("a.glb"));
-  gltf::Json kept = gltf::Json::parse(*readText(file));
-  kept["process"] = static_cast<long>(getppid());
-  kept["began"] = 1U;
+  gltf::Json kept = ofGoneProcess(file);
   const bool isRefused = GENERATE(true, false);
   if (isRefused) {
     kept["work"]["version"] = 1000;
