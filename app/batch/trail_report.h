@@ -19,11 +19,12 @@ class EvaluationCache;
 /// Prints the outcome as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);
 
-/// The document's warnings and those about its body, as verbs report them.
 /// The files that were added to the document, each with the node that carries its thing.
 [[nodiscard]] gltf::Json addedFilesToJson(const Document& document);
 
+/// The document's warnings and those about its body, as verbs report them.
 [[nodiscard]] gltf::Json documentWarnings(const Document& document);
+
 /// Adds what of `before` gave way (gaveWay) to a report's warnings.
 void addGaveWay(const Document& before, const Document& after, gltf::Json& report);
 
