@@ -313,13 +313,17 @@ void drawFrame(Editor& editor) {
   updatePosePictures(editor.poses, shell.ui.body.library);
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
+  editor.gpu->paints = editor.hand == nullptr || editor.hand->paints();
   shell.ui.time.keys.hovered = false;
   drawEverything(editor);
   moveKeysTool(shell);
   runRequested(shell);
   editor.window.input().guiTakesKeys = widgetsTakeKeys(shell);
   editor.window.setTitle(windowTitle(shell));
-  editor.gui.endFrame(shell.theme, editor.window.size());
+  editor.gui.endFrame();
+  if (editor.gpu->paints) {
+    editor.gui.paint(shell.theme, editor.window.size());
+  }
   if (editor.hand != nullptr) {
     editor.hand->afterFrame(shell, editor.window.size());
   }

@@ -17,6 +17,9 @@ public:
 
   /// Before a frame: may feed the window's input queue. False: the editor is to end.
   virtual bool beforeFrame(Shell& shell, Window& window) = 0;
+  /// Whether the frame that was begun is painted: what nobody looks at takes most of a processor's time where
+  /// there is no graphics card.
+  [[nodiscard]] virtual bool paints() const = 0;
   /// After a frame was drawn and before it is shown.
   virtual void afterFrame(Shell& shell, const WindowSize& size) = 0;
   /// Replaces the window's mouse.

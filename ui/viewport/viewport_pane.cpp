@@ -269,7 +269,7 @@ void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn
     style.quality.thinned = true;
     key = currentKey();
   }
-  if (key == drawn.contentKey && drawn.target.textureId() != 0) {
+  if (!gpu.paints || (key == drawn.contentKey && drawn.target.textureId() != 0)) {
     return;
   }
   const Status done = gpu.renderer.draw(drawn.target, context.viewport.view, picture);
@@ -298,7 +298,8 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
                                                    {},
                                                    {},
                                                    {},
-                                                   false});
+                                                   false,
+                                                   true});
 }
 
 void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit) {

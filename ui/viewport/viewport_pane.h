@@ -42,6 +42,7 @@ struct ViewportGpu {
   SequenceUpload sequence;
   WelcomePictures welcome;
   bool drewPicture = false; ///< In this frame: tells the governor whether the frame's time counts.
+  bool paints = true;       ///< In this frame: pictures that have changed are drawn.
 };
 
 [[nodiscard]] Result<std::unique_ptr<ViewportGpu>> createViewportGpu();

@@ -1,10 +1,12 @@
 #include "tests/support/ui_driver/script.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <thread>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -386,8 +388,14 @@ void Script::act(const Action& action, Window& window) {
   }
 }
 
+bool Script::paints() const {
+  constexpr int nowAndThen = 16;
+  return monkey_ || (check_ && check_->verb == "picture") || frames_ % nowAndThen == 0;
+}
+
 bool Script::beforeFrame(Shell& shell, Window& window) {
   mouse_.wheel = 0.0F;
+  ++frames_;
   if (over_) {
     return false;
   }
@@ -396,6 +404,8 @@ bool Script::beforeFrame(Shell& shell, Window& window) {
     return true;
   }
   if (until_) {
+    // What is waited for may need the processor.
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return true;
   }
   if (!actions_.empty()) {

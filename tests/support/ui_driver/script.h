@@ -50,6 +50,9 @@ public:
 
   /// Before a frame: feeds input. Answers false when the script is over.
   bool beforeFrame(ui::Shell& shell, ui::Window& window) override;
+  /// Frames of which a picture is taken, those of a monkey, and now and then one: drawn in software, all of
+  /// them would be most of what a script takes.
+  [[nodiscard]] bool paints() const override;
   /// After a frame was drawn and before it is shown: checks and pictures.
   void afterFrame(ui::Shell& shell, const ui::WindowSize& size) override;
 
@@ -117,6 +120,7 @@ private:
   double untilSeconds_ = 0.0; ///< Of the clock: when waiting ends.
   int settleFrames_ = 3;      ///< Frames between steps: the widgets settle.
   int line_ = 0;
+  int frames_ = 0; ///< So far.
   bool over_ = false;
   bool abandoned_ = false;
   ui::DrivenMouse mouse_;

@@ -63,8 +63,11 @@ void Gui::beginFrame(InputQueue& input, const DrivenMouse* mouse) {
   ImGui::NewFrame();
 }
 
-void Gui::endFrame(const Theme& theme, const WindowSize& size) {
+void Gui::endFrame() {
   ImGui::Render();
+}
+
+void Gui::paint(const Theme& theme, const WindowSize& size) {
   const ImVec4 background = ImGui::ColorConvertU32ToFloat4(theme.colours.background);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, size.framebufferWidth, size.framebufferHeight);

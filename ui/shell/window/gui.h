@@ -28,8 +28,10 @@ public:
   /// `input`: of the window, whose mouse buttons are played. `mouse` replaces them, and time then runs in
   /// steps of a sixtieth of a second; null for a user.
   void beginFrame(InputQueue& input, const DrivenMouse* mouse);
-  /// Draws the widgets into the window.
-  void endFrame(const Theme& theme, const WindowSize& size);
+  /// Ends the frame: the widgets stand.
+  void endFrame();
+  /// Draws the widgets of the frame that was ended into the window.
+  void paint(const Theme& theme, const WindowSize& size);
 
 private:
   Gui() = default;
