@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,6 +15,7 @@
 #include "app/commands/table/past_end.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/applied.h"
+#include "app/things/place.h"
 #include "core/anim/frames.h"
 #include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panel_support.h"
@@ -119,6 +121,22 @@ std::string heldText(const Shell& shell, std::string_view commandId) {
              : std::string();
 }
 
+/// The document in whose time a command is going to place holds; nothing for other commands.
+std::optional<app::Document> documentToHoldIn(const Shell& shell, std::string_view commandId) {
+  constexpr std::array<std::string_view, 4> placing{command::holdPin, command::holdPinFeet,
+                                                    command::holdMatch, command::holdProp};
+  return std::find(placing.begin(), placing.end(), commandId) == placing.end()
+             ? std::nullopt
+             : std::optional(shell.open.character()->document());
+}
+
+/// What stood there and made room for them.
+void tellGaveWay(Shell& shell, const app::Document& before) {
+  for (const std::string& line : app::gaveWay(before, shell.open.character()->document())) {
+    tell(shell, ToastKind::warning, capitalised(line));
+  }
+}
+
 /// How far a pose reaches that was pasted at a first key without a range; empty for other commands.
 std::string pastedText(const Shell& shell, std::string_view commandId) {
   const bool pastes = commandId == command::posePaste || commandId == command::posePasteMirrored;
@@ -215,6 +233,7 @@ void runCommand(Shell& shell, std::string_view commandId) {
   const std::string undone = undoneText(shell, commandId);
   const std::vector<int> applied = trailsToApply(shell, commandId);
   const double endBefore = endOfClip(shell);
+  const std::optional<app::Document> heldIn = documentToHoldIn(shell, commandId);
   const Status done = command->run(shell);
   tellProblem(shell, done);
   tellShorterClip(shell, commandId, endBefore);
@@ -228,6 +247,9 @@ void runCommand(Shell& shell, std::string_view commandId) {
     if (const std::string text = done ? toldText(shell, commandId) : std::string(); !text.empty()) {
       tell(shell, ToastKind::info, text);
     }
+  }
+  if (done && heldIn) {
+    tellGaveWay(shell, *heldIn);
   }
   if (done && !applied.empty()) {
     tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));

@@ -191,13 +191,6 @@ std::vector<Ghost> ghostsOf(const PictureSubject& subject, const ViewportOverlay
 
 } // namespace
 
-bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
-             const ViewportOverlays& overlays) {
-  const bool selected =
-      std::find(selectedLimbs.begin(), selectedLimbs.end(), trail.limb) != selectedLimbs.end();
-  return trail.visible && (trail.pinned || selected || !overlays.trailsOnlyWhenSelected);
-}
-
 std::optional<AxisHandles> handlesOf(const ShownTrails& trails, int selectedTrail,
                                      const std::vector<double>& selectedSpheres) {
   const ShownTrail* trail = findShown(trails, selectedTrail);

@@ -50,10 +50,6 @@ struct PictureSelection {
 /// Puts controllers or locators over it, and what they are taken by.
 void addHandles(const PictureSelection& selection, PictureContent& content);
 
-/// Whether a trail is drawn: visible, and pinned, on a selected limb, or everything is.
-[[nodiscard]] bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
-                           const ViewportOverlays& overlays);
-
 /// Axis handles at the last selected sphere; nothing when none is selected.
 [[nodiscard]] std::optional<AxisHandles> handlesOf(const ShownTrails& trails, int selectedTrail,
                                                    const std::vector<double>& selectedSpheres);

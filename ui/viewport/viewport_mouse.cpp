@@ -98,18 +98,12 @@ void grabFromPress(ViewportContext& context, const GrabStart& start) {
   tellProblem(context, startGrab(*context.open.character(), context.tool, start));
 }
 
-/// Whether the trail is in the picture: beside locators none is.
-bool isSeen(const ViewportContext& context, int trailId) {
-  const app::Session& session = *context.open.character();
-  const rig::Trail* const trail = app::findTrail(session.document(), trailId);
-  return trail != nullptr && !app::showsLocators(session) &&
-         isDrawn(*trail, session.view().selection.limbs(), context.ui.overlays);
-}
-
 /// The selected trail where it is seen; else null.
 const ShownTrail* seenTrail(const ViewportContext& context) {
   const int selected = context.open.character()->view().selection.trail();
-  return isSeen(context, selected) ? findShown(context.viewport.shown, selected) : nullptr;
+  return isSeen(*context.open.character(), selected, context.ui.overlays)
+             ? findShown(context.viewport.shown, selected)
+             : nullptr;
 }
 
 /// The frame at which the selected trail is drawn nearest to the mouse; a whole one where frames snap.
@@ -369,7 +363,7 @@ void hoverTrails(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   double nearest = 1e300;
   for (const ShownTrail& trail : viewport.shown.trails) {
-    if (!isSeen(context, trail.id)) {
+    if (!isSeen(*context.open.character(), trail.id, context.ui.overlays)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;

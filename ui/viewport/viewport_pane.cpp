@@ -227,7 +227,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   }
   const auto updateShown = [&] {
     updateShownTrails(*context.open.character(), viewport.shown);
-    updateTangents(*context.open.character(), viewport.view, viewport.tangents);
+    updateTangents(*context.open.character(), context.ui.overlays, viewport.view, viewport.tangents);
     viewport.controllers = shownControllers(*context.open.character(), context.ui.overlays);
     viewport.weightsOf = weightsShownOf(context.ui, *context.open.character());
   };

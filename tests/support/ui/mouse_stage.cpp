@@ -52,7 +52,7 @@ void MouseStage::frame() {
   ui::ViewportContext context{{open, ui, theme_, commands_, requested_, items_, status}, viewport, tool};
   viewport.view = ui::makeView(viewport.camera, {pictureWidth, pictureHeight, 1.0});
   updateShownTrails(session(), viewport.shown);
-  updateTangents(session(), viewport.view, viewport.tangents);
+  updateTangents(session(), ui.overlays, viewport.view, viewport.tangents);
   viewport.controllers = shownControllers(session(), ui.overlays);
   const bool held = std::ranges::any_of(io.MouseDown, [](bool down) { return down; });
   handleViewportMouse(context, over, held);

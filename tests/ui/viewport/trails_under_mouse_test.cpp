@@ -174,7 +174,7 @@ TEST_CASE("Nothing of a trail that is not drawn lies under the mouse: hidden, or
   MarkedTrails stage;
   app::Session& session = stage.session();
   const bool isHidden = GENERATE(true, false);
-  for (const Mark kind : {Mark::sphere, Mark::axis}) {
+  for (const Mark kind : {Mark::sphere, Mark::axis, Mark::tangent}) {
     CAPTURE(isHidden, kind);
     stage.mark(kind);
     const app::Document before = session.document();
@@ -193,6 +193,8 @@ TEST_CASE("Nothing of a trail that is not drawn lies under the mouse: hidden, or
     stage.frame();
     CHECK_FALSE(stage.viewport.hoveredSphere);
     CHECK_FALSE(stage.viewport.hoveredAxis);
+    CHECK_FALSE(stage.viewport.hoveredTangent);
+    CHECK(stage.viewport.tangents.handles.empty()); // which are drawn
     CHECK((isHidden ? stage.viewport.hoveredTrail != session.view().selection.trail()
                     : stage.viewport.hoveredTrail == 0));
     session.undo();

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
 
 namespace stretch::ui {
 
@@ -54,6 +55,19 @@ const ShownTrail* findShown(const ShownTrails& shown, int trailId) {
   const auto found =
       std::ranges::find_if(shown.trails, [&](const ShownTrail& trail) { return trail.id == trailId; });
   return found == shown.trails.end() ? nullptr : &*found;
+}
+
+bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
+             const ViewportOverlays& overlays) {
+  const bool selected =
+      std::find(selectedLimbs.begin(), selectedLimbs.end(), trail.limb) != selectedLimbs.end();
+  return trail.visible && (trail.pinned || selected || !overlays.trailsOnlyWhenSelected);
+}
+
+bool isSeen(const app::Session& session, int trailId, const ViewportOverlays& overlays) {
+  const rig::Trail* const trail = app::findTrail(session.document(), trailId);
+  return trail != nullptr && !app::showsLocators(session) &&
+         isDrawn(*trail, session.view().selection.limbs(), overlays);
 }
 
 Vec3 pointOnTrail(const ShownTrail& trail, double frame, bool exaggerated) {

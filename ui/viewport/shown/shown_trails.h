@@ -44,6 +44,13 @@ void updateShownTrails(app::Session& session, ShownTrails& shown);
 /// Null when it is not shown.
 [[nodiscard]] const ShownTrail* findShown(const ShownTrails& shown, int trailId);
 
+/// Whether a trail is drawn: visible, and pinned, on a selected limb, or everything is.
+[[nodiscard]] bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
+                           const ViewportOverlays& overlays);
+
+/// Whether the trail with that id is drawn of the open character: none is beside locators.
+[[nodiscard]] bool isSeen(const app::Session& session, int trailId, const ViewportOverlays& overlays);
+
 /// The exaggerated path at a frame, or the original where there is none.
 [[nodiscard]] Vec3 pointOnTrail(const ShownTrail& trail, double frame, bool exaggerated);
 

@@ -4,6 +4,7 @@
 
 #include "app/edits/trail/sphere_edits.h"
 #include "core/anim/frames.h"
+#include "ui/viewport/shown/shown_trails.h"
 
 namespace stretch::ui {
 
@@ -37,9 +38,10 @@ Vec3 shownTip(const View& view, const app::TangentHandle& handle) {
 
 } // namespace
 
-void updateTangents(app::Session& session, const View& view, ShownTangents& shown) {
+void updateTangents(app::Session& session, const ViewportOverlays& overlays, const View& view,
+                    ShownTangents& shown) {
   const std::vector<double>& selected = session.view().selection.spheres();
-  if (selected.empty() || session.view().selection.trail() == 0) {
+  if (selected.empty() || !isSeen(session, session.view().selection.trail(), overlays)) {
     shown = {};
     return;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/commands/trail/spheres.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/render/view/camera.h"
 
 namespace stretch::ui {
@@ -22,8 +23,10 @@ struct ShownTangents {
   double sphereFrame = 0.0;
 };
 
-/// Makes them again where the trail or the selected sphere is another; `view` decides how long they are.
-void updateTangents(app::Session& session, const View& view, ShownTangents& shown);
+/// Makes them again where the trail or the selected sphere is another; none of a trail that is not drawn.
+/// `view` decides how long they are.
+void updateTangents(app::Session& session, const ViewportOverlays& overlays, const View& view,
+                    ShownTangents& shown);
 
 /// The handle whose tip lies under the mouse; none where the mouse is nearer to the sphere itself.
 [[nodiscard]] std::optional<std::size_t> pickTangent(const View& view, const ShownTangents& shown,
