@@ -91,6 +91,9 @@ TEST_CASE("Data that glTF allows are read: data written out, zeros without data,
     const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
     REQUIRE(loaded);
     CHECK(warnsOf(*loaded, "all its matrices are zero"));
+    Mat4 point(0.0);
+    point[3][3] = 1.0;
+    CHECK(loaded->scene->skins[0].inverseBind == std::vector<Mat4>(3, point));
   }
   SECTION("the padding of a matrix's last column is missing at the end of the data") {
     file.accessor(std::vector<std::uint8_t>{1, 2, 0, 0, 3, 4}, 5121, "SCALAR", 1);

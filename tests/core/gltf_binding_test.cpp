@@ -297,3 +297,12 @@ TEST_CASE("A skeleton is taken out again of a file without scenes, and nothing i
   gltf::takeOutSkeleton(1, json);
   CHECK(json.dump() == R"({"nodes":[{}]})");
 }
+
+TEST_CASE("What a file had beside a skeleton stays when that is taken out") {
+  gltf::Json json =
+      gltf::Json::parse(R"({"nodes":[{"children":[1,2]},{},{"name":"hips"}],)"
+                        R"("scenes":[{"nodes":[0,2]}],"skins":[{"joints":[1]},{"joints":[2]}]})");
+  gltf::takeOutSkeleton(2, json);
+  CHECK(json == gltf::Json::parse(R"({"nodes":[{"children":[1]},{}],"scenes":[{"nodes":[0]}],)"
+                                  R"("skins":[{"joints":[1]}]})"));
+}

@@ -97,6 +97,17 @@ TEST_CASE("A texture that cannot be shown is a warning, the model opens") {
   CHECK(file.scene->images[0].rgba.empty());
 }
 
+TEST_CASE("A texture of an extension that names none of the file's is not shown") {
+  GlbBuilder glb = texturedArm(picture);
+  const Json texture = GENERATE(Json::object(), Json{{"index", 1}}, Json{{"index", -1}});
+  glb.json["materials"][0] = {
+      {"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseTexture", texture}}}}}};
+  glb.json["extensionsUsed"].push_back("KHR_materials_pbrSpecularGlossiness");
+  const auto file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE(file);
+  CHECK(file->scene->materials[0].baseColorTexture.image == -1);
+}
+
 TEST_CASE("Where nothing is drawn a picture's header is looked at alone, and told of as before") {
   const test::TemporaryFolder folder;
   const auto opened = [&](const char* uri, gltf::Pictures pictures) {

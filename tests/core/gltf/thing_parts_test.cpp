@@ -180,6 +180,8 @@ TEST_CASE("Extensions of nodes, meshes and their parts stay behind when a thing 
     CHECK_FALSE(mesh["primitives"][0].contains("extensions"));
   }
   CHECK(std::ranges::any_of(json["materials"], [](const Json& one) { return one.contains("extensions"); }));
+  CHECK(json.value("extensionsUsed", Json::array()) == Json::array({"KHR_materials_unlit"})); // not what
+                                                                                              // stayed behind
 }
 
 TEST_CASE("A file that shows no scene is no thing") {
