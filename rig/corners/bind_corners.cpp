@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/anim/sampling.h"
 #include "core/scene/bind_chains.h"
 #include "core/scene/morphs.h"
 #include "rig/corners/corner_set.h"
@@ -25,7 +26,7 @@ using Splits = std::vector<std::vector<VertexSplit::Answer>>; // of a mesh: by p
 class CornerBinding {
 public:
   CornerBinding(const Scene& scene, const CornerOptions& options, gltf::Edits& edits)
-      : scene_(scene), options_(options), edits_(edits) {}
+      : scene_(scene), worlds_(worldMatrices(scene, restPose(scene))), options_(options), edits_(edits) {}
 
   CornerFit bind(const std::vector<ClipStretches>& clips) {
     const std::vector<MovedMesh> meshes = meshesOf(scene_, jointsOf(clips));
@@ -77,7 +78,7 @@ private:
       return;
     }
     const Splits splits = splitsOf(mesh);
-    gltf::BoundMesh bound{mesh.node, mesh.skin, {}};
+    gltf::BoundMesh bound{mesh.node, mesh.skin, {}, true};
     if (mesh.skin < 0) {
       bound = onOwnSkin(mesh, splits);
     }
@@ -167,10 +168,14 @@ private:
       added.inverseBind.push_back(glm::translate(Mat4(1.0), -placeOf({mesh.node, corner})));
     }
     edits_.addedSkins.push_back(std::move(added));
-    gltf::AddedNode holder{scene_.nodes[at(mesh.node)].name + "_mesh", NodeIndex::none, {}, mesh.node, false};
+    // Its own matrix moves no vertex of a skin, but tells viewers which side of a triangle is outside.
+    Transform side;
+    side.scale.x = glm::determinant(Mat3(worlds_[at(mesh.node)])) < 0.0 ? -1.0 : 1.0;
+    gltf::AddedNode holder{scene_.nodes[at(mesh.node)].name + "_mesh", NodeIndex::none, side, mesh.node,
+                           false};
     const NodeIndex node = nextNode();
     edits_.addedNodes.push_back(std::move(holder));
-    return {node, skin, {}};
+    return {node, skin, {}, true};
   }
 
   VertexInfluences written(const MovedMesh& mesh, int skin, const VertexSplit::Answer& vertex) {
@@ -284,6 +289,7 @@ private:
   }
 
   const Scene& scene_;
+  std::vector<Mat4> worlds_; // at rest, by node
   const CornerOptions& options_;
   gltf::Edits& edits_;
   std::map<NodeIndex, CornerSet> sets_;

@@ -176,13 +176,24 @@ TEST_CASE("Binding appends and renumbers nothing") {
   }
 }
 
-TEST_CASE("Primitives that share their vertices share what those follow, and points follow the first joint") {
+TEST_CASE("Primitives that share their vertices share what those follow, and points at places of their own "
+          "follow the first joint") {
   const TemporaryFolder folder;
-  const gltf::Loaded file = test::loaded(twoSleeves());
+  GlbBuilder glb = twoSleeves();
+  const bool own = GENERATE(false, true);
+  if (own) {
+    const int places = glb.floats({0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0}, "VEC3", 3);
+    Json& accessor = glb.json["accessors"][static_cast<std::size_t>(places)];
+    accessor["min"] = {0, 0, 0};
+    accessor["max"] = {1, 2, 0};
+    glb.json["meshes"][0]["primitives"][2]["attributes"]["POSITION"] = places;
+  }
+  const gltf::Loaded file = test::loaded(glb);
   const Json primitives =
       (*bound(folder, file, boundSleeves(*file.scene)).source->json)["meshes"][0]["primitives"];
   CHECK(primitives[0]["attributes"] == primitives[1]["attributes"]);
-  CHECK(primitives[2]["attributes"]["WEIGHTS_0"] != primitives[0]["attributes"]["WEIGHTS_0"]);
+  CHECK((primitives[2]["attributes"] == primitives[0]["attributes"]) == !own);
+  CHECK((primitives[2]["attributes"]["WEIGHTS_0"] == primitives[0]["attributes"]["WEIGHTS_0"]) == !own);
   CHECK(primitives[3]["attributes"]["WEIGHTS_0"] != primitives[0]["attributes"]["WEIGHTS_0"]);
 }
 

@@ -41,6 +41,9 @@ inline constexpr std::size_t mostZeroElements = std::size_t{1} << 24U;
 /// are accessors whose values need not be quite within the min and max that they say.
 void validateAccessors(const Source& source, const std::set<std::size_t>& rounded, Problems& problems);
 
+/// Accessors that attributes, indices, skins and animations name.
+[[nodiscard]] std::vector<bool> usedAccessors(const Json& json);
+
 /// All components as numbers; normalised integers become fractions. The accessor has to be validated.
 [[nodiscard]] std::vector<float> readFloats(const Source& source, int accessor);
 

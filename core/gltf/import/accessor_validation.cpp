@@ -170,31 +170,6 @@ void markIndex(const Json& object, std::string_view key, std::vector<bool>& used
   }
 }
 
-// Accessors that meshes, skins or animations refer to.
-std::vector<bool> usedAccessors(const Json& json) {
-  std::vector<bool> used(sizeOf(json, "accessors"), false);
-  for (const int accessor : vertexAttributes(json)) {
-    used[static_cast<std::size_t>(accessor)] = true;
-  }
-  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
-    const Json& mesh = element(json, "meshes", i);
-    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
-      markIndex(element(mesh, "primitives", k), "indices", used);
-    }
-  }
-  for (std::size_t i = 0; i < sizeOf(json, "skins"); ++i) {
-    markIndex(element(json, "skins", i), "inverseBindMatrices", used);
-  }
-  for (std::size_t i = 0; i < sizeOf(json, "animations"); ++i) {
-    const Json& animation = element(json, "animations", i);
-    for (std::size_t k = 0; k < sizeOf(animation, "samplers"); ++k) {
-      markIndex(element(animation, "samplers", k), "input", used);
-      markIndex(element(animation, "samplers", k), "output", used);
-    }
-  }
-  return used;
-}
-
 // glTF 2.0 specification 3.6.2.1: a view that several attributes share says how far apart their elements are.
 void validateSharedViews(const Json& json, Problems& problems) {
   std::map<int, int> users;
@@ -280,6 +255,30 @@ std::set<int> weightAccessors(const Json& json) {
   }
   accessors.erase(-1);
   return accessors;
+}
+
+std::vector<bool> usedAccessors(const Json& json) {
+  std::vector<bool> used(sizeOf(json, "accessors"), false);
+  for (const int accessor : vertexAttributes(json)) {
+    used[static_cast<std::size_t>(accessor)] = true;
+  }
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      markIndex(element(mesh, "primitives", k), "indices", used);
+    }
+  }
+  for (std::size_t i = 0; i < sizeOf(json, "skins"); ++i) {
+    markIndex(element(json, "skins", i), "inverseBindMatrices", used);
+  }
+  for (std::size_t i = 0; i < sizeOf(json, "animations"); ++i) {
+    const Json& animation = element(json, "animations", i);
+    for (std::size_t k = 0; k < sizeOf(animation, "samplers"); ++k) {
+      markIndex(element(animation, "samplers", k), "input", used);
+      markIndex(element(animation, "samplers", k), "output", used);
+    }
+  }
+  return used;
 }
 
 void validateAccessors(const Source& source, const std::set<std::size_t>& rounded, Problems& problems) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -53,6 +54,9 @@ private:
 
 /// The accessors that primitives name as WEIGHTS_0 and WEIGHTS_1.
 [[nodiscard]] std::set<int> weightAccessors(const Json& json);
+
+/// The accessors of the places of a mesh's triangles, each with the first of Mesh::primitives that has it.
+[[nodiscard]] std::map<int, std::size_t> trianglesByPlaces(const Json& mesh);
 
 /// Index of the TEXCOORD set that a texture of the material uses; nothing without that texture.
 [[nodiscard]] std::optional<int> baseColorTexCoord(const Source& source, int material);

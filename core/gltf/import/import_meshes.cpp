@@ -139,4 +139,16 @@ std::vector<Mesh> importMeshes(const Source& source, const Scene& scene, Problem
   return meshes;
 }
 
+std::map<int, std::size_t> trianglesByPlaces(const Json& mesh) {
+  std::map<int, std::size_t> found;
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < sizeOf(mesh, "primitives"); ++i) {
+    const Json& primitive = element(mesh, "primitives", i);
+    if (holdsTriangles(primitive)) {
+      found.emplace(indexOr(*find(primitive, "attributes"), "POSITION"), shown++);
+    }
+  }
+  return found;
+}
+
 } // namespace stretch::gltf

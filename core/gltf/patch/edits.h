@@ -58,9 +58,13 @@ struct BoundMesh {
   NodeIndex node; ///< Node of the source that holds a mesh, or an added one that takes it over.
   int skin = -1;  ///< Skin of the source or added.
   /// For each primitive of Mesh::primitives (core/scene/scene.h) an entry per vertex, the slots with weight
-  /// first. Points and lines, which are not among those, stay as they are on the skin that moves them
-  /// already, and follow the first joint of another.
+  /// first. Points and lines, which are not among those, follow what triangles over the same places follow;
+  /// where there are none, they stay as they are on the skin that moves them already, and follow the first
+  /// joint of another.
   std::vector<std::vector<VertexInfluences>> influences;
+  /// The influences divide those that the vertices have. Refused where the mesh has some that are not read,
+  /// and would be lost: of more than eight joints, or of points and lines at places of their own.
+  bool divides = false;
 };
 
 /// Tracks of one clip that replace those of the source with the same (node, channel), or are new. Each gets

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/gltf/import/accessor.h"
 #include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/patch_parts.h"
@@ -75,6 +76,7 @@ public:
     }
     std::size_t shown = 0;
     const Json primitives = element(source_, "meshes", mesh)["primitives"];
+    const std::map<int, std::size_t> triangles = trianglesByPlaces(element(source_, "meshes", mesh));
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const Json* const position = findPath(primitives[i], {"attributes", "POSITION"});
       if (position == nullptr) {
@@ -83,8 +85,11 @@ public:
       const auto accessor = position->get<std::size_t>();
       const std::size_t vertices = wholeOr(element(source_, "accessors", accessor), "count", 0);
       const Pointer place = Pointer("/meshes") / own / "primitives" / i;
+      const auto sharing = triangles.find(static_cast<int>(accessor));
       if (holdsTriangles(primitives[i])) {
         point(place, accessor, bound.influences[shown++]);
+      } else if (sharing != triangles.end()) { // an outline of them
+        point(place, accessor, bound.influences[sharing->second]);
       } else if (!staysOnSkin) {
         VertexInfluences first;
         first.weights[0] = 1.0F;
@@ -165,14 +170,14 @@ private:
 
 } // namespace
 
-// Weights that nothing follows any more are emptied, so that no reader finds fault with them: zeros, without
+// Weights that nothing names any more are emptied, so that no reader finds fault with them: zeros, without
 // data.
 void emptyUnusedWeights(const std::set<int>& before, Journal& journal) {
-  const std::set<int> used = weightAccessors(journal.json());
+  const std::vector<bool> used = usedAccessors(journal.json());
   for (const int accessor : before) {
     const Pointer place = Pointer("/accessors") / static_cast<std::size_t>(accessor);
     for (const char* const name : {"bufferView", "byteOffset", "sparse", "min", "max"}) {
-      if (!used.contains(accessor) && journal.json().at(place).contains(name)) {
+      if (!used[static_cast<std::size_t>(accessor)] && journal.json().at(place).contains(name)) {
         journal.erase(place / name);
       }
     }

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/patch_parts.h"
 #include "core/gltf/source/animation_target.h"
@@ -89,16 +92,43 @@ void moveMesh(std::size_t from, std::size_t to, Journal& journal) {
       journal.erase(source / property);
     }
   }
+  constexpr const char* instances = "EXT_mesh_gpu_instancing"; // of the mesh
+  if (const Json* const value = findPath(journal.json().at(source), {"extensions", instances})) {
+    const bool isAlone = journal.json().at(source / "extensions").size() == 1;
+    journal.set(target / "extensions", Json{{instances, *value}});
+    journal.erase(isAlone ? source / "extensions" : source / "extensions" / instances);
+  }
   moveWeightChannels(from, to, journal);
   moveVrmMesh(from, to, journal);
 }
 
-void attach(NodeIndex parent, std::size_t child, Journal& journal) {
-  if (parent.exists()) {
-    journal.append(Pointer("/nodes") / at(parent) / "children", child);
-  } else if (sizeOf(journal.json(), "scenes") > 0) {
-    const auto scene = static_cast<std::size_t>(indexOr(journal.json(), "scene", 0));
-    journal.append(Pointer("/scenes") / scene / "nodes", child);
+// The topmost node above one, or itself.
+std::size_t topOf(const Json& json, std::size_t node) {
+  std::vector<int> parents(sizeOf(json, "nodes"), -1);
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    const Json& parent = element(json, "nodes", i);
+    for (std::size_t k = 0; k < sizeOf(parent, "children"); ++k) {
+      parents[element(parent, "children", k).get<std::size_t>()] = static_cast<int>(i);
+    }
+  }
+  while (parents[node] >= 0) {
+    node = static_cast<std::size_t>(parents[node]);
+  }
+  return node;
+}
+
+// A node that hangs on none goes into every scene; one that takes over a mesh, into those that show the mesh.
+void attach(const AddedNode& node, std::size_t child, Journal& journal) {
+  if (node.parent.exists()) {
+    journal.append(Pointer("/nodes") / at(node.parent) / "children", child);
+    return;
+  }
+  const Json top = node.meshFrom.exists() ? Json(topOf(journal.json(), at(node.meshFrom))) : Json();
+  for (std::size_t i = 0; i < sizeOf(journal.json(), "scenes"); ++i) {
+    const Json* const tops = find(element(journal.json(), "scenes", i), "nodes");
+    if (top.is_null() || (tops != nullptr && std::ranges::find(*tops, top) != tops->end())) {
+      journal.append(Pointer("/scenes") / i / "nodes", child);
+    }
   }
 }
 
@@ -110,7 +140,7 @@ void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal) {
     if (node.meshFrom.exists()) {
       moveMesh(at(node.meshFrom), index, journal);
     }
-    attach(node.parent, index, journal);
+    attach(node, index, journal);
   }
 }
 

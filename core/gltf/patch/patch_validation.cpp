@@ -122,6 +122,25 @@ bool fitsMesh(const Json& json, const Json& mesh, std::size_t joints, const Boun
   return shown == bound.influences.size();
 }
 
+// What is not read of a mesh is lost, or stays behind, where the influences of the rest are divided.
+Status canDivide(const Json& mesh, std::size_t index) {
+  const std::map<int, std::size_t> triangles = trianglesByPlaces(mesh);
+  for (std::size_t i = 0; i < sizeOf(mesh, "primitives"); ++i) {
+    const Json& primitive = element(mesh, "primitives", i);
+    const Json* const places = findPath(primitive, {"attributes", "POSITION"});
+    const bool follows = holdsTriangles(primitive) || places == nullptr ||
+                         triangles.contains(static_cast<int>(*wholeNumber(*places)));
+    const bool isRead = findPath(primitive, {"attributes", "JOINTS_2"}) == nullptr;
+    if (!follows || !isRead) {
+      return Error{follows ? "has vertices that follow more than 8 joints, and would lose the others"
+                           : "holds points or lines that would stay behind",
+                   fmt::format("meshes[{}].primitives[{}]", index, i),
+                   "save the stretch in another form: --form scale"};
+    }
+  }
+  return Success{};
+}
+
 Status validateBound(const Json& json, const Edits& edits) {
   const std::size_t skins = sizeOf(json, "skins") + edits.addedSkins.size();
   for (const BoundMesh& bound : edits.boundMeshes) {
@@ -134,6 +153,10 @@ Status validateBound(const Json& json, const Edits& edits) {
         !fitsMesh(json, element(json, "meshes", static_cast<std::size_t>(mesh)),
                   jointCount(json, edits, bound.skin), bound)) {
       return unfit(fmt::format("the binding of node {}", bound.node.value));
+    }
+    const auto index = static_cast<std::size_t>(mesh);
+    if (Status whole = bound.divides ? canDivide(element(json, "meshes", index), index) : Success{}; !whole) {
+      return whole;
     }
   }
   return Success{};

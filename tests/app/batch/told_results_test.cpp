@@ -4,7 +4,10 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
+#include "app/evaluate/evaluate.h"
+#include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
@@ -139,6 +142,22 @@ TEST_CASE("pose tells of attributes and turns what was asked and what came of it
       runVerb({"pose", dummyFile, "-o", (folder / "told.glb").string(), "--recipe", file});
   CHECK_THAT(told.output, Catch::Contains("left-hand.curl: frame 0: asked for 99, reached 1\n") &&
                               Catch::Contains("asked to turn 30 degrees, turned 30"));
+}
+
+TEST_CASE("exaggerate tells the tip where the limb's end is then: at the end of the range that is no pivot",
+          "[exaggerate]") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "out.glb").string();
+  for (const auto& [pivot, frame] : {std::pair("start", 27.0), std::pair("end", 21.0)}) {
+    CAPTURE(pivot);
+    const Json told = jsonOf({"exaggerate", dummyFile, "-o", file, "--limb", "left-arm", "--range", "21:27",
+                              "--scale", "2", "--space", "base", "--pivot", pivot, "--clean"});
+    const app::Document saved = app::openDocument(file).value();
+    const FrameState shown = app::evaluateOriginal(saved, 0, frame / app::clipOf(saved, 0).framesPerSecond);
+    const Json& tip = told["trails"][0]["tip"];
+    const Vec3 hand = rig::endPosition(*app::findLimb(saved, "left-arm"), shown);
+    CHECK(glm::distance(Vec3(tip[0], tip[1], tip[2]), hand) < 1e-4);
+  }
 }
 
 TEST_CASE("Options that say how something else is done are refused without it", "[arguments]") {

@@ -309,6 +309,7 @@ TEST_CASE("The bat of the bundled swing is held by both hands, until one lets go
   REQUIRE(runHold(session, command::holdProp).empty());
   REQUIRE(session.document().holds.props.size() == 1);
   CHECK(session.document().holds.props[0].hands.size() == 2);
+  CHECK_FALSE(session.document().holds.props[0].boundFrame); // the clip moves it
   selectLimb(session, "right-arm", false);
   session.view().frame = 20.0;
   REQUIRE(runHold(session, command::holdLetGo).empty());
@@ -342,6 +343,7 @@ TEST_CASE("Of the things that a hand can hold it takes the nearest, wherever tha
       REQUIRE(props.size() == 1);
       const std::string held = props[0].node;
       CHECK((held == "Near" || held == "#" + std::to_string(nearFirst ? 9 : 11)));
+      CHECK(props[0].boundFrame == session.view().frame); // it lies still
       REQUIRE(props[0].hands.size() == 1);
       CHECK(props[0].hands[0].limb == arm);
     }

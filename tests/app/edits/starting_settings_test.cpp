@@ -111,6 +111,11 @@ TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan 
       runVerb({"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
   CHECK(lacking.exitCode == 1);
   CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks left-arm, right-leg"));
+  file.folder.write("poses.json", R"({"version": 1, "adjustments": [{"controller": "left-hand", "keys": []},
+    {"controller": "nothing that any plan has", "keys": []}]})");
+  const VerbAnswer poses =
+      runVerb({"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "poses.json").string()});
+  CHECK_THAT(poses.told, Catch::Contains("a quadruped and lacks left-arm;"));
   const VerbAnswer centaur = runVerb({"info", file.path, "--plan", "centaur"});
   CHECK(centaur.exitCode != 0);
   CHECK_THAT(centaur.told, Catch::Contains("biped, quadruped, bird, insect, spider, serpent, other"));

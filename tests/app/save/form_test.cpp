@@ -266,6 +266,80 @@ TEST_CASE("A file with corners and the work gives the source back, in whatever f
   CHECK(*readFile(folder / "again.glb") == *readFile(folder / "scale.glb"));
 }
 
+namespace {
+
+/// The boxer, opened from a file whose JSON was changed.
+template <typename Change>
+Document changedPunch(const fs::path& path, const Change& change) {
+  const Document boxer = openedPunch(punchFile);
+  gltf::Source source = *boxer.source;
+  Json json = *source.json;
+  change(json);
+  source.json = json;
+  REQUIRE(gltf::save(source, path));
+  return test::withNewTrail(openedPunch(path), {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
+}
+
+std::string refusalOf(const Document& document, const fs::path& path, StretchForm form) {
+  const Status saved = saveDocument(document, path, {.clean = true, .form = {form, 8}});
+  return saved ? std::string() : saved.error().line();
+}
+
+} // namespace
+
+TEST_CASE("A stretch as volume is refused where vertices would lose joints that they follow, or lines stay "
+          "behind") {
+  const test::TemporaryFolder folder;
+  std::string refused;
+  const auto made = [&](const auto& change) { return changedPunch(folder / "changed.glb", change); };
+  Document document;
+  SECTION("a third set of joints") {
+    document = made([](Json& json) {
+      Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+      for (const char* const set : {"JOINTS_", "WEIGHTS_"}) {
+        attributes[set + std::string("1")] = attributes[set + std::string("0")];
+        attributes[set + std::string("2")] = attributes[set + std::string("0")];
+      }
+    });
+    refused = "meshes[0].primitives[0]: has vertices that follow more than 8 joints";
+  }
+  SECTION("lines at places of their own") {
+    document = made([](Json& json) {
+      Json line = json["meshes"][0]["primitives"][0];
+      line["mode"] = 1;
+      line.erase("indices");
+      const auto places = line["attributes"]["POSITION"].get<std::size_t>();
+      json["accessors"].push_back(Json(json["accessors"][places]));
+      line["attributes"]["POSITION"] = json["accessors"].size() - 1;
+      json["meshes"][0]["primitives"].push_back(line);
+    });
+    refused = "holds points or lines that would stay behind";
+  }
+  CHECK_THAT(refusalOf(document, folder / "out.glb", StretchForm::volume), Catch::Contains(refused));
+  CHECK(refusalOf(document, folder / "out.glb", StretchForm::scale).empty());
+}
+
+TEST_CASE("An outline follows the triangles whose places it has, and what uses their weights keeps them") {
+  const test::TemporaryFolder folder;
+  const Document document = changedPunch(folder / "changed.glb", [](Json& json) {
+    Json line = json["meshes"][0]["primitives"][0];
+    line["mode"] = 3;
+    line.erase("indices");
+    json["meshes"][0]["primitives"].push_back(line);
+    Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["_PAINT"] = attributes["WEIGHTS_0"];
+  });
+  savedAs(document, folder / "out.glb", {StretchForm::volume, 8});
+  const Json json = *gltf::loadAsItStands(folder / "out.glb")->source->json;
+  const Json& primitives = json["meshes"][0]["primitives"];
+  Json attributes = primitives.front()["attributes"];
+  const auto paint = attributes["_PAINT"].get<std::size_t>();
+  CHECK(paint != attributes["WEIGHTS_0"].get<std::size_t>());
+  CHECK(json["accessors"][paint].contains("bufferView"));
+  attributes.erase("_PAINT");
+  CHECK(primitives.back()["attributes"] == attributes);
+}
+
 TEST_CASE("The form is an option of the verbs that write, with another word for translations") {
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
