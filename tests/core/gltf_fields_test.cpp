@@ -226,3 +226,12 @@ TEST_CASE("A channel drives a part of a node, by its names or by a pointer, and 
   CHECK(without.path == "pointer");
   CHECK_FALSE(without.isPointer);
 }
+
+TEST_CASE("A name is shown in one line, whatever stands in it") {
+  const auto shown = [](const std::string& name) { return gltf::shownName({{"name", name}}); };
+  CHECK(shown("Left\nArm\x1b[2J\t\x7f") == "Left Arm [2J  ");
+  CHECK(shown("a\xC2\x9B"
+              "b\xC2") == "a b\xC2"); // U+009B, and a character that is cut short
+  CHECK(shown("Бедро\xC2\xA0腕") == "Бедро\xC2\xA0腕");
+  CHECK(gltf::shownName({{"name", 3}}).empty());
+}

@@ -38,8 +38,8 @@ std::optional<SceneCamera> lensOf(const Json& json) {
 }
 
 std::string nameOf(const Json& node, const Json& camera, std::size_t index, std::set<std::string>& taken) {
-  std::string name = textOr(node, "name");
-  name = name.empty() ? textOr(camera, "name") : name;
+  std::string name = shownName(node);
+  name = name.empty() ? shownName(camera) : name;
   if (name.empty() || taken.contains(name)) {
     name = fmt::format("{} #{}", name.empty() ? "camera" : name, index);
   }

@@ -30,7 +30,7 @@ public:
 
   Clip run(int sourceIndex) {
     Clip clip;
-    clip.name = textOr(json_, "name");
+    clip.name = shownName(json_);
     clip.sourceIndex = sourceIndex;
     for (std::size_t i = 0; i < sizeOf(json_, "channels"); ++i) {
       if (std::optional<Track> track = trackOf(i)) {

@@ -136,7 +136,7 @@ std::optional<int> texCoordOf(const Json* info) {
 Material importMaterial(const Json& root, std::size_t index, Problems& problems) {
   const Json& json = element(root, "materials", index);
   Material material;
-  material.name = textOr(json, "name");
+  material.name = shownName(json);
   material.baseColor = baseColorFactor(json);
   readEmission(root, json, material, problems);
   material.alphaMode = alphaModeOf(textOr(json, "alphaMode"));

@@ -35,7 +35,7 @@ public:
   Mesh mesh(std::size_t index) {
     const Json& json = element(source_.json, "meshes", index);
     Mesh mesh;
-    mesh.name = textOr(json, "name");
+    mesh.name = shownName(json);
     const std::optional<std::size_t> joints = jointsFor(scene_, index);
     for (std::size_t i = 0; i < sizeOf(json, "primitives"); ++i) {
       const std::string where = at(at("meshes", index) + ".primitives", i);

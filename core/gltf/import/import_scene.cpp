@@ -40,7 +40,7 @@ Transform restOf(const Json& json) {
 
 Node importNode(const Json& json) {
   Node node;
-  node.name = textOr(json, "name");
+  node.name = shownName(json);
   node.children = nodesOf(json, "children");
   node.mesh = indexOr(json, "mesh");
   node.skin = node.mesh >= 0 ? indexOr(json, "skin") : -1;
@@ -135,7 +135,7 @@ std::vector<Skin> importSkins(const Source& source, Problems& problems) {
   for (std::size_t i = 0; i < skins.size(); ++i) {
     const Json& json = element(source.json, "skins", i);
     Skin& skin = skins[i];
-    skin.name = textOr(json, "name");
+    skin.name = shownName(json);
     skin.joints = nodesOf(json, "joints");
     skin.fileJoints = skin.joints.size();
     const int accessor = indexOr(json, "inverseBindMatrices");

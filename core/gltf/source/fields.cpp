@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/gltf/json/json.h"
@@ -64,6 +65,19 @@ double numberOr(const Json& object, std::string_view key, double fallback) {
 std::string textOr(const Json& object, std::string_view key, std::string_view fallback) {
   const Json* value = find(object, key);
   return value != nullptr && value->is_string() ? value->get<std::string>() : std::string(fallback);
+}
+
+std::string shownName(const Json& object) {
+  std::string name = textOr(object, "name");
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<std::uint8_t>(name[i]);
+    const auto next = static_cast<std::uint8_t>(i + 1 < name.size() ? name[i + 1] : '\0');
+    const bool isLong = byte == 0xC2 && next >= 0x80 && next < 0xA0; // U+0080 to U+009F
+    if (byte < 0x20 || byte == 0x7F || isLong) {
+      name.replace(i, isLong ? 2 : 1, " ");
+    }
+  }
+  return name;
 }
 
 bool flagOr(const Json& object, std::string_view key, bool fallback) {

@@ -28,6 +28,8 @@ inline constexpr double largestWhole = 9007199254740992.0; ///< 2^53: to here a 
 [[nodiscard]] int indexOr(const Json& object, std::string_view key, int fallback = -1);
 [[nodiscard]] double numberOr(const Json& object, std::string_view key, double fallback);
 [[nodiscard]] std::string textOr(const Json& object, std::string_view key, std::string_view fallback = "");
+/// The object's name in one line: spaces stand for characters that break a line or steer a terminal.
+[[nodiscard]] std::string shownName(const Json& object);
 [[nodiscard]] bool flagOr(const Json& object, std::string_view key, bool fallback);
 
 /// The numbers of an array property; empty when it is missing or holds anything else.
