@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -79,6 +80,36 @@ Status writeTable(const CompressArguments& arguments, const MeshSequence& sequen
     return Success{};
   }
   return writeText(arguments.table, curvatureTable(sequence, *compressed.model), MissingFolder::isError);
+}
+
+/// A setting that counts where another one has a value alone.
+struct Condition {
+  const char* setting;
+  bool (*counts)(const skinning::CompressSettings&);
+  const char* remedy;
+};
+
+bool isMeasured(const skinning::CompressSettings& settings) {
+  return settings.stretch == skinning::StretchOption::measured;
+}
+
+bool isFitted(const skinning::CompressSettings& settings) {
+  return settings.weights != skinning::WeightOption::geodesic;
+}
+
+constexpr std::array conditions{
+    Condition{"scale_limit", isMeasured, "give --stretch measured as well, or leave it out"},
+    Condition{"influences", isFitted, "leave out either this or --weights geodesic"}};
+
+/// Refuses options that would do nothing.
+Status checkCounts(const CompressArguments& arguments, const skinning::CompressSettings& settings) {
+  for (const Condition& condition : conditions) {
+    const SettingFacts& setting = *findSetting(sequenceSchema(), condition.setting);
+    if (textOf(arguments.settings, setting) != nullptr && !condition.counts(settings)) {
+      return Error{"does not count here", setting.option, condition.remedy};
+    }
+  }
+  return Success{};
 }
 
 /// Writes the base, and the frames behind each other; adds to the report what they take.
@@ -254,6 +285,9 @@ Status runCompress(const CompressArguments& arguments) {
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
+  }
+  if (Status counts = checkCounts(arguments, *settings); !counts) {
+    return counts;
   }
   skinning::EncodeSettings encoding;
   if (Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
