@@ -27,7 +27,8 @@ namespace {
 struct Donor {
   Document document;
   std::optional<rig::Skeleton> skeleton; // a biped's
-  std::vector<std::string> warnings;     // of a file of another program: what was left out of it
+  bool isForeign = false;                // a file of another program
+  std::vector<std::string> warnings;     // what reading says of it
 };
 
 bool movesJoints(const Clip& clip) {
@@ -54,11 +55,24 @@ Result<Donor> readDonor(const std::filesystem::path& file) {
   if (donor.document.clips->empty()) {
     return Error{"the file holds no clip", file.string(), "give a file with an animation"};
   }
-  if (interchange::isForeignName(file.extension().string())) {
-    donor.warnings = std::move(loaded.value().warnings);
-  }
+  donor.warnings = std::move(loaded.value().warnings);
+  donor.isForeign = interchange::isForeignName(file.extension().string());
   donor.skeleton = rig::skeletonOf(*donor.document.scene, donor.document.body);
   return donor;
+}
+
+// What reading says of the clips that are wanted; of a foreign file, of all of it.
+std::vector<std::string> warningsOf(const Donor& donor, const std::vector<int>& wanted,
+                                    const std::string& name) {
+  std::vector<std::string> lines;
+  for (const std::string& line : donor.warnings) {
+    const bool isWanted = std::ranges::any_of(
+        wanted, [&](int clip) { return line.starts_with(fmt::format("animations[{}]", clip)); });
+    if (donor.isForeign || isWanted) {
+      lines.push_back(donor.isForeign ? line : name + ": " + line);
+    }
+  }
+  return lines;
 }
 
 // Which clips are meant: by name, "#2", or 2.
@@ -245,7 +259,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
                  "name the clip that is wanted"};
   }
   const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.body);
-  NewClips brought{{}, donor->warnings};
+  NewClips brought{{}, warningsOf(*donor, *wanted, request.file.filename().string())};
   std::optional<Error> first;
   double done = 0.0;
   bool isStopped = false;

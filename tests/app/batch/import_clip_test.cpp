@@ -118,6 +118,28 @@ TEST_CASE("import-clip copies the keys of the same skeleton, under a name that i
   }
 }
 
+TEST_CASE("import-clip tells what it does not bring over of the clips that are wanted") {
+  const TemporaryFolder folder;
+  const test::MovingBiped moving = test::punchingBiped();
+  auto glb = test::characterFile(moving.scene, {moving.clip, moving.clip});
+  const Json pointer{{"pointer", "/nodes/0/extensions/KHR_node_visibility/visible"}};
+  glb.json["animations"][0]["channels"].push_back(
+      {{"sampler", 0},
+       {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}}}});
+  glb.json["extensionsUsed"] = {"KHR_animation_pointer"};
+  glb.write(folder / "hidden.glb");
+  const auto told = [&](const char* clip) {
+    const test::VerbAnswer answer =
+        import((folder / "out.glb").string(), (folder / "hidden.glb").string(), {"--clip", clip});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    return Json::parse(answer.output)["warnings"].dump();
+  };
+  CHECK_THAT(told("#0"), Catch::Contains("hidden.glb: animations[0].channels[") &&
+                             Catch::Contains("KHR_node_visibility/visible"));
+  CHECK_THAT(told("#1"), !Catch::Contains("KHR_node_visibility"));
+}
+
 TEST_CASE("import-clip says in one line what it cannot do, and writes nothing") {
   const TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
