@@ -153,6 +153,26 @@ void dropFalseIdentities(const Placer& placer, Binds& binds) {
   }
 }
 
+// Whether a skin binds all its joints alike, though they rest apart, as one without matrices does: its
+// vertices are told from each joint, and no pose is.
+bool tellsNoPose(const Placer& placer, const Binds& binds) {
+  constexpr double tolerance = 1e-6;
+  const auto first = std::ranges::find_if(binds, [](const auto& bind) { return bind.has_value(); });
+  if (first == binds.end()) {
+    return false;
+  }
+  const std::vector<Mat4> worlds = placer.worlds();
+  Bounds rest;
+  for (std::size_t node = 0; node < binds.size(); ++node) {
+    if (binds[node]) {
+      rest.add(positionOf(worlds[node]));
+    }
+  }
+  return rest.largestExtent() > 0.0 && std::ranges::all_of(binds, [&](const auto& bind) {
+           return !bind || isNearIdentity(glm::inverse(**first) * *bind, tolerance);
+         });
+}
+
 // The joint that a skin is placed by: one that stands already, else the topmost one with the most joints
 // below it.
 NodeIndex anchorOf(const Placer& placer, const Binds& binds) {
@@ -242,8 +262,7 @@ void dropIdentityInOtherUnits(const Placer& placer, Binds& binds) {
   }
 }
 
-Mat4 placeSkin(Placer& placer, const Skin& skin) {
-  Binds binds = modelBinds(placer.scene, skin);
+Mat4 placeSkin(Placer& placer, Binds binds) {
   dropFalseIdentities(placer, binds);
   dropIdentityInOtherUnits(placer, binds);
   const NodeIndex anchor = anchorOf(placer, binds);
@@ -275,8 +294,13 @@ BindPose placeBindPose(const Scene& scene) {
                            [&](std::size_t skin) { return scene.skins[skin].joints.size(); });
   BindPose pose;
   pose.placements.resize(scene.skins.size(), Mat4(1.0));
+  pose.areAtRest.resize(scene.skins.size(), false);
   for (const std::size_t skin : largestFirst) {
-    pose.placements[skin] = placeSkin(placer, scene.skins[skin]);
+    Binds binds = modelBinds(scene, scene.skins[skin]);
+    pose.areAtRest[skin] = tellsNoPose(placer, binds);
+    if (!pose.areAtRest[skin]) {
+      pose.placements[skin] = placeSkin(placer, std::move(binds));
+    }
   }
   pose.worlds = placer.worlds();
   return pose;

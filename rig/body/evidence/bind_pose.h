@@ -16,6 +16,7 @@ namespace body {
 struct BindPose {
   std::vector<Mat4> worlds;     ///< World matrix of every node in the bind pose.
   std::vector<Mat4> placements; ///< One for each skin: its bind-pose model space to world.
+  std::vector<bool> areAtRest;  ///< One for each skin: its matrices tell no bind pose.
 };
 
 /// The bind pose of every skin, placed in the world. The largest skin stands where its topmost joint stands
@@ -24,7 +25,7 @@ struct BindPose {
 /// at rest are in other units than the scene, and the skin is scaled to the scene's. Matrices that cannot be
 /// a bind pose (singular, not finite, or the identity under a parent whose matrix is not, or above joints
 /// that it alone puts in other units, as exporters write for joints that move nothing) are replaced by the
-/// rest transform.
+/// rest transform; so are those of a skin that are all alike while its joints rest apart, as without any.
 [[nodiscard]] BindPose placeBindPose(const Scene& scene);
 
 } // namespace body

@@ -33,12 +33,14 @@ Vec3 placeOf(const Scene& scene, const Node& holder, const Primitive& primitive,
                       vertex);
 }
 
-void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Scene& scene, const Node& holder,
-                const Primitive& primitive, const Mat4& placement) {
-  const Skin& skin = scene.skins[static_cast<std::size_t>(holder.skin)];
+void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Scene& scene, const BindPose& bindPose,
+                const Node& holder, const Primitive& primitive) {
+  const auto index = static_cast<std::size_t>(holder.skin);
   const std::size_t count = std::min(primitive.positions.size(), primitive.influences.size());
   for (std::size_t i = 0; i < count; ++i) {
-    addPoint(clouds, strongestJoint(primitive.influences[i], skin), placement,
+    const NodeIndex joint = strongestJoint(primitive.influences[i], scene.skins[index]);
+    const bool isAtRest = bindPose.areAtRest[index] && joint.exists();
+    addPoint(clouds, joint, isAtRest ? bindPose.worlds[at(joint)] : bindPose.placements[index],
              placeOf(scene, holder, primitive, i));
   }
 }
@@ -63,10 +65,9 @@ void addSkinnedMeshes(const Scene& scene, const BindPose& bindPose, std::vector<
     if (!isIndex(node.mesh, scene.meshes.size()) || !isIndex(node.skin, scene.skins.size())) {
       continue;
     }
-    const auto skin = static_cast<std::size_t>(node.skin);
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (!primitive.influences.empty()) {
-        addSkinned(clouds, scene, node, primitive, bindPose.placements[skin]);
+        addSkinned(clouds, scene, bindPose, node, primitive);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/anim/sampling.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "tests/support/nodes.h"
 
@@ -144,4 +145,19 @@ TEST_CASE("A helper with the identity stands as it rests below a joint that is b
   scene.skins[0].joints.push_back(tip);
   scene.skins[0].inverseBind.push_back(inverseAt(Vec3(0.5, 2.5, 2.5)));
   CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[at(tip)]), Vec3(0.5, 2.5, 2.5)) < 1e-9);
+}
+
+TEST_CASE(
+    "A skin that binds all its joints alike stands as they rest, and its vertices with the joint of each") {
+  Scene scene = column(1.0, 1.0);
+  for (Mat4& bind : scene.skins[0].inverseBind) {
+    bind = Mat4(1.0);
+  }
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  const body::BindPose pose = body::placeBindPose(scene);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(glm::distance(positionOf(pose.worlds[i]), positionOf(rest[i])) < 1e-9);
+  }
+  CHECK(pose.areAtRest.at(0));
+  CHECK_FALSE(body::placeBindPose(column(1.0, 1.0)).areAtRest.at(0));
 }
