@@ -30,8 +30,10 @@ bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& rea
   bool startsDown = true;
   for (const Limb& limb : reading.limbs) {
     if (limb.kind == LimbKind::leg) {
-      const NameEvidence name = readName(names[at(limb.joints.front())]);
-      const bool isUpperArm = name.role(Role::upperArm) >= 0.5;
+      const std::string& called = names[at(limb.joints.front())];
+      const NameEvidence name = readName(called);
+      // A front leg is what a biped's arm would be, and no arm.
+      const bool isUpperArm = name.role(Role::upperArm) >= 0.5 && !partWords(called).contains(PartWord::leg);
       const bool isArm = isUpperArm || name.role(Role::clavicle) >= 0.5;
       const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
       const Vec3 first = points[0] - points[1];
