@@ -102,13 +102,23 @@ double bendVote(const BodyView& view, const LimbGuess& limb, const Frame& frame)
   return std::clamp(10.0 * glm::dot(off, frame.forward) / limb.length, -1.0, 1.0);
 }
 
-// Eyes and jaws stand before the joint that carries them.
+// Whether a joint stands where the one that carries it does: which way it lies from there is noise.
+bool isOnCarrier(const BodyView& view, int joint) {
+  constexpr double near = 0.002; // of the body
+  const int carrier = view.parentOf(joint);
+  return carrier >= 0 && glm::distance(view.at(joint), view.at(carrier)) < near * view.size;
+}
+
+// Eyes and jaws stand before the joint that carries them, or the one that it stands on.
 double faceVote(const BodyView& view, const Frame& frame) {
   double sum = 0.0;
   int count = 0;
   for (int joint = 0; joint < view.count(); ++joint) {
-    const int carrier = view.parentOf(joint);
-    if (view.name(joint).face && carrier >= 0 && !view.name(carrier).face) {
+    int carrier = view.parentOf(joint);
+    while (carrier >= 0 && view.name(carrier).face && isOnCarrier(view, carrier)) {
+      carrier = view.parentOf(carrier);
+    }
+    if (view.name(joint).face && carrier >= 0 && !view.name(carrier).face && !isOnCarrier(view, joint)) {
       sum += std::clamp(2.0 * horizontalShare(view.at(joint) - view.at(carrier), frame), -1.0, 1.0);
       ++count;
     }

@@ -77,3 +77,14 @@ TEST_CASE("An insect's front legs are no arms of a person") {
   CHECK(read.plan == "insect");
   CHECK(read.planConfidence > 0.5);
 }
+
+TEST_CASE("A joint of the face in the head's own place does not tell where it points") {
+  SyntheticBiped body = namedPerson();
+  addCalled(body, "Face_Root", "head", jointOf(body, "head").position + Vec3(0.0, 0.0, -1e-6));
+  addCalledPairs(body, {{"Eye", "Face_Root", {0.03, 1.66, 0.1}}});
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  CHECK(!warnsOf(read, "point the other way"));
+  CHECK(findLimb(read, biped::leftArm)->confidence > 0.9);
+}
