@@ -12,21 +12,27 @@ namespace stretch::rig::body {
 
 namespace {
 
-constexpr int deepest = 6; // joints from base to middle and from middle to end, twist joints included
+constexpr int deepest = 6;         // joints from base to middle and from middle to end, twist joints included
+constexpr int deepestOfEqual = 18; // where most are of equal bones in line
 constexpr std::size_t mostBelow = 160;     // joints looked at below one joint
 constexpr std::size_t mostGuesses = 60000; // of one region: a file with more is no character
 constexpr int mostForDetached = 800;       // joints of a tree in which ends are looked for elsewhere
 constexpr double shortestBone = 0.02;      // of the body's size
 
 // Joints up to `deepest` levels below, nearest first; none below a foot that hangs elsewhere in the file.
-std::vector<int> descendants(const BodyView& view, int from) {
+// Below the first of many equal bones those in line count for none.
+std::vector<int> descendants(const BodyView& view, int from, bool isOfEqual) {
   std::vector<int> found{from};
-  const int lowest = view.depth[static_cast<std::size_t>(from)] + deepest;
+  std::vector<int> levels{0};
+  const int top = view.depth[static_cast<std::size_t>(from)];
   for (std::size_t i = 0; i < found.size() && found.size() < mostBelow; ++i) {
     const auto here = static_cast<std::size_t>(found[i]);
-    if (view.depth[here] < lowest && (i == 0 || !view.isDetached[here])) {
+    if (levels[i] < deepest && view.depth[here] - top < deepestOfEqual &&
+        (i == 0 || !view.isDetached[here])) {
       const auto& children = view.childrenOf(found[i]);
       found.insert(found.end(), children.begin(), children.end());
+      const bool goesOn = isOfEqual && children.size() == 1 && continuesEqualBone(view, found[i]);
+      levels.resize(found.size(), levels[i] + (goesOn ? 0 : 1));
     }
   }
   found.erase(found.begin());
@@ -82,15 +88,22 @@ private:
 
   // The second half of an upper arm or thigh: a joint below one of the same name but for its number, or an
   // upper arm in line with one. The limb starts at the first. A thigh in line with a hip is none: both words
-  // name it.
+  // name it. The hinges of a robot's hip are called alike: a bone between two of them is of the leg.
   [[nodiscard]] bool continuesBone(int joint) const {
     const int above = view_.parentOf(joint);
     const Role role = region_ == Region::arm ? Role::upperArm : Role::thigh;
     const auto word = [](const std::string& key) { return key.substr(0, key.find('#')); };
-    return above >= 0 && view_.movesMesh(above) && view_.name(joint).role(role) >= 0.8 &&
-           view_.name(above).role(role) >= 0.8 && view_.name(above).side == view_.name(joint).side &&
-           (word(view_.name(above).key) == word(view_.name(joint).key) ||
-            (region_ == Region::arm && goesStraightOn(above, joint)));
+    if (above < 0 || !view_.movesMesh(above) || view_.name(joint).role(role) < 0.8 ||
+        view_.name(above).role(role) < 0.8 || view_.name(above).side != view_.name(joint).side) {
+      return false;
+    }
+    constexpr double aside = 0.7; // cosine: a bone that leads to the leg is none of it
+    const Vec3 bone = view_.at(joint) - view_.at(above);
+    const bool isHinge = view_.name(above).role(role) == view_.name(joint).role(role) &&
+                         isBone(view_.at(above), view_.at(joint)) &&
+                         std::abs(glm::dot(bone, plane_.normal)) < aside * glm::length(bone);
+    return word(view_.name(above).key) == word(view_.name(joint).key) ||
+           (region_ == Region::arm ? goesStraightOn(above, joint) : isHinge);
   }
 
   [[nodiscard]] bool isBone(const Vec3& from, const Vec3& to) const {
@@ -110,11 +123,12 @@ private:
   }
 
   void guessFrom(int base) {
-    const std::vector<int> below = descendants(view_, base);
+    const bool isOfEqual = !continuesEqualBone(view_, base);
+    const std::vector<int> below = descendants(view_, base, isOfEqual);
     for (const int middle : below) {
       const bool isOwn = !view_.isDetached[static_cast<std::size_t>(middle)];
       if (isOwn && canBend(middle) && isBone(view_.at(base), view_.at(middle))) {
-        guessFrom(base, middle);
+        guessFrom(base, middle, isOfEqual);
       }
     }
     for (const int end : view_.childrenOf(base)) {
@@ -129,8 +143,8 @@ private:
     }
   }
 
-  void guessFrom(int base, int middle) {
-    const std::vector<int> below = descendants(view_, middle);
+  void guessFrom(int base, int middle, bool isOfEqual) {
+    const std::vector<int> below = descendants(view_, middle, isOfEqual);
     for (const int end : below) {
       if (isBone(view_.at(middle), view_.at(end))) {
         keep({.base = base,

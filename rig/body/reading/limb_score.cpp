@@ -54,6 +54,21 @@ double skippedFit(const BodyView& view, const std::vector<int>& path, const Limb
   return fit;
 }
 
+// What a joint above the base takes from it: one on its side that clearly is called by the base's role, where
+// the base is called so less, is the base of the limb.
+double missedBase(const BodyView& view, const LimbGuess& guess, Role role) {
+  constexpr double clear = 0.9;
+  const NameEvidence& base = view.name(guess.base);
+  for (int above = view.parentOf(guess.base); above >= 0 && view.name(above).side == base.side;
+       above = view.parentOf(above)) {
+    const NameEvidence& name = view.name(above);
+    if (name.role(role) >= std::max(clear, base.role(role) + 0.1) && !name.twist) {
+      return 0.8;
+    }
+  }
+  return 0.0;
+}
+
 // Joints skipped cost little where they share the bone (twist and split joints lie on its line) and much
 // where they bend.
 double skipPenalty(const BodyView& view, const std::vector<int>& path) {
@@ -70,7 +85,7 @@ double skipPenalty(const BodyView& view, const std::vector<int>& path) {
     const double off = glm::length(there - along * bone) / length;
     const double outside = std::max({0.0, -along, along - 1.0});
     // Where one joint shares a bone, more may.
-    const double shared = i > 1 ? 0.04 : 0.12;
+    const double shared = i > 3 ? 0.01 : i > 1 ? 0.04 : 0.12;
     penalty += (view.name(path[i]).twist ? 0.02 : shared) +
                std::min(1.2, 8.0 * std::max(0.0, off - 0.01) + 2.0 * outside);
   }
@@ -88,6 +103,13 @@ double remainderPenalty(const BodyView& view, const LimbGuess& guess, Region reg
   const double most = region == Region::arm ? 0.4 : 0.5;
   const double outside = std::max(least - fraction, fraction - most);
   return outside > 0.0 ? std::min(0.6, 0.15 + 2.0 * outside) : 0.0;
+}
+
+// What it costs to begin after the first of many equal bones, as of a limb of rubber.
+double skippedEqual(const BodyView& view, const MirrorPlane& plane, int base, double least) {
+  const int above = view.parentOf(base);
+  const bool isOff = above >= 0 && std::abs(plane.lateral(view.at(above))) > least;
+  return isOff && continuesEqualBone(view, base) ? 0.4 : 0.0;
 }
 
 // Of a leg: what lies off the middle before its base. It begins where it leaves the pelvis, however its knee
@@ -135,14 +157,16 @@ double basePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGue
   double penalty = isInMiddle ? 1.2 : lateral < least ? 0.45 : 0.0;
   const int before = view.parentOf(guess.base);
   if (region == Region::leg && guess.middle >= 0) {
-    return penalty + bonesBeforeLeg(view, plane, guess, least);
+    return penalty + bonesBeforeLeg(view, plane, guess, least) + skippedEqual(view, plane, guess.base, least);
   }
   if (before >= 0 && guess.middle >= 0) {
     const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
     const Vec3 earlier = view.at(guess.base) - view.at(before);
     const bool offPlane = std::abs(plane.lateral(view.at(before))) > least;
     const bool sameLine = angleBetween(upper, earlier) < pi / 3.0;
-    penalty += offPlane && sameLine && glm::length(earlier) > 0.5 * glm::length(upper) ? 0.5 : 0.0;
+    penalty += offPlane && sameLine && glm::length(earlier) > 0.5 * glm::length(upper)
+                   ? 0.5
+                   : skippedEqual(view, plane, guess.base, least);
   }
   return penalty;
 }
@@ -206,11 +230,30 @@ double nameFit(const BodyView& view, const LimbGuess& guess, Region region) {
     fit += isHelperOfEnd(view, guess) ? -0.3 : jointFit(view.name(guess.end), roles.end);
     fit += skippedFit(view, view.path(guess.middle, guess.end), roles);
   }
+  fit -= missedBase(view, guess, roles.base);
   const int before = view.parentOf(guess.base);
   if (before >= 0 && region == Region::arm) {
     fit += 0.3 * view.name(before).role(Role::clavicle);
   }
   return fit;
+}
+
+bool continuesEqualBone(const BodyView& view, int joint) {
+  constexpr double inLine = 0.98; // cosine
+  constexpr double alike = 0.7;   // of the longer one
+  const int above = view.parentOf(joint);
+  if (above < 0 || withoutNumber(view.name(above).key) != withoutNumber(view.name(joint).key) ||
+      view.name(above).side != view.name(joint).side) {
+    return false;
+  }
+  const Vec3 bone = view.at(joint) - view.at(above);
+  const double length = glm::length(bone);
+  return std::ranges::any_of(view.childrenOf(joint), [&](int child) {
+    const Vec3 next = view.at(child) - view.at(joint);
+    const double other = glm::length(next);
+    return std::min(length, other) >= alike * std::max(length, other) &&
+           glm::dot(bone, next) > inLine * length * other;
+  });
 }
 
 double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {

@@ -61,6 +61,65 @@ SyntheticBiped namedPerson() {
 
 } // namespace
 
+TEST_CASE("Limbs of many equal bones begin at the first") {
+  const int bones = GENERATE(3, 5, 7, 10, 16);
+  CAPTURE(bones);
+  SyntheticBiped body = namedPerson();
+  drop(body, {"upperArm", "foreArm", "thigh", "shin", "toe"});
+  for (const auto& [side, sign] : sides) {
+    std::string arm = "clavicle" + side;
+    std::string leg = "hips";
+    for (int i = 0; i < bones; ++i) {
+      const double share = static_cast<double>(i) / bones;
+      addCalled(body, "arm" + std::to_string(i) + side, arm, {sign * (0.18 + 0.52 * share), 1.43, -0.02});
+      addCalled(body, "leg" + std::to_string(i) + side, leg, {sign * 0.1, 0.92 - 0.83 * share, 0.0});
+      arm = "arm" + std::to_string(i) + side;
+      leg = "leg" + std::to_string(i) + side;
+    }
+    jointOf(body, "hand" + side).parent = arm;
+    jointOf(body, "foot" + side).parent = leg;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  for (const LimbPlace& place : {biped::leftArm, biped::rightArm}) {
+    CHECK(describe(built, read, place).starts_with("arm0"));
+  }
+  for (const LimbPlace& place : {biped::leftLeg, biped::rightLeg}) {
+    CHECK(describe(built, read, place).starts_with("leg0"));
+  }
+}
+
+TEST_CASE("A leg of an upper, a middle and a lower bone begins at the upper one") {
+  SyntheticBiped body = namedPerson();
+  drop(body, {"thigh", "shin"});
+  addCalledPairs(body, {{"Leg_Upper", "hips", {0.19, 0.92, 0.0}},
+                        {"Leg_Mid", "Leg_Upper%", {0.24, 0.68, 0.24}},
+                        {"Leg_Lower", "Leg_Mid%", {0.24, 0.34, -0.22}}});
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "foot" + side).parent = "Leg_Lower" + side;
+    jointOf(body, "foot" + side).position = {sign * 0.24, 0.06, 0.02};
+    jointOf(body, "toe" + side).position = {sign * 0.24, 0.02, 0.19};
+  }
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), biped::leftLeg).starts_with("Leg_Upper.l "));
+}
+
+TEST_CASE("Of the hinges of a robot's hip the leg begins at the first with a bone that goes down") {
+  SyntheticBiped body = namedPerson();
+  drop(body, {"thigh"});
+  const bool isAside = GENERATE(false, true);
+  addCalledPairs(body, {{"hip_pitch", "hips", {isAside ? 0.04 : 0.1, 0.93, 0.0}},
+                        {"hip_roll", "hip_pitch%", {0.1, 0.92, 0.0}},
+                        {"hip_yaw", "hip_roll%", {0.1, 0.8, 0.0}}});
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "shin" + side).parent = "hip_yaw" + side;
+  }
+  const BuiltBiped built = build(body);
+  const std::string leg = describe(built, detectBody(built.scene), biped::leftLeg);
+  CAPTURE(leg);
+  CHECK((leg.starts_with("hip_roll.l ") || (!isAside && leg.starts_with("hip_pitch.l "))));
+}
+
 TEST_CASE("An insect's front legs are no arms of a person") {
   SyntheticBiped body = makeManyLegged(3);
   nameByKeys(body);
