@@ -38,19 +38,33 @@ double lengthOf(const BodyView& view, const std::vector<int>& row) {
   return length;
 }
 
-// From a joint on to what reaches farthest.
-std::vector<int> rowFrom(const BodyView& view, int joint) {
+// Whether a joint is one of two that stand on either side of what carries them, as the flukes of a fin do.
+bool isOfPair(const BodyView& view, const MirrorPlane& plane, int joint) {
+  constexpr double aside = 0.01; // of the body
+  const Vec3 image = plane.mirrored(view.at(joint));
+  return std::abs(plane.lateral(view.at(joint))) > aside * view.size &&
+         std::ranges::any_of(view.childrenOf(view.parentOf(joint)), [&](int other) {
+           return glm::distance(view.at(other), image) < aside * view.size;
+         });
+}
+
+// From a joint on to what reaches farthest, and to where it parts in two.
+std::vector<int> rowFrom(const BodyView& view, const MirrorPlane& plane, int joint) {
   std::vector<int> row{joint};
   while (!view.childrenOf(row.back()).empty()) {
-    row.push_back(*std::ranges::max_element(view.childrenOf(row.back()), {}, [&](int child) {
+    const int next = *std::ranges::max_element(view.childrenOf(row.back()), {}, [&](int child) {
       return glm::distance(view.at(child), view.at(row.back())) + view.reach[static_cast<std::size_t>(child)];
-    }));
+    });
+    if (isOfPair(view, plane, next)) {
+      break;
+    }
+    row.push_back(next);
   }
   return row;
 }
 
-// Goes back and stays in the middle, one joint after the other.
-bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides,
+// Goes back and stays in the middle, one joint after the other. A body without legs may coil on its tail.
+bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides, bool hasLegs,
               const std::vector<int>& row) {
   constexpr double aside = 0.01;    // of the body
   constexpr double shortest = 0.2;  // of the body
@@ -60,7 +74,7 @@ bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides
   return row.size() > 3 && lengthOf(view, row) > shortest * view.size &&
          glm::dot(way, back) > leastBack * glm::length(way) && std::ranges::all_of(row, [&](int joint) {
            return view.childrenOf(joint).size() < 2 &&
-                  std::abs(plane.lateral(view.at(joint))) < aside * view.size;
+                  (!hasLegs || std::abs(plane.lateral(view.at(joint))) < aside * view.size);
          });
 }
 
@@ -84,6 +98,7 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
   for (int joint = trunk.hips; joint >= 0; joint = view.parentOf(joint)) {
     carriers.insert(joint);
   }
+  const bool hasLegs = std::ranges::any_of(limbs, isLeg);
   std::vector<int> named;
   std::vector<std::vector<int>> shaped;
   for (int joint = 0; joint < view.count(); ++joint) {
@@ -92,7 +107,7 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
         std::ranges::any_of(taken, carries) || std::abs(plane.lateral(view.at(joint))) > aside * view.size) {
       continue;
     }
-    const std::vector<int> row = rowFrom(view, joint);
+    const std::vector<int> row = rowFrom(view, plane, joint);
     if (row.size() < 2 || std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(view, one)); })) {
       continue;
     }
@@ -100,7 +115,7 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
         lengthOf(view, row) > std::max(shortest * view.size, lengthOf(view, named))) {
       named = row;
     }
-    if (hasShape(view, plane, sides, row)) {
+    if (hasShape(view, plane, sides, hasLegs, row)) {
       shaped.push_back(row);
     }
   }

@@ -120,6 +120,28 @@ TEST_CASE("Of the hinges of a robot's hip the leg begins at the first with a bon
   CHECK((leg.starts_with("hip_roll.l ") || (!isAside && leg.starts_with("hip_pitch.l "))));
 }
 
+TEST_CASE("A tail ends where it parts in two, and that of a body without legs may coil") {
+  SyntheticBiped body = namedPerson();
+  SECTION("in two") {
+    addCalled(body, "Tail0", "hips", {0.0, 0.9, -0.1});
+    addCalled(body, "Tail1", "Tail0", {0.0, 0.7, -0.3});
+    addCalled(body, "Tail2", "Tail1", {0.0, 0.5, -0.5});
+    addCalledPairs(body, {{"Spade", "Tail2", {0.1, 0.45, -0.6}}});
+    const BuiltBiped built = build(body);
+    CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) == "Tail0 Tail1 -> Tail2");
+  }
+  SECTION("coiled") {
+    drop(body, {"thigh", "shin", "foot", "toe"});
+    addCalled(body, "coil0", "hips", {0.0, 0.6, -0.05});
+    for (int i = 1; i < 7; ++i) {
+      addCalled(body, "coil" + std::to_string(i), "coil" + std::to_string(i - 1),
+                {i % 2 == 0 ? 0.1 : -0.1, 0.1, -0.25 * i});
+    }
+    const BuiltBiped built = build(body);
+    CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}).starts_with("coil0 coil1 "));
+  }
+}
+
 TEST_CASE("An insect's front legs are no arms of a person") {
   SyntheticBiped body = makeManyLegged(3);
   nameByKeys(body);
