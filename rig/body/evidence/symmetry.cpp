@@ -235,15 +235,23 @@ double offsetAlong(const std::vector<Pair>& pairs, const BodyView& view, const V
 struct Images {
   double outside = 0.0;
   double share = 0.0;
+  bool isHeadOff = false; // a joint that is called head or neck stands beside the plane
 };
 
+bool isCalledHead(const NameEvidence& name) {
+  constexpr double clear = 0.8;
+  return name.side == Side::none && std::max(name.role(Role::head), name.role(Role::neck)) >= clear;
+}
+
 Images imagesIn(const BodyView& view, const MirrorPlane& plane) {
-  constexpr double off = 0.02;  // of the body
-  constexpr double near = 0.03; // of the body
-  constexpr int most = 400;     // joints that are looked at
+  constexpr double off = 0.02;   // of the body
+  constexpr double near = 0.03;  // of the body
+  constexpr double beside = 0.1; // of the body
+  constexpr int most = 400;      // joints that are looked at
   const int step = 1 + view.count() / most;
   double outside = 0.0;
   double met = 0.0;
+  bool isHeadOff = false;
   for (int joint = 0; joint < view.count(); joint += step) {
     const int parent = view.parentOf(joint);
     if (parent < 0 || std::abs(plane.lateral(view.at(joint))) < off * view.size) {
@@ -255,8 +263,21 @@ Images imagesIn(const BodyView& view, const MirrorPlane& plane) {
         view.position, [&](const Vec3& other) { return glm::distance(other, image) < near * view.size; });
     outside += bone;
     met += isMet ? bone : 0.0;
+    isHeadOff = isHeadOff || (isCalledHead(view.name(joint)) &&
+                              std::abs(plane.lateral(view.at(joint))) > beside * view.size);
   }
-  return {outside, outside > 0.0 ? met / outside : 0.0};
+  return {outside, outside > 0.0 ? met / outside : 0.0, isHeadOff};
+}
+
+// A limb at rest out of symmetry tilts a mean by a few degrees; characters are made along the axes.
+Vec3 straightened(const Vec3& axis) {
+  constexpr double nearAxis = 0.99;
+  for (const Vec3& world : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    if (std::abs(glm::dot(axis, world)) > nearAxis) {
+      return glm::dot(axis, world) > 0.0 ? world : -world;
+    }
+  }
+  return axis;
 }
 
 Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
@@ -291,11 +312,13 @@ Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
   Vec3 chosen = best;
   for (const auto& [here, direction] : others) {
     const bool isOther = std::abs(glm::dot(direction, best)) < 0.9;
-    const Images images = isOther && here > least * bestSupport
+    // Where the head is beside the plane, any other direction may be across the body.
+    const Images images = isOther && (ofBest.isHeadOff || here > least * bestSupport)
                               ? imagesIn(view, {direction, offsetAlong(pairs, view, direction)})
                               : Images{};
     const bool isWhole = images.share > whole && images.outside > asMuch * ofBest.outside && !isNamed;
-    const double ahead = images.share - ofBest.share - (isWhole ? slightly : clearly);
+    const bool hasHead = ofBest.isHeadOff && !images.isHeadOff;
+    const double ahead = images.share - ofBest.share - (hasHead ? 0.0 : isWhole ? slightly : clearly);
     if (ahead > mostAhead) {
       mostAhead = ahead;
       chosen = direction;
@@ -310,14 +333,7 @@ Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {
     }
   }
   const Vec3 axis = glm::length(mean) > 0.0 ? glm::normalize(mean) : best;
-  // A limb at rest out of symmetry tilts the mean by a few degrees; characters are made along the axes.
-  constexpr double nearAxis = 0.99;
-  for (const Vec3& world : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
-    if (std::abs(glm::dot(axis, world)) > nearAxis) {
-      return glm::dot(axis, world) > 0.0 ? world : -world;
-    }
-  }
-  return axis;
+  return straightened(axis);
 }
 
 // A body without pairs, as a snake's, lies along its plane.

@@ -120,6 +120,35 @@ TEST_CASE("Of the hinges of a robot's hip the leg begins at the first with a bon
   CHECK((leg.starts_with("hip_roll.l ") || (!isAside && leg.starts_with("hip_pitch.l "))));
 }
 
+TEST_CASE("A beast whose quarters hang from one joint is mirrored across its named head, however it faces") {
+  const double degrees = GENERATE(0.0, 37.0, 90.0, -90.0);
+  CAPTURE(degrees);
+  SyntheticBiped body;
+  for (const auto& [key, parent, place] : std::vector<NamedJoint>{{"Body", "", {0.0, 0.9, 0.0}},
+                                                                  {"Chest", "Body", {0.0, 0.9, 0.35}},
+                                                                  {"Neck", "Chest", {0.0, 1.0, 0.55}},
+                                                                  {"Head", "Neck", {0.0, 1.2, 0.8}},
+                                                                  {"Hip", "Body", {0.0, 0.9, -0.35}},
+                                                                  {"Tail1", "Hip", {0.0, 0.9, -0.5}},
+                                                                  {"Tail2", "Tail1", {0.0, 0.75, -0.65}}}) {
+    addCalled(body, key, parent, place);
+  }
+  for (const auto& [end, parent, z] : {std::tuple("F", "Chest", 0.35), {"B", "Hip", -0.35}}) {
+    for (const auto& [side, sign] : sides) {
+      const std::string stem = std::string(end) + (sign > 0.0 ? "L" : "R") + "_leg";
+      addCalled(body, stem + "1", parent, {sign * 0.2, 0.8, z});
+      addCalled(body, stem + "2", stem + "1", {sign * 0.2, 0.4, z});
+      addCalled(body, stem + "3", stem + "2", {sign * 0.2, 0.03, z});
+    }
+  }
+  body.turn = axisAngle(Vec3(0.0, 1.0, 0.0), degrees * pi / 180.0);
+  body.tubes = true;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}).starts_with("FL_leg1 "));
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 2}).starts_with("BR_leg1 "));
+}
+
 TEST_CASE("A tail ends where it parts in two, and that of a body without legs may coil") {
   SyntheticBiped body = namedPerson();
   SECTION("in two") {
