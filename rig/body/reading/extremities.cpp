@@ -440,7 +440,9 @@ private:
 
   // Of the joints on no side, and of the rows without a counterpart.
   [[nodiscard]] std::vector<Extremity> middleRows() const {
-    const auto isMiddle = [&](int joint) { return !isSided(joint) || !carriesPaired(joint); };
+    const auto isMiddle = [&](int joint) {
+      return !isSided(joint) || (!carriesPaired(joint) && !hasCounterpart(joint));
+    };
     std::vector<Extremity> rows;
     for (int joint = 0; joint < view_.count() && rows.size() < 200; ++joint) {
       const auto& children = view_.childrenOf(joint);
@@ -458,6 +460,22 @@ private:
       rows.push_back(std::move(row));
     }
     return rows;
+  }
+
+  // Whether the joint is called as one that stands at its image on the other side is, as an eye without
+  // length.
+  [[nodiscard]] bool hasCounterpart(int joint) const {
+    constexpr double near = 0.05; // of the body
+    const NameEvidence& name = view_.name(joint);
+    const Vec3 image = plane_.mirrored(view_.at(joint));
+    for (int other = 0; other < view_.count() && name.side != Side::none; ++other) {
+      const NameEvidence& ofOther = view_.name(other);
+      if (ofOther.side != Side::none && ofOther.side != name.side && ofOther.key == name.key &&
+          glm::distance(view_.at(other), image) < near * view_.size) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // Whether the joint belongs to a row with a counterpart, or hangs above or below it on its side.

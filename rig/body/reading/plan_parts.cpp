@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/body/reading/hind_part.h"
+#include "rig/body/reading/stance.h"
 
 namespace stretch::rig::body {
 
@@ -83,6 +84,7 @@ private:
         ornaments_.push_back(&pair);
       }
     }
+    dropStrayLegs(parts_.pairs);
     dropFlatLegs();
     dropShortLegs();
     dropTrunkPieces();
@@ -325,12 +327,31 @@ private:
       });
       parts_.axis.forward = forward;
     }
-    if (head != rows.end()) {
+    if (head != rows.end() && legs().size() > 2 && head->word(PartWord::tail) > 0.0 &&
+        head->word(PartWord::head) <= 0.0) {
+      takeAwayFromTail(*head);
+    } else if (head != rows.end()) {
       parts_.axis.row = head->path;
       parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
       parts_.axis.head = headOf(*head);
       parts_.axis.frontIsTold = parts_.axis.headIsNamed || isFrontTold(*head);
     }
+  }
+
+  // Of a body on many legs whose only row in the middle is its abdomen: the head is what carries that.
+  void takeAwayFromTail(const Extremity& row) {
+    Axis& axis = parts_.axis;
+    const auto isOfTail = [&](int joint) {
+      return partWords(view_.called[index(joint)]).contains(PartWord::tail);
+    };
+    axis.row.assign(row.path.begin(), std::ranges::find_if(row.path, isOfTail));
+    if (axis.row.empty()) {
+      axis.row = {row.path.front()};
+    }
+    axis.head = axis.row.back();
+    const Vec3 ahead = levelInPlane();
+    axis.forward = glm::dot(row.points.back() - middleOfLegs(), ahead) > 0.0 ? -ahead : ahead;
+    isTurnedFromTail_ = true;
   }
 
   // Whether the joints ahead, left and right by their names or the shape tell which end of a body on legs is
@@ -449,7 +470,7 @@ private:
       parts_.axis.forward = named < 0.0 ? -forward : forward;
       return;
     }
-    if (isUntold(parts_.axis.headIsNamed)) {
+    if (isTurnedFromTail_ || isUntold(parts_.axis.headIsNamed)) {
       return; // found with the head
     }
     const int head = parts_.axis.head;
@@ -555,6 +576,7 @@ private:
   std::optional<int> legPairs_;
   PlanParts parts_;
   std::vector<const ExtremityPair*> ornaments_;
+  bool isTurnedFromTail_ = false;
 };
 
 } // namespace

@@ -12,6 +12,7 @@
 #include "rig/body/reading/limb_end.h"
 #include "rig/body/reading/long_row.h"
 #include "rig/body/reading/plan_parts.h"
+#include "rig/body/reading/stance.h"
 
 namespace stretch::rig::body {
 
@@ -46,13 +47,24 @@ public:
     if (!hasLegs || !isItsTrunk(plan)) {
       return std::nullopt;
     }
+    bool hasOthers = false;
     for (const Placed& placed : places(plan)) {
       if (plannedLimb(plan, placed.place) == nullptr) {
-        return std::nullopt;
+        if (!isBesideNamedLegs(view_, parts_, *placed.pair)) {
+          return std::nullopt;
+        }
+        hasOthers = true;
       }
     }
     PlanReading reading = as(plan);
-    const bool hasTrunk = std::ranges::any_of(reading.limbs, isTrunk);
+    if (hasOthers) {
+      reading.warnings.emplace_back(
+          "a pair of rows of joints is none of its limbs by name: choose a chain of "
+          "joints if it is one");
+    }
+    // What stands on many legs that are called so may be one joint with all of them around it.
+    const bool hasTrunk =
+        std::ranges::any_of(reading.limbs, isTrunk) || (plan.legs > 4 && areLegsNamed(parts_.pairs));
     return hasTrunk ? std::optional(std::move(reading)) : std::nullopt;
   }
 

@@ -1,7 +1,9 @@
 #include "rig/body/reading/stance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -138,10 +140,41 @@ private:
   double top_ = std::numeric_limits<double>::lowest();
 };
 
+bool isCalled(const KindredPair& pair, std::initializer_list<PartWord> words) {
+  return std::ranges::any_of(words, [&](PartWord word) { return pair.pair.word(word) > 0.0; });
+}
+
 } // namespace
 
 int standingLegs(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
   return Stance(view, plane, reading).legs();
+}
+
+bool areLegsNamed(const std::vector<KindredPair>& pairs) {
+  return std::ranges::all_of(
+      pairs, [](const KindredPair& one) { return !one.stands || isCalled(one, {PartWord::leg}); });
+}
+
+void dropStrayLegs(std::vector<KindredPair>& pairs) {
+  const auto named = std::ranges::count_if(
+      pairs, [](const KindredPair& one) { return one.stands && isCalled(one, {PartWord::leg}); });
+  for (KindredPair& one : pairs) {
+    if (named >= 2 && one.kind == LimbKind::leg && one.stands &&
+        !isCalled(one, {PartWord::leg, PartWord::arm, PartWord::claw, PartWord::front, PartWord::back})) {
+      one.kind = LimbKind::chain;
+      one.stands = false;
+    }
+  }
+}
+
+bool isBesideNamedLegs(const BodyView& view, const PlanParts& parts, const KindredPair& pair) {
+  constexpr double some = 0.5;
+  const bool isArm = std::ranges::any_of(pair.pair.positive.path, [&](int joint) {
+    return std::ranges::any_of(std::array{Role::clavicle, Role::upperArm, Role::foreArm, Role::wrist},
+                               [&](Role role) { return view.name(joint).role(role) >= some; });
+  });
+  return parts.axis.headIsNamed && parts.standingLegs() >= 4 && areLegsNamed(parts.pairs) && !isArm &&
+         !isCalled(pair, {PartWord::leg, PartWord::arm, PartWord::wing, PartWord::feeler, PartWord::claw});
 }
 
 } // namespace stretch::rig::body

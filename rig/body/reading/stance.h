@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "rig/body/reading/biped_reading.h"
+#include "rig/body/reading/plan_parts.h"
 
 namespace stretch::rig::body {
 
@@ -9,5 +12,16 @@ namespace stretch::rig::body {
 /// they reach, nor is what hangs beside its legs (coat tails). 0 where
 /// nothing reaches the ground.
 [[nodiscard]] int standingLegs(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading);
+
+/// Whether names call every pair that stands legs.
+[[nodiscard]] bool areLegsNamed(const std::vector<KindredPair>& pairs);
+
+/// Makes no legs of what stands beside two pairs or more that are called so, and is called no limb: a
+/// blanket.
+void dropStrayLegs(std::vector<KindredPair>& pairs);
+
+/// Whether a pair is none of the limbs of a beast whose head and four legs or more are called so: what it
+/// draws or wears, and no name calls a limb.
+[[nodiscard]] bool isBesideNamedLegs(const BodyView& view, const PlanParts& parts, const KindredPair& pair);
 
 } // namespace stretch::rig::body

@@ -61,6 +61,24 @@ SyntheticBiped namedPerson() {
 
 } // namespace
 
+TEST_CASE("What hangs beside the named legs of a named beast makes no insect of it") {
+  for (const double lowest : {0.05, 0.3, 0.55}) {
+    CAPTURE(lowest);
+    SyntheticBiped body = makeHorse();
+    nameByKeys(body);
+    addCalledPairs(body, {{"barding0", "spine0", {0.3, 1.25, -0.2}},
+                          {"barding1", "barding0%", {0.36, 0.9, -0.2}},
+                          {"barding2", "barding1%", {0.36, lowest, -0.2}}});
+    const BuiltBiped built = build(body);
+    const Body read = detectBody(built.scene);
+    CHECK(read.plan == "quadruped");
+    CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) ==
+          "scapula.l forearmLeg.l frontKnee.l frontPastern.l -> frontHoof.l");
+    CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 2}) ==
+          "thigh.l calf.l hock.l pastern.l -> hoof.l");
+  }
+}
+
 TEST_CASE("Limbs of many equal bones begin at the first") {
   const int bones = GENERATE(3, 5, 7, 10, 16);
   CAPTURE(bones);
@@ -169,6 +187,31 @@ TEST_CASE("A tail ends where it parts in two, and that of a body without legs ma
     const BuiltBiped built = build(body);
     CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}).starts_with("coil0 coil1 "));
   }
+}
+
+TEST_CASE("A body of many named legs about one joint has its abdomen behind, and no eye for a head") {
+  SyntheticBiped body = makeManyLegged(4);
+  drop(body, {"thorax", "head", "tail", "antenna"});
+  for (SyntheticJoint& joint : body.joints) {
+    joint.parent = joint.parent == "thorax" ? "body" : joint.parent;
+  }
+  nameByKeys(body);
+  const bool isSpider = GENERATE(true, false);
+  if (isSpider) {
+    addCalled(body, "Abdomen0", "body", {0.0, 0.4, -0.5});
+    addCalled(body, "Abdomen1", "Abdomen0", {0.0, 0.45, -0.9});
+    addCalledPairs(body,
+                   {{"Pedipalp0", "body", {0.08, 0.4, 0.3}}, {"Pedipalp1", "Pedipalp0%", {0.1, 0.3, 0.6}}});
+  } else {
+    addCalledPairs(body, {{"Eye", "body", {0.08, 0.5, 0.3}}});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "spider");
+  if (isSpider) {
+    CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) == "femur0.l tibia0.l -> tarsus0.l");
+  }
+  CHECK(findLimb(read, biped::spine) == nullptr);
 }
 
 TEST_CASE("An insect's front legs are no arms of a person") {
