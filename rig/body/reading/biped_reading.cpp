@@ -194,6 +194,52 @@ struct Combination {
   double relation = 0.0;
 };
 
+// Whether of two pairs that are named alike the second is the first of the body: called without a number
+// where the other has one, else farther from the legs.
+bool isBefore(const BodyView& view, const Combination& one, const Combination& than) {
+  const auto hasNumber = [&](const LimbPair& pair) {
+    const std::vector<const LimbGuess*> limbs = limbsOf(pair);
+    return std::ranges::all_of(limbs, [&](const LimbGuess* limb) {
+      return view.name(limb->base).key.find('#') != std::string::npos;
+    });
+  };
+  if (hasNumber(*one.arms) != hasNumber(*than.arms)) {
+    return !hasNumber(*one.arms);
+  }
+  const auto fromLegs = [&](const Combination& of) {
+    return of.legs == nullptr ? 0.0 : glm::distance(meanBase(view, *of.arms), meanBase(view, *of.legs));
+  };
+  return fromLegs(one) > fromLegs(than);
+}
+
+// Arms beside those of the likeliest combination: named as well, with hardly a lower score, and not in the
+// same place, as the sleeves of a coat are. Null where there are none.
+const Combination* otherArms(const BodyView& view, const std::vector<Combination>& all,
+                             const Combination& best) {
+  constexpr double nearly = 1.3;
+  constexpr double asWell = 0.3; // of the names' fit
+  constexpr double apart = 0.1;  // of an arm
+  const auto fit = [](const LimbPair& pair) {
+    double sum = 0.0;
+    for (const LimbGuess* limb : limbsOf(pair)) {
+      sum += limb->nameFit;
+    }
+    return sum;
+  };
+  const Combination* found = nullptr;
+  for (const Combination& one : all) {
+    if (one.arms != nullptr && one.legs == best.legs && limbsOf(*one.arms).size() == 2 &&
+        isNamed(*one.arms) && one.score > best.score - nearly && fit(*one.arms) > fit(*best.arms) - asWell &&
+        !overlap(view, *one.arms, *best.arms) &&
+        glm::distance(meanBase(view, *one.arms), meanBase(view, *best.arms)) >
+            apart * meanLength(*best.arms) &&
+        (found == nullptr || one.score > found->score)) {
+      found = &one;
+    }
+  }
+  return found;
+}
+
 // The best score of those that have other arms, or other legs, than a pair: none of their joints. Nothing
 // where there are no others.
 std::optional<double> bestOfOthers(const BodyView& view, const std::vector<Combination>& all,
@@ -235,6 +281,14 @@ Vec3 meanEnd(const LimbPair& pair) {
   return sum / std::max(1.0, static_cast<double>(limbs.size()));
 }
 
+int meetingJoint(const BodyView& view, const LimbPair& pair) {
+  if (pair.negative && pair.positive) {
+    return view.commonAncestor(pair.negative->base, pair.positive->base);
+  }
+  const LimbGuess& limb = pair.negative ? *pair.negative : *pair.positive;
+  return view.parentOf(limb.base);
+}
+
 // Whether arms alone make a body: one that no name calls so is any row of joints.
 bool isBody(const LimbPair& arms) {
   const std::vector<const LimbGuess*> limbs = limbsOf(arms);
@@ -262,24 +316,31 @@ BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
       }
     }
   }
-  const auto most = std::ranges::max_element(all, {}, &Combination::score);
-  if (most == all.end() || most->score <= 2.0 * missingPair) {
+  const auto likeliest = std::ranges::max_element(all, {}, &Combination::score);
+  const Combination* most = likeliest == all.end() ? nullptr : &*likeliest;
+  if (most == nullptr || most->score <= 2.0 * missingPair) {
     BipedReading nothing;
     nothing.score = 2.0 * missingPair;
     return nothing;
   }
   BipedReading best;
+  const Combination* const others =
+      most->arms != nullptr && isNamed(*most->arms) && limbsOf(*most->arms).size() == 2
+          ? otherArms(view, all, *most)
+          : nullptr;
+  best.hasOtherArms = others != nullptr;
+  most = others != nullptr && isBefore(view, *others, *most) ? others : most;
   best.score = most->score;
   best.relation = most->relation;
   if (most->arms != nullptr) {
     best.arms = *most->arms;
-    const auto others = bestOfOthers(view, all, *most->arms, &Combination::arms);
-    best.armsAhead = others ? most->score - *others : best.armsAhead;
+    const auto next = bestOfOthers(view, all, *most->arms, &Combination::arms);
+    best.armsAhead = next ? most->score - *next : best.armsAhead;
   }
   if (most->legs != nullptr) {
     best.legs = *most->legs;
-    const auto others = bestOfOthers(view, all, *most->legs, &Combination::legs);
-    best.legsAhead = others ? most->score - *others : best.legsAhead;
+    const auto next = bestOfOthers(view, all, *most->legs, &Combination::legs);
+    best.legsAhead = next ? most->score - *next : best.legsAhead;
   }
   return best;
 }

@@ -20,9 +20,10 @@ struct BipedReading {
   std::optional<LimbPair> arms;
   std::optional<LimbPair> legs;
   double score = 0.0;
-  double relation = 0.0;  ///< How well arms and legs sit on one trunk, -2..2; 0 where one pair is missing.
-  double armsAhead = 1e9; ///< By how much the score is better than with other rows of joints as arms.
-  double legsAhead = 1e9; ///< Likewise as legs.
+  double relation = 0.0;     ///< How well arms and legs sit on one trunk, -2..2; 0 where one pair is missing.
+  double armsAhead = 1e9;    ///< By how much the score is better than with other rows of joints as arms.
+  double legsAhead = 1e9;    ///< Likewise as legs.
+  bool hasOtherArms = false; ///< Another pair of arms is named as well.
 };
 
 /// The best reading of arms and legs together: each by itself, the two of a pair by symmetry, arms and legs
@@ -31,6 +32,9 @@ struct BipedReading {
 
 /// Whether names say of the better named one of a pair that it is what it is read as.
 [[nodiscard]] bool isNamed(const LimbPair& pair);
+
+/// The joint that both limbs of a pair hang from; that which carries the only one; -1: none.
+[[nodiscard]] int meetingJoint(const BodyView& view, const LimbPair& pair);
 
 /// Mean position of the bases, or of the ends, of a pair.
 [[nodiscard]] Vec3 meanBase(const BodyView& view, const LimbPair& pair);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -28,14 +29,6 @@ struct Attachment {
 
 double lengthOf(const LimbPair& pair) {
   return std::max(pair.negative ? pair.negative->length : 0.0, pair.positive ? pair.positive->length : 0.0);
-}
-
-int meetingJoint(const BodyView& view, const LimbPair& pair) {
-  if (pair.negative && pair.positive) {
-    return view.commonAncestor(pair.negative->base, pair.positive->base);
-  }
-  const LimbGuess& limb = pair.negative ? *pair.negative : *pair.positive;
-  return view.parentOf(limb.base);
 }
 
 void addBases(std::vector<int>& bases, const LimbPair& pair) {
@@ -120,7 +113,18 @@ private:
            !name.fin && name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
   }
 
-  // The joint that is named head and stands highest in the tree, else the highest one in the middle.
+  // The less the likelier: above the arms, else near them; on a neck; high in the tree, before a hood or a
+  // look target.
+  [[nodiscard]] std::tuple<double, bool, int> rankOfHead(int joint) const {
+    const int arms = attachment_.armJoint;
+    const bool isAbove = arms < 0 || view_.isAboveOrSelf(arms, joint);
+    const int below = view_.parentOf(joint);
+    return {isAbove ? 0.0 : glm::distance(view_.at(joint), attachment_.armBase),
+            below < 0 || view_.name(below).role(Role::neck) < clearName,
+            view_.depth[static_cast<std::size_t>(joint)]};
+  }
+
+  // The joint that is likeliest of those that are named head, else the highest one in the middle.
   [[nodiscard]] int topJoint() const {
     const double lowest = reading_.arms
                               ? glm::dot(attachment_.armBase, attachment_.up) - 0.25 * attachment_.trunkLength
@@ -141,7 +145,7 @@ private:
       return named;
     }
     if (named) {
-      return view_.depth[static_cast<std::size_t>(joint)] < view_.depth[static_cast<std::size_t>(top)];
+      return rankOfHead(joint) < rankOfHead(top);
     }
     return heightOf(joint) > heightOf(top) + 1e-6 * view_.size;
   }

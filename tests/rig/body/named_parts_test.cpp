@@ -167,6 +167,19 @@ TEST_CASE("A beast whose quarters hang from one joint is mirrored across its nam
   CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 2}).starts_with("BR_leg1 "));
 }
 
+TEST_CASE("Of joints that are called head the one above the arms is") {
+  SyntheticBiped body = namedPerson();
+  SECTION("beside what the head looks at") {
+    addCalled(body, "Head_Look", "root", {0.0, 1.6, 0.5});
+  }
+  SECTION("beside a hood on the chest") {
+    addCalled(body, "Head_Hood", "spine2", {0.0, 1.5, -0.1});
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::neck) == "neck0 -> head");
+}
+
 TEST_CASE("A tail ends where it parts in two, and that of a body without legs may coil") {
   SyntheticBiped body = namedPerson();
   SECTION("in two") {
