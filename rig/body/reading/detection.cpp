@@ -201,7 +201,10 @@ void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) 
   result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
 }
 
-constexpr double leastRise = 0.75; // sine, of a trunk that stands
+bool trunkRises(const Finding& finding) {
+  constexpr double leastRise = 0.75; // sine
+  return finding.bodyUp.y >= leastRise * glm::length(finding.bodyUp);
+}
 
 // Head over hips, and legs that go on where the trunk ends.
 bool standsUpright(const Finding& finding) {
@@ -209,14 +212,14 @@ bool standsUpright(const Finding& finding) {
   const Vec3& up = finding.bodyUp;
   const Vec3& legs = finding.legsReach;
   const bool inLine = -glm::dot(up, legs) >= leastInLine * glm::length(up) * glm::length(legs);
-  return finding.result.isBiped && up.y >= leastRise * glm::length(up) && inLine;
+  return finding.result.isBiped && trunkRises(finding) && inLine;
 }
 
 // Whether a body that may be a biped in an odd pose is rather what it was read as: a bird's legs stand across
 // its trunk, a biped that lies has no tail, and none stands on six legs.
 bool isRather(const PlanReading& reading, const Finding& finding) {
   // As the trunk of a person who sits does; of a beast that was turned over it tells nothing.
-  const bool rises = reading.up.y > 0.5 && finding.bodyUp.y >= leastRise * glm::length(finding.bodyUp);
+  const bool rises = reading.up.y > 0.5 && trunkRises(finding);
   const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
   return reading.plan->legs == 2 || (!rises && (reading.plan->legs > 4 || hasTail));
 }
@@ -240,6 +243,11 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
   std::optional<PlanReading> reading = readAnyView(
       scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); },
       finding.skeleton);
+  // Legs beside a person's own are those of the chair.
+  if (reading && reading->plan->legs > 4 && finding.isPerson && trunkRises(finding)) {
+    result.isBiped = true;
+    return;
+  }
   const bool fits = reading && reading->confidence >= sure &&
                     (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
@@ -336,6 +344,14 @@ std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bind
 void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
   takeFittingPlan(scene, bindPose, finding);
+  if (result.plan == "biped" && !result.isBiped) {
+    const bool lies = finding.isPerson && !trunkRises(finding);
+    // A body that is all legs is one: an egg that walks, a mech.
+    result.isBiped = lies || finding.standsOnNamedLegs;
+    if (lies) {
+      doubt(result, "the body lies in its bind pose: are its limbs right?");
+    }
+  }
   if (result.plan == "biped" && !result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
     takeChains(scene, bindPose, finding);
     result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
@@ -349,8 +365,10 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
 
 void tellBiped(Finding& finding) {
   Body& result = finding.result;
-  result.planReasons = {result.isBiped ? "two legs, and arms or a spine, on an upright body"
-                                       : "no plan fits: taken for a biped that is not complete"};
+  result.planReasons = {!result.isBiped ? "no plan fits: taken for a biped that is not complete"
+                        : makesBiped(result.limbs) || !finding.standsOnNamedLegs
+                            ? "two legs, and arms or a spine, on an upright body"
+                            : "stands on two legs that are called so"};
   double sum = 0.0;
   for (const Limb& limb : result.limbs) {
     sum += limb.confidence;

@@ -1,9 +1,13 @@
 #include "rig/body/reading/finding.h"
 
 #include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
 
 #include "rig/body/reading/biped_reading.h"
 #include "rig/body/reading/biped_tail.h"
+#include "rig/body/reading/extremities.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/stance.h"
 
@@ -62,6 +66,47 @@ void doubtPairs(const BipedReading& reading, Body& result) {
   }
 }
 
+// A second pair of arms has no place in a biped.
+void tellOtherArms(const BipedReading& reading, Body& result) {
+  if (reading.hasOtherArms) {
+    result.warnings.emplace_back(
+        "another pair of arms is called so as well: choose chains of joints for its limbs");
+  }
+}
+
+bool legsGoDown(const BodyView& view, const LimbPair& legs) {
+  constexpr double steep = 0.7; // sine
+  const Vec3 reach = meanEnd(legs) - meanBase(view, legs);
+  return -reach.y > steep * glm::length(reach);
+}
+
+// Whether names call no joints but those of a pair of legs thighs or shins, as of a beast they call those of
+// two, and none of a leg that hangs from the body itself, as the front legs of a centaur do.
+bool areOnlyLegs(const BodyView& view, const LimbPair& arms, const LimbPair& legs) {
+  const int body = view.commonAncestor(meetingJoint(view, arms), meetingJoint(view, legs));
+  for (int joint = 0; joint < view.count(); ++joint) {
+    const bool isOfLeg =
+        std::ranges::any_of(std::array{&legs.negative, &legs.positive}, [&](const auto* leg) {
+          return *leg && (view.isAboveOrSelf((*leg)->base, joint) || view.isAboveOrSelf(joint, (*leg)->base));
+        });
+    const double role = std::max(view.name(joint).role(Role::thigh), view.name(joint).role(Role::shin));
+    const bool isCalled = partWords(view.called[stretch::at(joint)]).contains(PartWord::leg);
+    const bool isOfBody = body < 0 || view.isAboveOrSelf(body, joint);
+    if (!isOfLeg && (role >= 0.8 || (isCalled && isOfBody))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool isPerson(const BodyView& view, const BipedReading& reading, const Body& found) {
+  return found.head.exists() && reading.arms && reading.legs && isNamed(*reading.arms) &&
+         isNamed(*reading.legs) && areOnlyLegs(view, *reading.arms, *reading.legs) &&
+         std::ranges::all_of(
+             std::array{biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine},
+             [&](const LimbPlace& place) { return isSure(found.limbs, place); });
+}
+
 // Fins make no person, unless it stands on legs, as a penguin does.
 bool hasFinsAlone(const BodyView& view, const BipedReading& reading, const Body& found) {
   const auto isFin = [&](const std::optional<LimbGuess>& arm) { return arm && view.name(arm->base).fin; };
@@ -84,6 +129,7 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   Body& result = finding.result;
   result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
   doubtPairs(reading, result);
+  tellOtherArms(reading, result);
   finding.limbsAreNamed =
       (reading.arms && isNamed(*reading.arms)) || (reading.legs && isNamed(*reading.legs));
   std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
@@ -110,6 +156,10 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
                        (finding.legs == 2 && reading.relation >= 0.0);
   result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  finding.isPerson = isPerson(view, reading, result);
+  finding.standsOnNamedLegs = finding.legs == 2 && isSure(result.limbs, biped::leftLeg) &&
+                              isSure(result.limbs, biped::rightLeg) && isNamed(*reading.legs) &&
+                              legsGoDown(view, *reading.legs);
   if (hasFinsAlone(view, reading, result)) {
     return {};
   }

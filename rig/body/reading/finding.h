@@ -16,7 +16,9 @@ struct Finding {
   Vec3 bodyUp{0.0};
   Vec3 legsReach{0.0}; ///< From the hips to the feet.
   bool limbsAreNamed = false;
-  NodeIndex skeleton; ///< Topmost joint of the one of several that it is of.
+  bool standsOnNamedLegs = false; ///< On the two that names call its legs, and on no others.
+  bool isPerson = false; ///< Arms, legs, spine and head are sure, the limbs named, and no others called legs.
+  NodeIndex skeleton;    ///< Topmost joint of the one of several that it is of.
 
   [[nodiscard]] double weight() const {
     double sum = 0.0;

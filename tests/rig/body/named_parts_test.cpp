@@ -79,6 +79,17 @@ TEST_CASE("What hangs beside the named legs of a named beast makes no insect of 
   }
 }
 
+TEST_CASE("A person who sits on a chair with named legs stays one") {
+  SyntheticBiped body = namedPerson();
+  addCalled(body, "Throne", "root", {0.0, 0.5, -0.3});
+  addCalledPairs(body, {{"Throne_Leg_Front", "Throne", {0.35, 0.45, 0.2}},
+                        {"Throne_Leg_Front_end", "Throne_Leg_Front%", {0.35, 0.0, 0.2}},
+                        {"Throne_Leg_Back", "Throne", {0.35, 0.45, -0.5}},
+                        {"Throne_Leg_Back_end", "Throne_Leg_Back%", {0.35, 0.0, -0.5}}});
+  const BuiltBiped built = build(body);
+  checkArmsAndLegs(built, detectBody(built.scene));
+}
+
 TEST_CASE("Limbs of many equal bones begin at the first") {
   const int bones = GENERATE(3, 5, 7, 10, 16);
   CAPTURE(bones);
@@ -180,6 +191,21 @@ TEST_CASE("Of joints that are called head the one above the arms is") {
   CHECK(describe(built, read, biped::neck) == "neck0 -> head");
 }
 
+TEST_CASE("Of four named arms those without a number or nearer the head are taken, and the others told") {
+  const bool isNumbered = GENERATE(true, false);
+  SyntheticBiped body = namedPerson();
+  const std::string end = isNumbered ? "2" : "Below";
+  addCalledPairs(body, {{"clavicle" + end, "spine2", {0.03, 1.2, 0.01}},
+                        {"upperArm" + end, "clavicle" + end + "%", {0.18, 1.2, -0.02}},
+                        {"foreArm" + end, "upperArm" + end + "%", {0.45, 1.2, -0.03}},
+                        {"hand" + end, "foreArm" + end + "%", {0.7, 1.2, -0.02}},
+                        {"grip" + end, "hand" + end + "%", {0.8, 1.2, -0.02}}});
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  CHECK(warnsOf(read, "another pair of arms"));
+}
+
 TEST_CASE("A tail ends where it parts in two, and that of a body without legs may coil") {
   SyntheticBiped body = namedPerson();
   SECTION("in two") {
@@ -227,6 +253,20 @@ TEST_CASE("A body of many named legs about one joint has its abdomen behind, and
   CHECK(findLimb(read, biped::spine) == nullptr);
 }
 
+TEST_CASE("A named person whose arms reach the ground it lies on stays one, and is doubted") {
+  SyntheticBiped body = namedPerson();
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "foreArm" + side).position = {sign * 0.37, 1.24, -0.05};
+    jointOf(body, "hand" + side).position = {sign * 0.54, 1.06, -0.08};
+    jointOf(body, "shin" + side).position.z = -0.015;
+  }
+  body.turn = axisAngle(Vec3(1.0, 0.0, 0.0), -pi / 2.0);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  checkArmsAndLegs(built, read);
+  CHECK(warnsOf(read, "the body lies"));
+}
+
 TEST_CASE("An insect's front legs are no arms of a person") {
   SyntheticBiped body = makeManyLegged(3);
   nameByKeys(body);
@@ -253,4 +293,14 @@ TEST_CASE("A joint of the face in the head's own place does not tell where it po
   checkArmsAndLegs(built, read);
   CHECK(!warnsOf(read, "point the other way"));
   CHECK(findLimb(read, biped::leftArm)->confidence > 0.9);
+}
+
+TEST_CASE("A body that is all legs is a biped where these are named and carry it") {
+  SyntheticBiped body = namedPerson();
+  drop(body, {"clavicle", "upperArm", "foreArm", "hand", "spine", "neck", "head"});
+  jointOf(body, "hips").movesMesh = true;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.isBiped);
+  CHECK(findLimb(read, biped::leftLeg)->confidence > 0.8);
 }
