@@ -105,27 +105,35 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
     const bool isOurs = joint > ofSource * source.around(k, &Jolt::joint);
     if (isOurs && joint > smallest * limb.restLength && joint > told * ends &&
         joint / ends > (worst ? worst->times : 0.0)) {
-      worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends, 0.0, 0.0, {}};
+      worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends, 0.0, 0.0, {}, {}};
     }
   }
   return worst;
 }
 
-std::optional<LimbPop> worstTurn(const rig::Limb& limb, const Jolts& source, const Jolts& moved,
-                                 double framesPerSecond) {
+// Every flip, told by the worst one; frames as worstPop counts them.
+LimbPop limbFlips(const rig::Limb& limb, const Jolts& source, const Jolts& moved, double framesPerSecond) {
   constexpr double ofSource = 2.0;
   constexpr double more = 45.0; // degrees: less looks like haste
-  std::optional<LimbPop> worst;
-  double most = inFrames(more, framesPerSecond);
+  const double least = inFrames(more, framesPerSecond);
+  LimbPop flips{limb.id, 0.0, 0.0, 0.0, 0.0, {}, {}};
+  double most = 0.0;
   for (std::size_t k = 0; k < moved.turns().size(); ++k) {
     const double turned = moved.turns()[k];
     const double before = source.turnAround(k);
-    if (turned - ofSource * before > most) {
-      most = turned - ofSource * before;
-      worst = LimbPop{limb.id, static_cast<double>(k + 1), 0.0, turned, before, {}};
+    const double excess = turned - ofSource * before;
+    if (excess <= least) {
+      continue;
+    }
+    flips.flipFrames.push_back(static_cast<std::int64_t>(k + 1));
+    if (excess > most) {
+      most = excess;
+      flips.frame = static_cast<double>(k + 1);
+      flips.turnDegrees = turned;
+      flips.sourceDegrees = before;
     }
   }
-  return worst;
+  return flips;
 }
 
 // Whether a limb is turned on purpose between two times, by its pole or by a trail of its own.
@@ -191,26 +199,31 @@ public:
     lastMoved_ = std::move(moved);
   }
 
-  // Its pop, else its flip; and its turns at other frames.
+  // Its pop, its flips, and its turns at other frames.
   void tell(std::vector<LimbPop>& pops) const {
-    std::optional<LimbPop> pop = worstPop(limb_, source_, moved_);
-    pop = pop ? pop : worstTurn(limb_, source_, moved_, framesPerSecond_);
-    if (pop) {
+    std::vector<std::int64_t> told;
+    if (std::optional<LimbPop> pop = worstPop(limb_, source_, moved_)) {
       pop->frame += static_cast<double>(first_);
-      pops.push_back(*pop);
+      told.push_back(static_cast<std::int64_t>(pop->frame));
+      pops.push_back(*std::move(pop));
     }
-    const double told = pop ? pop->frame : -1.0;
-    if (const LimbPop turns = freeTurns(told); !turns.freeFrames.empty()) {
-      pops.push_back(turns);
+    if (LimbPop flips = limbFlips(limb_, source_, moved_, framesPerSecond_); !flips.flipFrames.empty()) {
+      flips.frame += static_cast<double>(first_);
+      std::ranges::for_each(flips.flipFrames, [&](std::int64_t& frame) { frame += first_; });
+      told.insert(told.end(), flips.flipFrames.begin(), flips.flipFrames.end());
+      pops.push_back(std::move(flips));
+    }
+    if (LimbPop turns = freeTurns(told); !turns.freeFrames.empty()) {
+      pops.push_back(std::move(turns));
     }
   }
 
 private:
-  [[nodiscard]] LimbPop freeTurns(double toldFrame) const {
-    LimbPop all{limb_.id, 0.0, 0.0, 0.0, 0.0, {}};
+  [[nodiscard]] LimbPop freeTurns(const std::vector<std::int64_t>& told) const {
+    LimbPop all{limb_.id, 0.0, 0.0, 0.0, 0.0, {}, {}};
     double most = 0.0;
     for (const auto& [frame, turn] : turns_) {
-      if (static_cast<double>(frame) == toldFrame) {
+      if (std::ranges::find(told, frame) != told.end()) {
         continue;
       }
       all.freeFrames.push_back(frame);
@@ -293,10 +306,12 @@ std::string popWarning(const LimbPop& pop) {
   if (!pop.freeFrames.empty()) {
     return turnWarning(limb, pop);
   }
-  if (pop.turnDegrees > 0.0) {
-    return fmt::format("the {} flips at frame {:g}: it turns by {:.0f} degrees within a frame, {:.0f} in the "
+  if (!pop.flipFrames.empty()) {
+    const std::string worst =
+        pop.flipFrames.size() > 1 ? fmt::format("frame {:g}", pop.frame) : std::string("a frame");
+    return fmt::format("the {} flips at {}: it turns by {:.0f} degrees within {}, {:.0f} in the "
                        "clip; one that is folded until its end passes its base does so: let it fold less far",
-                       limb, pop.frame, pop.turnDegrees, pop.sourceDegrees);
+                       limb, framesInWords(pop.flipFrames), pop.turnDegrees, worst, pop.sourceDegrees);
   }
   return fmt::format("the {} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as "
                      "abruptly as its ends; "

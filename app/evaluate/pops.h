@@ -23,6 +23,8 @@ struct LimbPop {
   double sourceDegrees = 0.0; ///< Likewise in the source: around that frame, or within it.
   std::vector<std::int64_t> freeFrames; ///< Whole frames into which the limb turns though its ends do not
                                         ///< make it, in order; empty for one that pops or flips.
+  std::vector<std::int64_t> flipFrames; ///< Whole frames into which it flips, in order; empty for one that
+                                        ///< pops or turns.
 };
 
 /// Whole frames that are looked at; those beyond the clip are passed over.
@@ -33,7 +35,7 @@ struct FrameSpan {
   friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
 };
 
-/// The worst pop of each limb with an elbow or a knee that is above 4 times, else where it flips by 45
+/// The worst pop of each limb with an elbow or a knee that is above 4 times, then where it flips by 45
 /// degrees within a frame more than twice what the source turns (more in a clip of few frames per second),
 /// where offsets and holds make it: the source's own jolts are not counted, nor what is too small to see.
 /// After that where it turns freely by more than 5 degrees (more in a clip of few frames per second) at other

@@ -152,6 +152,23 @@ TEST_CASE("A leg that is folded until its foot passes its hip flips, and is told
   CHECK(turnedBy(0.8).empty()); // folded more, and not past its hip
 }
 
+TEST_CASE("Every frame in which a leg flips is told in one line, beside its pop") {
+  const Document posed = posedBy({{"hips",
+                                   0,
+                                   std::nullopt,
+                                   {lowered(0, 0.0), lowered(12, 0.12), lowered(24, 0.0), lowered(34, 0.6),
+                                    lowered(35, 1.3), lowered(44, 1.3), lowered(45, 0.6)}}});
+  std::vector<LimbPop> told = limbPops(posed, prepareMotion(posed, 0), {});
+  std::erase_if(told, [](const LimbPop& pop) { return pop.limb != "left-leg" || !pop.freeFrames.empty(); });
+  REQUIRE(told.size() == 2);
+  CHECK(told[0].times > 4.0);
+  CHECK(told[0].flipFrames.empty());
+  CHECK(told[1].times == 0.0);
+  CHECK(told[1].flipFrames == std::vector<std::int64_t>{35, 45});
+  CHECK_THAT(popWarning(told[1]), Catch::StartsWith("the left leg flips at frames 35, 45: it turns by ") &&
+                                      Catch::Contains(fmt::format("within frame {:g}", told[1].frame)));
+}
+
 namespace {
 
 rig::OffsetKey movedTo(double frame, const Vec3& move) {

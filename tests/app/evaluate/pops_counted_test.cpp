@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,9 +69,9 @@ double turned(const Points& points, std::size_t frame) {
   return most * 180.0 / pi;
 }
 
-std::optional<LimbPop> counted(const rig::Limb& limb, const Points& source, const Points& moved,
-                               double rate) {
-  std::optional<LimbPop> worst;
+/// The pop and the flips of a limb, as far as there are.
+std::vector<LimbPop> counted(const rig::Limb& limb, const Points& source, const Points& moved, double rate) {
+  std::vector<LimbPop> told;
   std::vector<std::size_t> inner;
   for (std::size_t i = 1; i + 1 < moved[0].size(); ++i) {
     inner.push_back(i);
@@ -86,22 +85,31 @@ std::optional<LimbPop> counted(const rig::Limb& limb, const Points& source, cons
     const double end = std::max(hardest(moved, frame, ends), 0.001 * limb.restLength);
     const bool isOurs = joint > 2.0 * hardest(source, frame, inner);
     if (isOurs && joint > 0.01 * limb.restLength && joint > 4.0 * end &&
-        (!worst || joint / end > worst->times)) {
-      worst = LimbPop{limb.id, static_cast<double>(frame), joint / end, 0.0, 0.0, {}};
+        (told.empty() || joint / end > told[0].times)) {
+      told = {{limb.id, static_cast<double>(frame), joint / end, 0.0, 0.0, {}, {}}};
     }
   }
-  double most = std::max(45.0, 45.0 * 24.0 / rate);
-  for (std::size_t frame = 1; frame < moved.size() && (!worst || worst->times == 0.0); ++frame) {
+  LimbPop flips{limb.id, 0.0, 0.0, 0.0, 0.0, {}, {}};
+  for (std::size_t frame = 1; frame < moved.size(); ++frame) {
     double before = 0.0;
     for (std::size_t near = std::max<std::size_t>(frame, 2) - 1; near <= frame + 1; ++near) {
       before = near < source.size() ? std::max(before, turned(source, near)) : before;
     }
-    if (const double now = turned(moved, frame); now - 2.0 * before > most) {
-      most = now - 2.0 * before;
-      worst = LimbPop{limb.id, static_cast<double>(frame), 0.0, now, before, {}};
+    const double now = turned(moved, frame);
+    if (now - 2.0 * before <= std::max(45.0, 45.0 * 24.0 / rate)) {
+      continue;
+    }
+    flips.flipFrames.push_back(static_cast<std::int64_t>(frame));
+    if (now - 2.0 * before > flips.turnDegrees - 2.0 * flips.sourceDegrees) {
+      flips.frame = static_cast<double>(frame);
+      flips.turnDegrees = now;
+      flips.sourceDegrees = before;
     }
   }
-  return worst;
+  if (!flips.flipFrames.empty()) {
+    told.push_back(flips);
+  }
+  return told;
 }
 
 std::vector<LimbPop> countedIn(const Document& document, std::int64_t first, std::int64_t last) {
@@ -119,9 +127,10 @@ std::vector<LimbPop> countedIn(const Document& document, std::int64_t first, std
       source.push_back(rig::limbPoints(limb, rig::sampledFrame(*document.scene, clip, seconds)));
       moved.push_back(rig::limbPoints(limb, rig::evaluateMotion(*document.scene, clip, motion, seconds)));
     }
-    if (std::optional<LimbPop> pop = counted(limb, source, moved, clip.framesPerSecond)) {
-      pop->frame += static_cast<double>(first);
-      pops.push_back(*pop);
+    for (LimbPop& pop : counted(limb, source, moved, clip.framesPerSecond)) {
+      pop.frame += static_cast<double>(first);
+      std::ranges::for_each(pop.flipFrames, [&](std::int64_t& frame) { frame += first; });
+      pops.push_back(pop);
     }
   }
   return pops;
@@ -149,12 +158,13 @@ TEST_CASE(
         for (std::size_t i = 0; i < found.size(); ++i) {
           CHECK(found[i].limb == wanted[i].limb);
           CHECK(found[i].freeFrames == wanted[i].freeFrames);
+          CHECK(found[i].flipFrames == wanted[i].flipFrames);
           CHECK(found[i].frame == wanted[i].frame);
           CHECK(found[i].times == Approx(wanted[i].times));
           CHECK(found[i].turnDegrees == Approx(wanted[i].turnDegrees));
           CHECK(found[i].sourceDegrees == Approx(wanted[i].sourceDegrees).margin(1e-9));
           popped += found[i].times > 0.0 ? 1 : 0;
-          flipped += found[i].turnDegrees > 0.0 ? 1 : 0;
+          flipped += found[i].flipFrames.empty() ? 0 : 1;
         }
       }
     }
