@@ -15,6 +15,7 @@
 #include "rig/controllers/controller.h"
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
+#include "rig/motion/solved_holds.h"
 
 namespace stretch::app {
 
@@ -136,30 +137,37 @@ LimbPop limbFlips(const rig::Limb& limb, const Jolts& source, const Jolts& moved
   return flips;
 }
 
-// Whether a limb is turned on purpose between two times, by its pole or by a trail of its own.
+// Whether a limb is turned on purpose between two times, by its pole, or by a trail of its own as far as no
+// hold takes it from that.
 class Meant {
 public:
   Meant(const rig::Limb& limb, const rig::MotionState& motion)
-      : curves_(motion.adjustments.curves), pole_(rig::poleController(limb)) {
-    for (const rig::SolvedTrail& trail : motion.trails) {
-      if (trail.active && trail.limb.id == limb.id) {
-        windows_.emplace_back(motion.loops ? motion.startSeconds : trail.windowStartSeconds,
-                              motion.loops ? motion.endSeconds : trail.windowEndSeconds);
-      }
-    }
-  }
+      : limb_(limb), motion_(motion), pole_(rig::poleController(limb)) {}
   [[nodiscard]] bool between(double startSeconds, double endSeconds) const {
-    const auto poleAt = [&](double seconds) { return rig::offsetAt(curves_, pole_, seconds).move; };
+    const auto poleAt = [&](double seconds) {
+      return rig::offsetAt(motion_.adjustments.curves, pole_, seconds).move;
+    };
+    const auto isHeld = [&](double seconds) { return rig::isFullyHeld(motion_.holds, limb_, seconds); };
     return poleAt(startSeconds) != poleAt(endSeconds) ||
-           std::ranges::any_of(windows_, [&](const auto& window) {
-             return window.first <= endSeconds && startSeconds <= window.second;
-           });
+           (isTrailed(startSeconds, endSeconds) && !(isHeld(startSeconds) && isHeld(endSeconds)));
   }
 
 private:
-  const rig::OffsetCurves& curves_;
+  // On a loop a trail's window goes on across the seam.
+  [[nodiscard]] bool isTrailed(double startSeconds, double endSeconds) const {
+    const double turn = motion_.loops ? motion_.endSeconds - motion_.startSeconds : 0.0;
+    return std::ranges::any_of(motion_.trails, [&](const rig::SolvedTrail& trail) {
+      return trail.active && trail.limb.id == limb_.id &&
+             std::ranges::any_of(std::array{-turn, 0.0, turn}, [&](double shift) {
+               return trail.windowStartSeconds <= endSeconds + shift &&
+                      startSeconds + shift <= trail.windowEndSeconds;
+             });
+    });
+  }
+
+  const rig::Limb& limb_;
+  const rig::MotionState& motion_;
   std::string pole_;
-  std::vector<std::pair<double, double>> windows_; // seconds; of its trails
 };
 
 // What hips and chest carry goes along with them even where it hangs elsewhere.

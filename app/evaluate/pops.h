@@ -39,7 +39,8 @@ struct FrameSpan {
 /// degrees within a frame more than twice what the source turns (more in a clip of few frames per second),
 /// where offsets and holds make it: the source's own jolts are not counted, nor what is too small to see.
 /// After that where it turns freely by more than 5 degrees (more in a clip of few frames per second) at other
-/// frames; where its pole moves, or a trail of its own, it is meant to. `motion`: of the clip.
+/// frames; where its pole moves, or a trail of its own without a hold that takes it all, it is meant to.
+/// `motion`: of the clip.
 [[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion,
                                             const FrameSpan& frames = {});
 

@@ -218,6 +218,21 @@ HeldPlace endPlace(const Limb& limb, const FrameState& frame) {
   return {endPosition(limb, frame), rotationOf(frame.worlds[at(turned)])};
 }
 
+bool isFullyHeld(const SolvedHolds& holds, const Limb& limb, double timeSeconds) {
+  const auto isOf = [&](std::size_t place) { return holds.limbs[place].limb.id == limb.id; };
+  const auto isFull = [&](const auto& hold) {
+    return hold && isOf(hold->limb) && hold->span.strengthAt(timeSeconds) >= 1.0;
+  };
+  const auto isFirm = [&](const SolvedPropHand& hand) {
+    return isOf(hand.limb) && hand.firmness.at(timeSeconds).value >= 1.0;
+  };
+  return std::ranges::any_of(holds.pins, isFull) || std::ranges::any_of(holds.grips, isFull) ||
+         std::ranges::any_of(holds.props, [&](const std::optional<SolvedProp>& prop) {
+           return prop && prop->span.strengthAt(timeSeconds) >= 1.0 &&
+                  std::ranges::any_of(prop->hands, isFirm);
+         });
+}
+
 HeldPlace seenFrom(const HeldPlace& from, const HeldPlace& place) {
   const Quat back = glm::inverse(from.orientation);
   return {back * (place.position - from.position), back * place.orientation};

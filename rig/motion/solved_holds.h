@@ -78,6 +78,9 @@ struct SolvedHolds {
 /// Returns the place where a prop is bound, as a frame of the adjusted clip has it.
 [[nodiscard]] HeldPlace boundPlace(const SolvedProp& prop, const FrameState& frame);
 
+/// Whether a pin, a grip or a prop has all of a limb's end at a time.
+[[nodiscard]] bool isFullyHeld(const SolvedHolds& holds, const Limb& limb, double timeSeconds);
+
 /// How `place` is seen from `from`, and back: placedOn(from, seenFrom(from, place)) is `place`.
 [[nodiscard]] HeldPlace seenFrom(const HeldPlace& from, const HeldPlace& place);
 [[nodiscard]] HeldPlace placedOn(const HeldPlace& from, const HeldPlace& seen);

@@ -258,3 +258,35 @@ TEST_CASE("A knee that goes round is told of but where a trail of its own leg ac
   CHECK(framesWithTrailOf("left-leg").empty());
   CHECK(framesWithTrailOf("right-leg") == all);
 }
+
+TEST_CASE("A trail of a leg that a hold has all of says nothing about what the hold turns") {
+  const rig::Adjustment pole{"left-knee", 0, std::nullopt, {movedTo(0, Vec3(0.03, 0.0, -0.4))}};
+  const rig::Adjustment hips{
+      "hips", 0, std::nullopt, {movedTo(0, Vec3(0.0, -0.09, 0.0)), movedTo(36, Vec3(0.0, -0.09, -0.2))}};
+  Document posed = posedBy({pole, hips});
+  rig::Pin pin;
+  pin.limb = "left-leg";
+  pin.time = {{0.0, 48.0}, {0.0, 0.0}};
+  const auto framesToldIn = [](const Document& document) {
+    std::vector<std::int64_t> told;
+    for (const LimbPop& pop : limbPops(document, prepareMotion(document, 0), {})) {
+      if (pop.limb == "left-leg") {
+        told.insert(told.end(), pop.freeFrames.begin(), pop.freeFrames.end());
+      }
+    }
+    return told;
+  };
+  const std::vector<std::int64_t> all = framesToldIn(posed);
+  REQUIRE(all.size() > 3);
+  rig::Trail trail;
+  trail.id = 1;
+  trail.limb = "left-leg";
+  trail.settings.startFrame = 0.0;
+  trail.settings.endFrame = 40.0;
+  trail.exaggerated = true;
+  trail.connected = true;
+  posed.trails.push_back(trail);
+  CHECK(framesToldIn(posed).empty());
+  posed.holds.pins = {pin};
+  CHECK(framesToldIn(posed) == all);
+}
