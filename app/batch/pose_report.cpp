@@ -10,6 +10,7 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
+#include "app/evaluate/missed_places.h"
 #include "app/evaluate/pops.h"
 #include "app/evaluate/prop_flips.h"
 #include "app/named.h"
@@ -64,16 +65,6 @@ void addMotionReports(const Document& document, int clip, Json& report) {
     if (const std::string warning = holdWarning(hold); !warning.empty()) {
       report["warnings"].push_back(warning);
     }
-  }
-}
-
-void warnOfMiss(const std::string& controller, const Json& place, double height, Json& warnings) {
-  constexpr double seen = 1e-3; // of the height
-  const double miss = place["missed_by"].get<double>();
-  if (miss > seen * height) {
-    warnings.push_back(
-        fmt::format("{} misses its place at frame {:g} by {:.4g}: its limb is not to stretch so far",
-                    controller, place["frame"].get<double>(), miss));
   }
 }
 
@@ -158,13 +149,14 @@ void addPoseReport(const Document& document, int clip, const std::vector<rig::Ad
     for (const rig::OffsetKey& key : adjustment.keys) {
       keys.push_back(keyJson(document, motion, adjustment, key));
       const Json& told = keys.back();
-      if (told.contains("missed_by")) {
-        warnOfMiss(adjustment.controller, told, document.body.height, report["warnings"]);
-      } else if (told.contains("asked")) {
+      if (told.contains("asked") && !told.contains("missed_by")) {
         warnOfValue(adjustment.controller, told, report["warnings"]);
       }
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
+  }
+  for (const MissedPlace& missed : missedPlaces(document, motion)) {
+    report["warnings"].push_back(missWarning(missed));
   }
   addMotionReports(document, clip, report);
 }

@@ -279,9 +279,7 @@ private:
     carryDetached(adjusted);
     note("head", carriedAxes(body_.chest, body_.chestBind));
     const EndGoal goal = goalOf(adjusted, body_.chest, body_.chestBind, 1.0);
-    if (adjustments_.curves.contains("head")) {
-      ask("head", goal.place);
-    }
+    ask("head", goal.place);
     if (!isThere(adjusted.limb, goal)) {
       reachGoal(adjusted, goal, Vec3(0.0));
     }
@@ -296,9 +294,7 @@ private:
                                         : goalOf(adjusted, body_.chest, body_.chestBind, follow);
     const double roll = leg ? attribute(adjusted.controls.roll, 0.0, -1.0, 1.0) : 0.0;
     const Quat rolled = rollFoot(adjusted, roll, goal);
-    if (adjustments_.curves.contains(adjusted.controls.end)) {
-      ask(adjusted.controls.end, goal.place);
-    }
+    ask(adjusted.controls.end, goal.place);
     const Vec3 pole = poleOffset(adjusted);
     noteLimb(adjusted, pole);
     if (pole != Vec3(0.0) || !isThere(limb, goal)) {

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// Place that the offsets of a time want for a controller, world space.
+/// Place that the offsets of a time, or what it follows, want for a controller, world space.
 struct AskedPlace {
   std::string controller;
   Vec3 place{0.0};
@@ -19,7 +19,8 @@ struct AskedPlace {
 /// Brings the adjustments onto a sampled frame of the clip at its own time, from the root outwards
 /// (docs/controllers.md, Solving): nothing at all is written where every offset is zero. Only the nodes of
 /// SolvedAdjustments::nodes and their ancestors need to be filled in. Answers where the controllers that are
-/// offset were wanted; those that only turn are where they are.
+/// offset, and the ends of all limbs that offsets concern, were wanted; those that only turn are where they
+/// are.
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          FrameState& frame);
 /// Applies adjustments where `frame` is a copy of `source`, which is spared another one.

@@ -1,10 +1,12 @@
 // What `pose` and `exaggerate --recipe` tell of controllers, against what the saved file plays.
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "core/gltf/json/json.h"
@@ -100,4 +102,34 @@ TEST_CASE("Values are told as far as they go, at either end", "[pose]") {
   REQUIRE(report["warnings"].size() == 2);
   CHECK(report["warnings"][0] == "left-hand.curl is asked for -7 at frame 0, and goes to -0.2 at most");
   CHECK(report["warnings"][1] == "left-hand.curl is asked for 7 at frame 3, and goes to 1 at most");
+}
+
+TEST_CASE("What feet and hands miss between keys, and where nothing of theirs is keyed, is told", "[pose]") {
+  const TemporaryFolder folder;
+  const Json recipe = Json::parse(R"({"version": 1, "adjustments": [
+      {"attribute": "left-leg.stretch", "keys": [{"frame": 0, "value": 0}]},
+      {"attribute": "left-arm.stretch", "keys": [{"frame": 0, "value": 0}]},
+      {"attribute": "left-arm.follow", "keys": [{"frame": 0, "value": 0}]},
+      {"controller": "left-hand", "keys": [{"frame": 0, "move": [0, 0, 0.001]},
+                                           {"frame": 60, "move": [0, 0, 0.001]}]},
+      {"controller": "hips", "range": [10, 40], "keys": [{"frame": 25, "move": [0, 0.5, 0]}]}]})");
+  const test::Posed posed = test::pose(folder, recipe, {"--clean"});
+  REQUIRE(posed.answer.exitCode == 0);
+  const Json report = Json::parse(posed.answer.output);
+  const std::string told = report["warnings"].dump();
+  CHECK_THAT(told, Catch::Contains("left-foot misses its place at frames "));
+  CHECK_THAT(told, Catch::Contains("left-hand misses its place at frames "));
+  CHECK_THAT(told, !Catch::Contains("right-foot") && !Catch::Contains("right-hand"));
+  const Document source = test::openedFile(test::posedCharacter);
+  const Document saved = test::openedFile(posed.path);
+  double farthest = 0.0;
+  double worst = 0.0;
+  for (double frame = 10.0; frame <= 40.0; frame += 0.5) {
+    const double miss =
+        glm::length(test::endOf(saved, "left-leg", frame) - test::endOf(source, "left-leg", frame));
+    worst = miss > farthest ? frame : worst;
+    farthest = std::max(farthest, miss);
+  }
+  CHECK(farthest > 0.02);
+  CHECK_THAT(told, Catch::Contains(fmt::format("most at frame {:g}: its limb", worst)));
 }

@@ -73,7 +73,7 @@ TEST_CASE("A recipe that holds or poses tells in exaggerate, too, what it could 
   REQUIRE(posed.exitCode == 0);
   const gltf::Json pose = gltf::Json::parse(posed.output);
   CHECK(pose["controllers"][0]["keys"][0]["missed_by"].get<double>() > 1.0);
-  CHECK_THAT(pose["warnings"].dump(), Catch::Contains("left-hand misses its place at frame 12"));
+  CHECK_THAT(pose["warnings"].dump(), Catch::Contains("left-hand misses its place at frames 0 to "));
   const test::VerbAnswer plain =
       replayed(folder, R"({"version":1,"trails":[{"limb":"left-arm","range":[21,27],"scale":2}]})");
   CHECK_FALSE(gltf::Json::parse(plain.output).contains("holds"));
