@@ -58,12 +58,20 @@ void addMotionReports(const Document& document, int clip, Json& report) {
   for (const HoldReport& hold : holdReports(document, motion)) {
     Json entry{{"hold", holdWord(hold.kind)},
                {"limb", hold.limb},
-               {"reached", hold.framesFallShort.empty()},
-               {"farthest", hold.farthest},
+               {"reached", hold.framesFallShort.empty() && hold.framesOverridden.empty()},
+               {"farthest", std::max(hold.farthest, hold.farthestOverridden)},
                {"falls_short_at", hold.framesFallShort}};
+    if (!hold.framesOverridden.empty()) {
+      entry["overridden_at"] = hold.framesOverridden;
+    }
+    if (hold.strength < 1.0) {
+      entry["strength"] = hold.strength;
+    }
     report["holds"].push_back(std::move(entry));
-    if (const std::string warning = holdWarning(hold); !warning.empty()) {
-      report["warnings"].push_back(warning);
+    for (const std::string& warning : {holdWarning(hold), overrideWarning(hold)}) {
+      if (!warning.empty()) {
+        report["warnings"].push_back(warning);
+      }
     }
   }
 }
@@ -132,9 +140,15 @@ std::string placeText(const Json& place) {
 }
 
 void printHold(const Json& hold) {
-  const std::string held = hold["reached"].get<bool>()
-                               ? fmt::format("held, at most {:.4g} away", hold["farthest"].get<double>())
-                               : fmt::format("falls short by up to {:.4g}", hold["farthest"].get<double>());
+  const double farthest = hold["farthest"].get<double>();
+  std::string held = fmt::format("held, at most {:.4g} away", farthest);
+  if (hold.contains("overridden_at")) {
+    held = fmt::format("overridden, up to {:.4g} away", farthest);
+  } else if (!hold["reached"].get<bool>()) {
+    held = fmt::format("falls short by up to {:.4g}", farthest);
+  } else if (hold.contains("strength")) {
+    held = fmt::format("held by a strength of at most {:.4g}", hold["strength"].get<double>());
+  }
   fmt::print("{} of {}: {}\n", hold["hold"].get<std::string>(), hold["limb"].get<std::string>(), held);
 }
 

@@ -17,8 +17,22 @@ HoldReport& reportOf(std::vector<HoldReport>& reports, const rig::HeldGoal& goal
   const auto known = std::ranges::find_if(reports, [&](const HoldReport& report) {
     return report.kind == goal.kind && report.index == goal.index && report.limb == limb;
   });
-  return known != reports.end() ? *known
-                                : reports.emplace_back(HoldReport{goal.kind, goal.index, limb, 0.0, {}});
+  return known != reports.end() ? *known : reports.emplace_back(HoldReport{goal.kind, goal.index, limb});
+}
+
+// What a hold that holds fully is missed by at a frame.
+void noteMiss(const rig::HeldGoal& goal, double frame, double miss, double seen, HoldReport& report) {
+  double& farthest = goal.overriddenBy ? report.farthestOverridden : report.farthest;
+  farthest = std::max(farthest, miss);
+  if (miss <= seen) {
+    return;
+  }
+  if (goal.overriddenBy) {
+    report.framesOverridden.push_back(frame);
+    report.overriddenBy = *goal.overriddenBy;
+  } else {
+    report.framesFallShort.push_back(frame);
+  }
 }
 
 } // namespace
@@ -43,15 +57,12 @@ std::vector<HoldReport> holdReports(const Document& document, const rig::MotionS
   for (const double frame : halfFramesOf(motion)) {
     FrameState state = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
     for (const rig::HeldGoal& goal : rig::applyTrailsAndHolds(*document.scene, motion, state)) {
-      if (goal.strength < 1.0) {
-        continue;
-      }
       const rig::Limb& limb = motion.holds.limbs[goal.limb].limb;
       HoldReport& report = reportOf(reports, goal, limb.id);
-      const double miss = glm::length(rig::endPosition(limb, state) - goal.wanted);
-      report.farthest = std::max(report.farthest, miss);
-      if (miss > seen * document.body.height) {
-        report.framesFallShort.push_back(frame);
+      report.strength = std::max(report.strength, goal.strength);
+      if (goal.strength >= 1.0) {
+        const double miss = glm::length(rig::endPosition(limb, state) - goal.wanted);
+        noteMiss(goal, frame, miss, seen * document.body.height, report);
       }
     }
   }
@@ -67,6 +78,16 @@ std::string holdWarning(const HoldReport& report) {
       "what it holds to",
       holdWord(report.kind), report.limb, report.framesFallShort.front(), report.framesFallShort.back(),
       report.farthest);
+}
+
+std::string overrideWarning(const HoldReport& report) {
+  if (report.framesOverridden.empty()) {
+    return {};
+  }
+  return fmt::format("the {} of {} is left by up to {:.4g} at frames {:g} to {:g}: {} {} decides there",
+                     holdWord(report.kind), report.limb, report.farthestOverridden,
+                     report.framesOverridden.front(), report.framesOverridden.back(),
+                     report.overriddenBy == report.kind ? "another" : "the", holdWord(report.overriddenBy));
 }
 
 const char* holdWord(rig::HoldKind kind) {

@@ -57,7 +57,7 @@ std::string keptFromLength(const Document& document, const rig::MotionState& mot
   FrameState frame =
       rig::adjustedFrame(*document.scene, clipOf(document, motion.clip), motion, solved.tipSeconds);
   for (const rig::HeldGoal& goal : rig::applyTrailsAndHolds(*document.scene, motion, frame)) {
-    if (motion.holds.limbs[goal.limb].limb.id == solved.limb.id) {
+    if (!goal.overriddenBy && motion.holds.limbs[goal.limb].limb.id == solved.limb.id) {
       return std::string("held by a ") + holdWord(goal.kind);
     }
   }

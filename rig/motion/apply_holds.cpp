@@ -145,7 +145,11 @@ private:
       return;
     }
     const ReachingLimb& reaching = holds_.limbs[what.limb];
-    std::erase_if(goals_, [&](const HeldGoal& goal) { return goal.limb == what.limb; });
+    for (HeldGoal& earlier : goals_) {
+      if (earlier.limb == what.limb) {
+        earlier.overriddenBy = what.kind;
+      }
+    }
     what.wanted = wanted.position;
     goals_.push_back(what);
     const HeldPlace now = endPlace(reaching.limb, frame_);

@@ -1,5 +1,6 @@
 #include "app/evaluate/hold_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -132,6 +133,65 @@ TEST_CASE("A grip is told beside a pin, and a prop in two hands for each of them
     CHECK(report.index == 0);
   }
   CHECK(reports[0].limb != reports[1].limb);
+}
+
+TEST_CASE(
+    "A hold that another one of its limb overrides is told with the frames and with what decides there") {
+  Document document = test::twoPunches();
+  rig::Pin pin = pinAway("left-arm", 0.5 * boxerArm);
+  pin.stretch = 1.0;
+  document.holds.pins = {pin};
+  rig::Grip grip;
+  grip.follower = "left-arm";
+  grip.leader = "right-arm";
+  grip.time = {{6.0, 8.0}, {0.0, 0.0}};
+  document.holds.grips = {grip};
+  std::vector<HoldReport> reports = reportsOf(document);
+  REQUIRE(reports.size() == 2);
+  CHECK(reports[0].kind == rig::HoldKind::pin);
+  CHECK(reports[0].framesOverridden == halvesFrom(6.0, 8.0));
+  CHECK(reports[0].overriddenBy == rig::HoldKind::grip);
+  CHECK(reports[0].farthestOverridden > 0.1);
+  CHECK(reports[0].framesFallShort.empty());
+  CHECK(reports[0].farthest < 1e-6);
+  CHECK_THAT(overrideWarning(reports[0]), Catch::StartsWith("the pin of left-arm is left by up to ") &&
+                                              Catch::EndsWith(" at frames 6 to 8: the grip decides there"));
+  CHECK(holdWarning(reports[0]).empty());
+  CHECK(reports[1].framesOverridden.empty());
+  CHECK(overrideWarning(reports[1]).empty());
+
+  // Half of a hold takes half of the other one from its place, and is told with that.
+  document.holds.grips.clear();
+  rig::Prop prop;
+  prop.node = "Stick";
+  prop.hands = {{"right-arm", {{.frame = 0.0, .value = 1.0}}}, {"left-arm", {{.frame = 0.0, .value = 0.5}}}};
+  document.holds.props = {prop};
+  reports = reportsOf(document);
+  REQUIRE(reports.size() == 3);
+  const auto ofPin = std::ranges::find(reports, rig::HoldKind::pin, &HoldReport::kind);
+  REQUIRE(ofPin != reports.end());
+  CHECK(ofPin->framesOverridden == halvesFrom(4.0, 9.0));
+  CHECK(ofPin->overriddenBy == rig::HoldKind::prop);
+  CHECK(ofPin->strength == 1.0);
+  const auto half = std::ranges::find(reports, 0.5, &HoldReport::strength);
+  REQUIRE(half != reports.end());
+  CHECK(half->limb == "left-arm");
+  CHECK(half->framesFallShort.empty());
+}
+
+TEST_CASE("A pin whose hand holds a prop by itself is not overridden by that") {
+  Document document = test::twoPunches();
+  rig::Pin pin = pinAway("left-arm", 0.5 * boxerArm);
+  pin.stretch = 1.0;
+  document.holds.pins = {pin};
+  rig::Prop prop;
+  prop.node = "Stick";
+  prop.hands = {{"left-arm", {{.frame = 0.0, .value = 1.0}}}};
+  document.holds.props = {prop};
+  for (const HoldReport& report : reportsOf(document)) {
+    CHECK(report.framesOverridden.empty());
+    CHECK(report.framesFallShort.empty());
+  }
 }
 
 TEST_CASE("A hold that falls short is told with its limb, its frames and how far, another not") {

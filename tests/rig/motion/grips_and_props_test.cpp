@@ -143,7 +143,7 @@ TEST_CASE("a grip follows a leader that another grip moves, in whatever order th
                                  [](const Grip& a, const Grip& b) { return a.follower < b.follower; }));
 }
 
-TEST_CASE("of several holds of one limb the last acts, and it alone is told") {
+TEST_CASE("of several holds of one limb the last acts, and those before are told as overridden") {
   const MovingBiped moving = bipedWithBat();
   Holds holds;
   holds.pins = {pinAt("right-arm", heldOver(0, 24), 3), pinnedAside(moving, "right-arm"),
@@ -154,20 +154,28 @@ TEST_CASE("of several holds of one limb the last acts, and it alone is told") {
     return applyHolds(moving.scene, held(moving, holds), source, frame);
   };
   std::vector<HeldGoal> told = toldOf();
-  REQUIRE(told.size() == 2);
-  CHECK(told[0].kind == HoldKind::pin);
-  CHECK(told[0].index == 1);
-  CHECK(glm::length(told[0].wanted - holds.pins[1].place->position) < unseen);
-  CHECK(told[1].index == 2);
+  REQUIRE(told.size() == 3);
+  CHECK(told[0].overriddenBy == HoldKind::pin);
+  CHECK(told[1].kind == HoldKind::pin);
+  CHECK(told[1].index == 1);
+  CHECK(glm::length(told[1].wanted - holds.pins[1].place->position) < unseen);
+  CHECK(told[2].index == 2);
+  CHECK_FALSE(told[1].overriddenBy);
+  CHECK_FALSE(told[2].overriddenBy);
   holds.grips = {gripOf("right-arm", "left-arm")};
   told = toldOf();
-  REQUIRE(told.size() == 2);
-  CHECK(told[1].kind == HoldKind::grip);
+  REQUIRE(told.size() == 4);
+  CHECK(told[1].overriddenBy == HoldKind::grip);
+  CHECK(told[3].kind == HoldKind::grip);
   holds.props = {propOf({firmHand("right-arm", 0.5)})};
   told = toldOf();
-  REQUIRE(told.size() == 2);
-  CHECK(told[1].kind == HoldKind::prop);
-  CHECK(told[1].strength == Approx(0.5));
+  REQUIRE(told.size() == 5);
+  CHECK(told[0].overriddenBy == HoldKind::prop);
+  CHECK(told[3].overriddenBy == HoldKind::prop);
+  CHECK(told[4].kind == HoldKind::prop);
+  CHECK(told[4].strength == Approx(0.5));
+  CHECK_FALSE(told[2].overriddenBy);
+  CHECK_FALSE(told[4].overriddenBy);
 }
 
 TEST_CASE("a prop stays in the hand as it was bound, by its name or its number") {
