@@ -56,7 +56,9 @@ std::vector<HoldReport> holdReports(const Document& document, const rig::MotionS
   const Clip& clip = clipOf(document, motion.clip);
   for (const double frame : halfFramesOf(motion)) {
     FrameState state = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
-    for (const rig::HeldGoal& goal : rig::applyTrailsAndHolds(*document.scene, motion, state)) {
+    std::vector<rig::HeldGoal> goals = rig::applyTrailsAndHolds(*document.scene, motion, state);
+    rig::applyAfterHolds(*document.scene, motion, goals, state);
+    for (const rig::HeldGoal& goal : goals) {
       const rig::Limb& limb = motion.holds.limbs[goal.limb].limb;
       HoldReport& report = reportOf(reports, goal, limb.id);
       report.strength = std::max(report.strength, goal.strength);

@@ -26,7 +26,8 @@ struct HoldReport {
 /// Frames and half frames of the clip, at most some twenty thousand frames: where holds are looked at.
 [[nodiscard]] std::vector<double> halfFramesOf(const rig::MotionState& motion);
 
-/// One for each limb that a hold of the clip holds at any time, measured wherever it holds fully. `motion`: of the clip, with its holds.
+/// One for each limb that a hold of the clip holds at any time, measured on the final frame wherever it holds
+/// fully. `motion`: of the clip, with its holds.
 [[nodiscard]] std::vector<HoldReport> holdReports(const Document& document, const rig::MotionState& motion);
 
 /// One line for a hold that falls short: "the pin of left-arm falls short at frames 5 to 9 by up to 0.12".

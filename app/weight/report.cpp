@@ -86,13 +86,13 @@ void measureAt(const WeightInput& input, const rig::MotionState& motion, double 
                std::vector<Measured>& all) {
   const double seconds = frame / input.clip->framesPerSecond;
   FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
-  rig::applyTrailsAndHolds(*input.scene, motion, pose);
+  std::vector<rig::HeldGoal> held = rig::applyTrailsAndHolds(*input.scene, motion, pose);
   std::vector<std::vector<double>> before;
   before.reserve(all.size());
   for (const Measured& one : all) {
     before.push_back(boneLengths(one.solved->limb, pose));
   }
-  rig::applyAfterHolds(*input.scene, motion, pose);
+  rig::applyAfterHolds(*input.scene, motion, held, pose);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const rig::LimbWeight& weight = all[i].solved->weight;
     constexpr double rounding = 1e-6;

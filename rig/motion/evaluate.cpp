@@ -11,6 +11,7 @@
 #include "rig/adjust/apply_adjustments.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
+#include "rig/motion/keep_held.h"
 #include "rig/motion/range_offset.h"
 #include "rig/motion/release_length.h"
 #include "rig/motion/stop.h"
@@ -211,13 +212,18 @@ std::vector<HeldGoal> applyTrailsAndHolds(const Scene& scene, const MotionState&
   return applyHolds(scene, motion, source, frame);
 }
 
-void applyAfterHolds(const Scene& scene, const MotionState& motion, FrameState& frame) {
+void applyAfterHolds(const Scene& scene, const MotionState& motion, std::vector<HeldGoal>& goals,
+                     FrameState& frame) {
+  const FrameState before = goals.empty() || motion.weights.empty() ? FrameState{} : frame;
   applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
+  if (!before.worlds.empty()) {
+    keepHeld(scene, motion, before, goals, frame);
+  }
 }
 
 void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame) {
-  applyTrailsAndHolds(scene, motion, frame);
-  applyAfterHolds(scene, motion, frame);
+  std::vector<HeldGoal> goals = applyTrailsAndHolds(scene, motion, frame);
+  applyAfterHolds(scene, motion, goals, frame);
 }
 
 FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,

@@ -12,7 +12,7 @@
 namespace stretch::rig {
 
 // The stages of a frame are named here and in evaluate.cpp alone, in the order in which they act: the clip,
-// adjustments, trails, holds, weight.
+// adjustments, trails, holds, weight, what is held once more.
 
 /// The clip at a time, past its last key held: every track is, and so is what trails and weight make of it.
 [[nodiscard]] FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds);
@@ -25,8 +25,10 @@ namespace stretch::rig {
 /// Answers what is held.
 std::vector<HeldGoal> applyTrailsAndHolds(const Scene& scene, const MotionState& motion, FrameState& frame);
 
-/// Brings what acts after the holds onto a frame: the weight of limbs.
-void applyAfterHolds(const Scene& scene, const MotionState& motion, FrameState& frame);
+/// Brings what acts after the holds onto a frame: the weight of limbs, from which what is held comes back
+/// (keep_held.h). `goals`: what was held; they come along with what holds them.
+void applyAfterHolds(const Scene& scene, const MotionState& motion, std::vector<HeldGoal>& goals,
+                     FrameState& frame);
 
 /// Brings everything that acts on an adjusted frame onto it: these two, one after the other.
 void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame);

@@ -144,7 +144,7 @@ double bendingShare(double straightness) {
   return smoothstep((straight - straightness) / (straight - bent));
 }
 
-// A leg of two bones brought to a target, by its knee as far as that is bent, and scaled as a whole for the
+// A limb of two bones brought to a target, by its knee as far as that is bent, and scaled as a whole for the
 // rest; nothing where it has no length.
 std::optional<LimbPose> bentTo(const std::vector<Vec3>& points, const Vec3& target) {
   const double bones = glm::length(points[1] - points[0]) + glm::length(points[2] - points[1]);
@@ -170,26 +170,30 @@ std::optional<LimbPose> bentTo(const std::vector<Vec3>& points, const Vec3& targ
   return LimbPose{{shape.turns[0], shape.turns[1]}, {stretch, stretch}, Vec3(0.0), shape.end};
 }
 
-// Brings a limb's end to a place from wherever it went.
-void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target, FrameState& frame) {
+// Turns and scales a limb as a whole.
+void scaleTo(const Scene& scene, const Limb& limb, const LimbTopology& topology, const Vec3& target,
+             FrameState& frame) {
   constexpr double shortestReachOfRest = 1e-3;
   LimbShapeProblem problem;
-  problem.points = limbPoints(solved.limb, frame);
+  problem.points = limbPoints(limb, frame);
   problem.target = target;
-  problem.shortestReach = shortestReachOfRest * solved.limb.restLength;
-  problem.restLength = solved.limb.restLength;
-  if (glm::length(problem.target - problem.points.back()) <= 0.0) {
-    return;
-  }
-  if (isLeg(solved.limb) && problem.points.size() == 3) {
-    if (const std::optional<LimbPose> bent = bentTo(problem.points, target)) {
-      deformLimb(scene, solved.limb, solved.topology, *bent, {}, frame);
-      return;
-    }
-  }
+  problem.shortestReach = shortestReachOfRest * limb.restLength;
+  problem.restLength = limb.restLength;
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, limbPose(shape), {}, frame);
+    deformLimb(scene, limb, topology, limbPose(shape), {}, frame);
+  }
+}
+
+// Brings a limb's end to a place from wherever it went.
+void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target, FrameState& frame) {
+  if (glm::length(target - endPosition(solved.limb, frame)) <= 0.0) {
+    return;
+  }
+  if (isLeg(solved.limb)) {
+    bendBack(scene, solved.limb, solved.topology, target, frame);
+  } else {
+    scaleTo(scene, solved.limb, solved.topology, target, frame);
   }
 }
 
@@ -265,6 +269,18 @@ WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
     strain *= fade;
   }
   return sample;
+}
+
+void bendBack(const Scene& scene, const Limb& limb, const LimbTopology& topology, const Vec3& target,
+              FrameState& frame) {
+  const std::vector<Vec3> points = limbPoints(limb, frame);
+  if (points.size() == 3) {
+    if (const std::optional<LimbPose> bent = bentTo(points, target)) {
+      deformLimb(scene, limb, topology, *bent, {}, frame);
+      return;
+    }
+  }
+  scaleTo(scene, limb, topology, target, frame);
 }
 
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,

@@ -52,4 +52,9 @@ struct SolvedWeight {
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
                  const BodyOutline& outline, FrameState& frame);
 
+/// Brings the end of a limb that gave way, or whose base did, back to a place: one of two bones bends as far
+/// as it is bent already, and is turned and scaled as a whole for the rest.
+void bendBack(const Scene& scene, const Limb& limb, const LimbTopology& topology, const Vec3& target,
+              FrameState& frame);
+
 } // namespace stretch::rig
