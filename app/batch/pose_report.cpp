@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/edits/pose/adjustment_edits.h"
+#include "app/evaluate/end_flips.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/missed_places.h"
@@ -53,6 +54,9 @@ void addMotionReports(const Document& document, int clip, Json& report) {
   }
   for (const PropFlip& flip : propFlips(document, motion)) {
     report["warnings"].push_back(flipWarning(flip));
+  }
+  for (const EndFlip& flip : endFlips(document, motion)) {
+    report["warnings"].push_back(endFlipWarning(flip));
   }
   report["holds"] = Json::array();
   for (const HoldReport& hold : holdReports(document, motion)) {
