@@ -18,20 +18,28 @@ bool isForwards(const SolvedTrail& solved) {
   return solved.settings.pivot == Pivot::start;
 }
 
-// Of the limb's end on its exaggerated path, seen from its base: units per second, over half a frame and
-// more.
-double fastestStroke(const SolvedTrail& solved, double framesPerSecond) {
+// Over how long a time the speed of a stroke is told: half a frame and more, and where more frames are
+// counted than the keys have, one of these.
+double strokeSeconds(const Clip& clip, const Limb& limb) {
+  constexpr double nearlyAll = 0.999;
+  const double keysPerSecond = keyRate(clip, jointsAndEnd(limb));
+  return keysPerSecond < clip.framesPerSecond ? nearlyAll / keysPerSecond : 0.5 / clip.framesPerSecond;
+}
+
+// Of the limb's end on its exaggerated path, seen from its base: units per second.
+double fastestStroke(const SolvedTrail& solved, const Clip& clip) {
+  const double leastSeconds = strokeSeconds(clip, solved.limb);
   double fastest = 0.0;
   double lastSeconds = 0.0;
   std::optional<Vec3> last;
   for (const LimbSample& sample : solved.path.samples) {
     const double passed = sample.timeSeconds - lastSeconds;
-    if (last && passed < 0.5 / framesPerSecond) {
+    if (last && passed < leastSeconds) {
       continue;
     }
     const double weight = solved.remap.at(solved.path.ratioAt(sample.timeSeconds));
-    const Vec3 reach =
-        sample.end - sample.base + rangeOffset(solved, sample, sample.timeSeconds * framesPerSecond, weight);
+    const Vec3 reach = sample.end - sample.base +
+                       rangeOffset(solved, sample, sample.timeSeconds * clip.framesPerSecond, weight);
     fastest = last ? std::max(fastest, glm::length(reach - *last) / passed) : fastest;
     last = reach;
     lastSeconds = sample.timeSeconds;
@@ -40,10 +48,10 @@ double fastestStroke(const SolvedTrail& solved, double framesPerSecond) {
 }
 
 // The decay is at most 1.5 times as steep as a straight one, steeper where it swings past the original.
-double calmSeconds(const SolvedTrail& solved, double framesPerSecond) {
-  const double fastest = fastestStroke(solved, framesPerSecond);
+double calmSeconds(const SolvedTrail& solved, const Clip& clip) {
+  const double fastest = fastestStroke(solved, clip);
   const double offset =
-      glm::length(rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0));
+      glm::length(rangeOffset(solved, tipSample(solved), solved.tipSeconds * clip.framesPerSecond, 1.0));
   return fastest > 0.0 ? 1.5 * (1.0 + solved.settings.overshoot) * offset / fastest : 0.0;
 }
 
@@ -87,8 +95,7 @@ std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
 ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved) {
   const Clip& clip = *input.clip;
   ReleaseLength length;
-  length.calmSeconds =
-      calmSeconds(solved, clip.framesPerSecond) + solved.settings.lingerFrames / clip.framesPerSecond;
+  length.calmSeconds = calmSeconds(solved, clip) + solved.settings.lingerFrames / clip.framesPerSecond;
   if (solved.settings.releaseFrames) {
     length.wantedSeconds = *solved.settings.releaseFrames / clip.framesPerSecond;
   } else {

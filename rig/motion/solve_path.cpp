@@ -98,7 +98,8 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
     path.between.push_back(limbSample(limb, key.space, input.hips, frames.at(time)));
   }
   original.chosenFrames =
-      chooseControlFrames(path, original.keyTimes, fps, controlTolerance * limb.restLength);
+      chooseControlFrames(path, original.keyTimes, fps, keyRate(*input.clip, jointsAndEnd(limb)),
+                          controlTolerance * limb.restLength);
   return original;
 }
 

@@ -150,6 +150,32 @@ std::pair<std::size_t, double> worstSample(const SpacePath& path, const std::vec
   return worst;
 }
 
+// The samples on frames of a rate, and the two ends.
+LimbPath onFramesOf(const LimbPath& path, double framesPerSecond) {
+  LimbPath counted = path;
+  const double start = path.samples.front().timeSeconds;
+  const double end = path.samples.back().timeSeconds;
+  std::erase_if(counted.samples, [&](const LimbSample& sample) {
+    const double time = sample.timeSeconds;
+    const double frame = std::round(time * framesPerSecond) / framesPerSecond;
+    return std::abs(time - frame) >= sameTime && time > start && time < end;
+  });
+  return counted;
+}
+
+bool isDenseAt(const Clip& clip, const std::vector<NodeIndex>& nodes, double framesPerSecond) {
+  const auto isDense = [&](std::size_t keyCount) {
+    return isDenselyKeyed(keyCount, clip.startSeconds, clip.endSeconds, framesPerSecond);
+  };
+  // One track is enough: those of a long capture are not merged for this.
+  return std::ranges::any_of(clip.tracks,
+                             [&](const CopyOnWrite<Track>& track) {
+                               return isOfNodes(*track, nodes) &&
+                                      isDense(keyCountOf(*track, clip.startSeconds, clip.endSeconds));
+                             }) ||
+         isDense(keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds).size());
+}
+
 } // namespace
 
 NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<NodeIndex>& nodes)
@@ -320,30 +346,29 @@ bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds
   return static_cast<double>(keyCount) - 1.0 > densest * frames && keyCount > 4;
 }
 
+double keyRate(const Clip& clip, const std::vector<NodeIndex>& nodes) {
+  constexpr double lowest = 8.0; // that a file's keys may tell
+  const bool mayBeLower = !isDenseAt(clip, nodes, clip.framesPerSecond) && isDenseAt(clip, nodes, lowest);
+  return mayBeLower ? std::min(clip.framesPerSecond, guessFramesPerSecond(clip.tracks))
+                    : clip.framesPerSecond;
+}
+
 bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes) {
-  const auto isDense = [&](std::size_t keyCount) {
-    return isDenselyKeyed(keyCount, clip.startSeconds, clip.endSeconds, clip.framesPerSecond);
-  };
-  // One track is enough: those of a long capture are not merged for this.
-  return std::ranges::any_of(clip.tracks,
-                             [&](const CopyOnWrite<Track>& track) {
-                               return isOfNodes(*track, nodes) &&
-                                      isDense(keyCountOf(*track, clip.startSeconds, clip.endSeconds));
-                             }) ||
-         isDense(keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds).size());
+  return isDenseAt(clip, nodes, keyRate(clip, nodes));
 }
 
 std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
-                                        double framesPerSecond, double tolerance) {
-  const std::vector<LimbSample>& samples = path.samples;
+                                        double framesPerSecond, double keysPerSecond, double tolerance) {
+  const LimbPath counted = keysPerSecond < framesPerSecond ? onFramesOf(path, keysPerSecond) : path;
+  const std::vector<LimbSample>& samples = counted.samples;
   const double start = samples.front().timeSeconds;
   const double end = samples.back().timeSeconds;
   constexpr std::size_t mostChosen = 10; // More hide the character; the hand adds what it needs.
   std::vector<double> times{start, end};
-  if (!isDenselyKeyed(keyTimes.size(), start, end, framesPerSecond)) {
+  if (!isDenselyKeyed(keyTimes.size(), start, end, keysPerSecond)) {
     times.insert(times.end(), keyTimes.begin(), keyTimes.end());
   } else {
-    const SpacePath seen = inSpace(path);
+    const SpacePath seen = inSpace(counted);
     std::vector<std::size_t> controls = extremes(seen);
     for (auto worst = worstSample(seen, controls); worst.second > tolerance && controls.size() < mostChosen;
          worst = worstSample(seen, controls)) {
@@ -351,7 +376,7 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
     }
     for (const std::size_t control : controls) {
       const double time = samples[control].timeSeconds;
-      const double onFrame = std::round(time * framesPerSecond) / framesPerSecond;
+      const double onFrame = std::round(time * keysPerSecond) / keysPerSecond;
       const bool isEnd = time == start || time == end; // a range may begin and end between frames
       times.push_back(!isEnd && onFrame > start && onFrame < end ? onFrame : time); // Where the artist stops.
     }

@@ -79,16 +79,22 @@ struct LimbPath {
 
 /// Frames of the control spheres (docs/exaggeration.md, Control spheres): the keys of a sparsely keyed limb;
 /// else the ends, the extremes and as few in between as keep a cubic through them within `tolerance` (world
-/// units) of the path, about ten at most.
+/// units) of the path, about ten at most. `keysPerSecond`: by which the keys are counted.
 [[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path,
                                                       const std::vector<double>& keyTimes,
-                                                      double framesPerSecond, double tolerance);
+                                                      double framesPerSecond, double keysPerSecond,
+                                                      double tolerance);
 
 /// Whether as many keys within [start, end] are so dense (about one in each frame) that they say nothing
 /// about poses.
 [[nodiscard]] bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds,
                                   double framesPerSecond);
-/// Whether those of the nodes are over the whole clip (keyTimesOf).
+/// Whether those of the nodes are over the whole clip (keyTimesOf), at the rate of its keys.
 [[nodiscard]] bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes);
+
+/// Rate by which keys of the nodes are counted: the clip's own, or that on which its keys lie where they are
+/// too few for the own one and this one is lower. A clip that is shown at more frames per second than it was
+/// made at is keyed no less densely.
+[[nodiscard]] double keyRate(const Clip& clip, const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "rig/motion/release_length.h"
+#include "rig/motion/solve.h"
+#include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -106,6 +108,27 @@ TEST_CASE("the speed of a stroke is that of its exaggerated path, seen from the 
   const Vec3 turned(-offset.y, offset.x, 0.0);
   const Vec3 turnedVelocity = Vec3(way.speed, 0.0, 0.0) + turned / seconds;
   CHECK(releaseOf(solved).calmSeconds == Approx(calmOf(glm::length(turned), glm::length(turnedVelocity))));
+}
+
+TEST_CASE("a way back lasts as long at whatever rate the frames of a densely keyed clip are counted") {
+  test::MovingBiped moving = test::punchingBiped();
+  moving.clip = test::keyedOnEveryFrame(moving.clip);
+  const auto secondsAt = [&](double rate) {
+    test::MovingBiped counted = moving;
+    counted.clip.framesPerSecond = rate;
+    const double frames = rate / moving.clip.framesPerSecond;
+    const MotionInput input =
+        motionInput(counted, {test::connectedTrail("left-arm", 4.0 * frames, 12.0 * frames, 2.0)});
+    const SolvedTrail solved = solveMotion(input).trails.front();
+    return std::pair(solved.calmReleaseSeconds, solved.release.seconds());
+  };
+  const auto [calm, release] = secondsAt(24.0);
+  REQUIRE(release > 2.5 / 24.0);
+  for (const double rate : {48.0, 72.0, 120.0}) {
+    CAPTURE(rate);
+    CHECK(secondsAt(rate).first == Approx(calm).epsilon(0.02));
+    CHECK(std::abs(secondsAt(rate).second - release) < 1.0 / 24.0);
+  }
 }
 
 TEST_CASE("the fastest part of a stroke tells its speed, wherever it is") {

@@ -167,7 +167,7 @@ TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere
   for (const double seconds : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
     add(start + seconds, 1.1 - seconds);
   }
-  const std::vector<double> frames = chooseControlFrames(path, keyTimes, rate, 10.0);
+  const std::vector<double> frames = chooseControlFrames(path, keyTimes, rate, rate, 10.0);
   CAPTURE(start);
   REQUIRE(frames.size() == 3);
   CHECK(frames[0] == Approx(rate * start).margin(1e-9)); // the ends stay where they are
@@ -215,6 +215,26 @@ TEST_CASE("a limb is densely keyed by one of its tracks, or by all of them toget
     twice.insert(twice.end(), {time, time + 2e-7F});
   }
   CHECK_FALSE(isDense({track(NodeIndex(1), twice)}));
+}
+
+TEST_CASE(
+    "a limb that is keyed at every frame of its file is densely keyed at any rate that it is shown at") {
+  Clip clip;
+  clip.endSeconds = 1.0;
+  Track track;
+  track.node = NodeIndex(1);
+  track.channel = Channel::rotation;
+  const int keys = GENERATE(25, 7); // one in each frame of 24, and one in four
+  for (int key = 0; key < keys; ++key) {
+    track.times.push_back(static_cast<float>(key) / static_cast<float>(keys - 1));
+  }
+  clip.tracks.emplace_back(track);
+  for (const double rate : {24.0, 30.0, 48.0, 60.0}) {
+    CAPTURE(keys, rate);
+    clip.framesPerSecond = rate;
+    CHECK(isDenselyKeyed(clip, {NodeIndex(1)}) == (keys == 25));
+    CHECK(keyRate(clip, {NodeIndex(1)}) == (keys == 25 && rate == 30.0 ? 30.0 : 24.0));
+  }
 }
 
 TEST_CASE("key times of several tracks are told once and in order, within the range alone") {
