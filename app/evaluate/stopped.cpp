@@ -31,7 +31,12 @@ bool isStoppedAtTip(const Document& document, const rig::MotionState& motion,
                             {solved.tipSeconds * motion.framesPerSecond})
             .exaggerated;
       };
-  return tipIn(motion) != tipIn(unstopped);
+  // A stop that the tip but touches is met or not by rounding: neither a character's place nor its size
+  // decides.
+  constexpr double unseenStop = 1e-4; // of the limb
+  return !std::ranges::equal(tipIn(motion), tipIn(unstopped), [&](const Vec3& a, const Vec3& b) {
+    return glm::length(a - b) <= unseenStop * solved.limb.restLength;
+  });
 }
 
 bool hasWantedLength(const Document& document, const rig::MotionState& motion,
