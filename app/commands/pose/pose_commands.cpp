@@ -77,11 +77,10 @@ Status resetAt(Session& session, const std::vector<std::string>& ids, const std:
 }
 
 Status resetOver(Session& session, const std::vector<std::string>& ids, const std::string& label) {
-  const KeyRange range = keyRange(session);
   const int clip = session.view().clip;
   forgetUnkeyedOf(session.view(), ids);
-  if (range.rangeFrames) {
-    return finish(session, resetOffsetsOver(session.document(), clip, *range.rangeFrames, ids),
+  if (isRangeSet(session.view())) {
+    return finish(session, resetOffsetsOver(session.document(), clip, shownRange(session), ids),
                   label.c_str());
   }
   Document document = session.document();

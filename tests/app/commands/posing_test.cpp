@@ -335,6 +335,16 @@ TEST_CASE("Reset takes the selection's offsets, or everything, at the playhead o
     CHECK(run(session, command::poseResetRigRange).empty());
     CHECK(session.document().adjustments.empty());
   }
+  SECTION("nothing outside of a range, wherever the playhead stands") {
+    session.view().rangeStart = 10.0;
+    session.view().rangeEnd = 15.0;
+    session.view().frame = 2.0;
+    CHECK(run(session, command::poseResetRange).empty());
+    CHECK(run(session, command::poseResetRigRange).empty());
+    session.view().frame = 8.0;
+    CHECK(moveOf(session, "left-hand").x == Approx(0.1));
+    CHECK(moveOf(session, "hips").y == Approx(-0.1));
+  }
 }
 
 TEST_CASE("A pose is mirrored to the other side, in its limb's own space, and sides change places") {
