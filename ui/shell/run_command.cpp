@@ -98,7 +98,8 @@ std::string undoneText(const Shell& shell, std::string_view commandId) {
                          history.at(step));
   };
   if (const app::Session* const character = shell.open.character()) {
-    return textOf(*character);
+    const bool isPose = commandId == command::undo && app::isPosedWithoutKey(character->view());
+    return isPose ? "the pose without a key" : textOf(*character);
   }
   const app::SequenceSession* const sequence = shell.open.sequence();
   return sequence == nullptr ? std::string() : textOf(*sequence);

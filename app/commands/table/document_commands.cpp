@@ -61,10 +61,21 @@ Status run(const DocumentCommand& command, OpenDocument& open) {
 
 std::vector<DocumentCommand> historyCommands() {
   const auto undo = doing([](auto& session) { session.undo(); });
+  // A pose without a key came after every step of the history.
+  const auto undoOfCharacter = doing([](Session& session) {
+    if (isPosedWithoutKey(session.view())) {
+      session.view().unkeyed = {};
+    } else {
+      session.undo();
+    }
+  });
+  const auto canUndoOfCharacter = [](const Session& session) {
+    return canUndo(session) || isPosedWithoutKey(session.view());
+  };
   const auto redo = doing([](auto& session) { session.redo(); });
   return {
       entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"},
-            {canUndo, "nothing was done yet"}, undo, canUndo, undo),
+            {canUndoOfCharacter, "nothing was done yet"}, undoOfCharacter, canUndo, undo),
       entry(command::redo, "Redo", "Brings the change that was taken back again.", {"Ctrl+Shift+Z", "Ctrl+Y"},
             {canRedo, "nothing was undone"}, redo, canRedo, redo),
   };

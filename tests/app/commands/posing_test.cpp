@@ -444,3 +444,19 @@ TEST_CASE("Arrows nudge the selected controllers in the view plane, by the steps
   selectController(session, "LeftForeArm", false);
   CHECK_FALSE(run(session, nudge + "up").empty());
 }
+
+TEST_CASE("Undo takes a pose without a key first, and then what was done before") {
+  Session session = posed("hips", {0.0, -0.1, 0.0});
+  CHECK(run(session, command::poseAutoKey).empty());
+  selectController(session, "left-hand", false);
+  REQUIRE(poseAll(session, moved("left-hand", {0.1, 0.0, 0.0}), "Move"));
+  CHECK(run(session, command::undo).empty());
+  CHECK(moveOf(session, "left-hand") == Vec3(0.0));
+  CHECK(moveOf(session, "hips").y == Approx(-0.1));
+  CHECK(run(session, command::undo).empty());
+  CHECK(session.document().adjustments.empty());
+  REQUIRE(poseAll(session, moved("left-hand", {0.1, 0.0, 0.0}), "Move"));
+  CHECK(run(session, command::undo).empty());
+  CHECK(moveOf(session, "left-hand") == Vec3(0.0));
+  CHECK(run(session, command::undo) == "nothing was done yet");
+}

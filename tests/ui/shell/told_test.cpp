@@ -135,3 +135,18 @@ TEST_CASE("A range that was only a trail's is not remembered as one that was set
   app::setRangeByHand(stage.session(), {4.0, 9.0});
   CHECK(remembered() == gltf::Json{4.0, 9.0});
 }
+
+TEST_CASE("That undo took a pose without a key is told, and the steps before it stay") {
+  Told stage;
+  stage.session().edit(app::setLooping(stage.session().document(), 0, true), "Loop");
+  stage.press("Alt+1");
+  stage.press("Shift+S");
+  stage.press("Alt+Up");
+  REQUIRE_FALSE(stage.session().view().unkeyed.empty());
+  stage.press("Ctrl+Z");
+  CHECK(stage.isTold("Undone: the pose without a key"));
+  CHECK(stage.session().view().unkeyed.empty());
+  CHECK(stage.session().history().undoLabel() == "Loop");
+  stage.press("Ctrl+Z");
+  CHECK(stage.isTold("Undone: Loop"));
+}
