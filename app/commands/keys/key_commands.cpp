@@ -38,6 +38,17 @@ Need editedNeeded() {
           "the clip's own keys are as the file has them"};
 }
 
+bool canRestore(const Session& session) {
+  const Selection& selection = session.view().selection;
+  const bool anySelected = !selection.limbs().empty() || !selection.controllers().empty();
+  return hasEditedKeys(session.document()) && (anySelected || hasPickedKeys(session));
+}
+
+std::string whyNotRestored(const Session& session) {
+  return hasEditedKeys(session.document()) ? "pick keys, or select a limb or a controller first"
+                                           : editedNeeded().text;
+}
+
 Status insertHere(Session& session) {
   const ViewState& view = session.view();
   return editKeys(session, insertKeys(session.document(), view.clip, view.keyRows, view.frame), "Insert");
@@ -80,7 +91,7 @@ void pickAll(Session& session) {
   pickKeys(session, allKeys(session.document(), session.view().clip, session.view().keyRows), false);
 }
 
-// The rows of the picked keys; without any those of the selected limbs.
+// The rows of the picked keys; without any those of the selected limbs and controllers.
 std::vector<KeyRow> rowsToRestore(const Session& session) {
   std::vector<KeyRow> rows;
   for (const PickedRow& picked : pickedKeys(session)) {
@@ -123,6 +134,12 @@ std::vector<DocumentCommand> keyCommands() {
             deletePicked),
       entry(command::keysCopy, "Copy keys", "Remembers the picked keys.", {}, pickedNeeded(),
             doing(copyPicked)),
+  DocumentCommand restore = entry(
+      command::keysRestore, "Restore the source's keys",
+      "Gives the tracks of the picked keys, or of the selected limbs and controllers, back as the file has "
+      "them.",
+      {}, {canRestore, ""}, restoreSelected);
+  restore.needsNow = whyNotRestored;
       entry(command::keysPaste, "Paste keys", "Puts the copied keys at the playhead.", {}, copiedNeeded(),
             pasteHere),
       entry(command::keysAll, "Pick all keys", "Picks every key that the graph or the dope sheet shows.", {},
@@ -142,9 +159,7 @@ std::vector<DocumentCommand> keyCommands() {
                   rig::KeyInterpolation::stepped),
       kindCommand(command::keysFree, "Free tangents", "The slopes are those of the handles.",
                   rig::KeyInterpolation::free),
-      entry(command::keysRestore, "Restore the source's keys",
-            "Gives the tracks of the picked keys, or of the selected limbs, back as the file has them.", {},
-            editedNeeded(), restoreSelected),
+      restore,
       entry(command::keysRestoreAll, "Restore all of the source's keys",
             "Gives every track of every clip back as the file has it.", {}, editedNeeded(),
             restoreEverything),

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "app/commands/pose/posing.h"
 #include "app/commands/table/frames.h"
 
 namespace stretch::app {
@@ -40,8 +41,14 @@ std::vector<KeyRow> rowsOfSelection(const Session& session) {
   if (!hasClip(document, session.view().clip)) {
     return {};
   }
+  std::vector<std::string> limbs = session.view().selection.limbs();
   std::set<NodeIndex> nodes;
-  for (const std::string& id : session.view().selection.limbs()) {
+  for (const rig::Controller& controller : selectedControllers(session)) {
+    limbs.push_back(controller.limb);
+    nodes.insert(controller.node);
+  }
+  const bool isAnySelected = !limbs.empty();
+  for (const std::string& id : limbs) {
     if (const rig::Limb* const limb = findLimb(document, id)) {
       nodes.insert(limb->joints.begin(), limb->joints.end());
       nodes.insert(limb->endNode);
@@ -49,7 +56,7 @@ std::vector<KeyRow> rowsOfSelection(const Session& session) {
   }
   std::vector<KeyRow> rows = keyedRows(document, session.view().clip);
   std::erase_if(rows, [&](const KeyRow& row) {
-    return !nodes.empty() && (row.isOffset() || nodes.count(row.node) == 0);
+    return isAnySelected && (row.isOffset() || nodes.count(row.node) == 0);
   });
   return rows;
 }

@@ -19,7 +19,8 @@ void pickKeys(Session& session, const KeySelection& selection, bool add);
 /// One undo step: "Move 3 keys of left hand" for the verb "Move".
 [[nodiscard]] Status editKeys(Session& session, Result<EditedKeys> edited, const std::string& verb);
 
-/// Nodes of the selected limbs, and with none selected of every joint: the rows of their keys.
+/// Joints of the selected limbs, or of the selected controllers and their limbs, and with none selected every
+/// joint: the rows of their keys.
 [[nodiscard]] std::vector<KeyRow> rowsOfSelection(const Session& session);
 
 } // namespace stretch::app

@@ -1,0 +1,57 @@
+// The clip's own keys by commands: which of them an undone edit gives back, and what is pasted at another
+// rate.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/keys/keys.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/keys/track_edits.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/run_command.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using test::run;
+
+namespace {
+
+const KeyRow armTurns{NodeIndex(3), Channel::rotation, {}};
+
+/// The first key of the left arm, a value further.
+Session withEditedArm() {
+  Session session(test::boxer());
+  session.view().keyRows = {armTurns};
+  CHECK(run(session, command::keysAll).empty());
+  REQUIRE(editKeys(session, moveKeys(session.document(), 0, pickedKeys(session), {0.0, 10.0}), "Move"));
+  pickKeys(session, {}, false);
+  REQUIRE(hasEditedKeys(session.document()));
+  return session;
+}
+
+/// As the frames are stored, in seconds of single precision, but for that precision.
+std::vector<double> framesOf(const Session& session) {
+  std::vector<double> frames = keyFramesOf(session.document(), 0, armTurns);
+  std::ranges::transform(frames, frames.begin(), [](double frame) { return std::round(1e3 * frame) / 1e3; });
+  return frames;
+}
+
+} // namespace
+
+TEST_CASE("The source's keys are given back to the limb whose controller is selected, and to no other") {
+  Session session = withEditedArm();
+  CHECK_FALSE(run(session, command::keysRestore).empty()); // nothing says which
+  for (const char* const other : {"hips", "right-hand"}) {
+    CAPTURE(other);
+    selectController(session, other, false);
+    CHECK(run(session, command::keysRestore).empty());
+    CHECK(hasEditedKeys(session.document()));
+  }
+  selectController(session, "left-hand", false);
+  CHECK(run(session, command::keysRestore).empty());
+  CHECK_FALSE(hasEditedKeys(session.document()));
+}
