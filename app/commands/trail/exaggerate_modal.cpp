@@ -312,13 +312,28 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
 
 rig::TrailSettings withModal(const rig::TrailSettings& other, const ExaggerateModal& modal) {
   rig::TrailSettings settings = other;
-  settings.scale = modal.settings.scale;
-  settings.axes = modal.settings.axes;
-  settings.pivot = modal.settings.pivot;
-  settings.easeIn = modal.settings.easeIn;
-  settings.easeOut = modal.settings.easeOut;
-  settings.volume = modal.settings.volume;
-  settings.releaseFrames = modal.settings.releaseFrames;
+  const auto take = [&](auto rig::TrailSettings::*field) {
+    if (modal.settings.*field != modal.start.*field) {
+      settings.*field = modal.settings.*field;
+    }
+  };
+  take(&rig::TrailSettings::scale);
+  take(&rig::TrailSettings::pivot);
+  take(&rig::TrailSettings::easeIn);
+  take(&rig::TrailSettings::easeOut);
+  take(&rig::TrailSettings::volume);
+  take(&rig::TrailSettings::releaseFrames);
+  for (std::size_t axis = 0; axis < settings.axes.size(); ++axis) {
+    if (modal.settings.axes[axis] != modal.start.axes[axis]) {
+      settings.axes[axis] = modal.settings.axes[axis];
+    }
+  }
+  const bool takesIn = modal.settings.easeIn != modal.start.easeIn;
+  if (takesIn != (modal.settings.easeOut != modal.start.easeOut)) { // the other one is of this trail
+    rig::Ease& taken = takesIn ? settings.easeIn : settings.easeOut;
+    const double own = takesIn ? settings.easeOut.percent : settings.easeIn.percent;
+    taken.percent = std::clamp(taken.percent, 0.0, std::max(0.0, largestEase - own));
+  }
   return settings;
 }
 

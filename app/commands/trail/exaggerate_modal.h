@@ -39,7 +39,8 @@ struct ExaggerateModal {
 /// Says what the keys do right now.
 [[nodiscard]] std::vector<ModalHint> modalHints(const ExaggerateModal& modal);
 
-/// Another trail's settings with what the modal edits taken over; its range, space and spheres stay.
+/// Another trail's settings with what the modal has changed since it began, of the axes each by itself; the
+/// rest stays.
 [[nodiscard]] rig::TrailSettings withModal(const rig::TrailSettings& other, const ExaggerateModal& modal);
 
 } // namespace stretch::app

@@ -256,15 +256,33 @@ TEST_CASE(
   for (const auto& [name, change] : carried) {
     CAPTURE(name);
     ExaggerateModal modal = punch();
-    modal.settings = Settings{};
+    modal.start = modal.settings = Settings{};
     change(modal.settings);
     Settings wanted = other;
     change(wanted);
     CHECK(withModal(other, modal) == wanted);
   }
   ExaggerateModal modal = punch();
-  modal.settings = other;
+  modal.start.overshoot = 0.1;
+  modal.settings.overshoot = 0.3;
   CHECK(withModal(Settings{}, modal) == Settings{});
+}
+
+TEST_CASE("What the keys of the modal left alone stays each trail's own, of the axes one by one") {
+  ExaggerateModal modal = punch();
+  rig::TrailSettings other;
+  other.scale = 4.0;
+  other.axes = {true, true, false};
+  other.pivot = rig::Pivot::end;
+  other.easeOut = {0.6, 0.8};
+  CHECK(withModal(other, modal) == other);
+  type(modal, "Y");
+  CHECK(withModal(other, modal).axes == std::array{true, false, false});
+  CHECK(withModal(other, modal).scale == 4.0);
+  CHECK(withModal(other, modal).pivot == rig::Pivot::end);
+  type(modal, "I 7 0");
+  CHECK(withModal(other, modal).easeIn.percent == Approx(0.35)); // both together stay below the whole
+  CHECK(withModal(other, modal).easeOut == other.easeOut);
 }
 
 TEST_CASE("The ease steps by its field, its value within its half and its percent beside the other one") {
