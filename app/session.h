@@ -56,7 +56,8 @@ struct ViewState {
   KeySelection pickedKeys;                           ///< Keys of the viewed clip, in graph and dope sheet.
   int pickedClip = 0;                                ///< The clip that they are of.
   rig::KeyPlaces keyPlaces = rig::KeyPlaces::needed; ///< Places where saving writes keys; kept by the window.
-  std::vector<KeyRow> keyRows;                       ///< Those that the graph or the dope sheet shows.
+  std::vector<KeyRow> keyRows;                       ///< Those that the graph or the dope sheet shows,
+  std::map<KeyRow, unsigned> keyComponents;          ///< and bits of the components that do; none: all.
   std::optional<CopiedKeys> copiedKeys;              ///< Keys that Paste pastes there.
 };
 

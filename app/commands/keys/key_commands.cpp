@@ -88,7 +88,15 @@ Status snapPicked(Session& session) {
 }
 
 void pickAll(Session& session) {
-  pickKeys(session, allKeys(session.document(), session.view().clip, session.view().keyRows), false);
+  const ViewState& view = session.view();
+  KeySelection shown = allKeys(session.document(), view.clip, view.keyRows);
+  for (PickedRow& row : shown) {
+    const auto components = view.keyComponents.find(row.row);
+    for (PickedKey& key : row.keys) {
+      key.components = components == view.keyComponents.end() ? key.components : components->second;
+    }
+  }
+  pickKeys(session, shown, false);
 }
 
 // The rows of the picked keys; without any those of the selected limbs and controllers.
@@ -126,6 +134,12 @@ DocumentCommand kindCommand(const char* id, const char* label, const char* help,
 } // namespace
 
 std::vector<DocumentCommand> keyCommands() {
+  DocumentCommand restore = entry(
+      command::keysRestore, "Restore the source's keys",
+      "Gives the tracks of the picked keys, or of the selected limbs and controllers, back as the file has "
+      "them.",
+      {}, {canRestore, ""}, restoreSelected);
+  restore.needsNow = whyNotRestored;
   return {
       entry(command::keysInsert, "Insert keys",
             "Sets a key on each curve that the graph shows, at the playhead; the curve stays as it is.", {},
@@ -134,12 +148,6 @@ std::vector<DocumentCommand> keyCommands() {
             deletePicked),
       entry(command::keysCopy, "Copy keys", "Remembers the picked keys.", {}, pickedNeeded(),
             doing(copyPicked)),
-  DocumentCommand restore = entry(
-      command::keysRestore, "Restore the source's keys",
-      "Gives the tracks of the picked keys, or of the selected limbs and controllers, back as the file has "
-      "them.",
-      {}, {canRestore, ""}, restoreSelected);
-  restore.needsNow = whyNotRestored;
       entry(command::keysPaste, "Paste keys", "Puts the copied keys at the playhead.", {}, copiedNeeded(),
             pasteHere),
       entry(command::keysAll, "Pick all keys", "Picks every key that the graph or the dope sheet shows.", {},

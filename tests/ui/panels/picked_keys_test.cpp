@@ -299,3 +299,47 @@ TEST_CASE("What was picked in one file is forgotten in the next") {
   stage.frames(1);
   CHECK(stage.shell.ui.time.picksAt.size() <= 1);
 }
+
+namespace {
+
+/// The components of every key that is picked, and how many keys are.
+std::pair<unsigned, int> pickedComponents(const KeysOfBoxer& stage) {
+  unsigned components = 0;
+  int keys = 0;
+  for (const app::PickedRow& row : stage.shell.open.character()->view().pickedKeys) {
+    for (const app::PickedKey& key : row.keys) {
+      components |= key.components;
+      ++keys;
+    }
+  }
+  return {components, keys};
+}
+
+} // namespace
+
+TEST_CASE("All keys of the graph are those of the curves that it shows") {
+  KeysOfBoxer stage("F6");
+  stage.click("graph/curve/X");
+  stage.click("graph/curve/Y");
+  stage.run(app::command::keysAll);
+  CHECK(pickedComponents(stage).first == 0b100U);
+  const int keys = stage.picked();
+  REQUIRE(keys > 3);
+  stage.click("graph/curve/Z");
+  stage.run(app::command::keysAll);
+  stage.run(app::command::keysInsert);
+  CHECK(stage.picked() == keys); // nothing shows, and both are off
+  CHECK(stage.session().history().position() == 0);
+  stage.press("F7");
+  stage.run(app::command::keysAll);
+  CHECK(pickedComponents(stage).first == ~0U);
+}
+
+TEST_CASE("All keys of a controller are those of its moves while its turns do not show") {
+  KeysOfBoxer stage("F6");
+  stage.press("Alt+1");
+  stage.press("S");
+  stage.frames(2);
+  stage.run(app::command::keysAll);
+  CHECK(pickedComponents(stage) == std::pair(0b111U, 1));
+}

@@ -166,8 +166,8 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
     const double frame =
         context.ui.time.timeline.snapToFrames ? std::round(*outcome.insertAt) : *outcome.insertAt;
     tellProblem(context, app::editKeys(session,
-                                       app::insertKeys(session.document(), session.view().clip, graph.rows,
-                                                       std::max(0.0, frame)),
+                                       app::insertKeys(session.document(), session.view().clip,
+                                                       session.view().keyRows, std::max(0.0, frame)),
                                        "Insert"));
   }
 }
@@ -247,6 +247,22 @@ void fit(PanelContext& context) {
   graph.fitPicked = graph.fitPicked && graph.fitPending;
 }
 
+/// The rows that have a curve which is seen, for commands that act on what shows.
+void showRows(app::ViewState& view, const GraphState& graph) {
+  view.keyRows.clear();
+  view.keyComponents.clear();
+  for (const Curve& curve : graph.curves) {
+    if (curve.hidden || curve.row >= graph.rows.size()) {
+      continue;
+    }
+    const app::KeyRow& row = graph.rows[curve.row];
+    if (view.keyRows.empty() || view.keyRows.back() != row) {
+      view.keyRows.push_back(row);
+    }
+    view.keyComponents[row] |= componentBit(curve);
+  }
+}
+
 void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   GraphState& graph = context.ui.time.graph;
   app::Session& session = context.character();
@@ -254,7 +270,7 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   CurveViewModel model;
   model.frames = visibleFrames(context);
   static_cast<void>(graphCurves(context, subject, model.frames));
-  session.view().keyRows = graph.rows;
+  showRows(session.view(), graph);
   if (!session.isDragging() && lostFromSight(graph.curves, {graph.valueMin, graph.valueMax})) {
     graph.fitPending = true;
   }

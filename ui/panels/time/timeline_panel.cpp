@@ -209,6 +209,7 @@ void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
 void ownKeys(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   session.view().keyRows = app::keyedRows(session.document(), session.view().clip);
+  session.view().keyComponents.clear();
   KeyPane& pane = context.ui.time.keys;
   pane = {outcome.hovered, false, outcome.mouseFrame, 0.0, 1.0, pane.pressTaken && !outcome.gestureEnded};
 }
