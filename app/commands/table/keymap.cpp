@@ -79,14 +79,17 @@ Result<std::string> Keymap::rebind(const std::string& commandId, const std::opti
   if (!loser.empty() && loser != commandId) {
     std::vector<Chord> rest = chordsOf(loser);
     std::erase(rest, *chord);
+    unknown_.erase(loser);
     changed_[loser] = std::move(rest);
   }
+  unknown_.erase(commandId);
   changed_[commandId] = chord ? std::vector<Chord>{*chord} : std::vector<Chord>{};
   return loser == commandId ? std::string() : loser;
 }
 
 void Keymap::resetToDefaults() {
   changed_.clear();
+  unknown_.clear();
 }
 
 std::string Keymap::toJson(bool all) const {
@@ -101,6 +104,11 @@ std::string Keymap::toJson(bool all) const {
     }
     keys[command.id] = std::move(list);
   }
+  for (const auto& [commandId, entry] : unknown_) {
+    if (!all) {
+      keys[commandId] = gltf::parseAnyJson(entry);
+    }
+  }
   return Json{{"version", 1}, {"keys", std::move(keys)}}.dump(2) + "\n";
 }
 
@@ -109,19 +117,23 @@ Status Keymap::readJson(const std::string& text) {
   if (!json.is_object() || !json.contains("keys") || !json["keys"].is_object()) {
     return badKeyFile("this is not a file of keys", "keys");
   }
-  std::map<std::string, std::vector<Chord>> read;
+  changed_.clear();
+  unknown_.clear();
+  Status read = Success{};
   for (const auto& [commandId, list] : json["keys"].items()) {
-    if (find(commandId) == nullptr) {
-      return badKeyFile("there is no such command", commandId);
+    Result<std::vector<Chord>> chords = find(commandId) == nullptr
+                                            ? badKeyFile("there is no such command", commandId)
+                                            : readChords(commandId, list);
+    if (chords) {
+      changed_[commandId] = std::move(chords).value();
+      continue;
     }
-    Result<std::vector<Chord>> chords = readChords(commandId, list);
-    if (!chords) {
-      return chords.error();
-    }
-    read[commandId] = std::move(chords).value();
+    read = unknown_.empty() ? Status(chords.error())
+                            : badKeyFile(std::to_string(unknown_.size() + 1) + " entries are not understood",
+                                         "the first is " + unknown_.begin()->first);
+    unknown_[commandId] = list.dump();
   }
-  changed_ = std::move(read);
-  return Success{};
+  return read;
 }
 
 } // namespace stretch::app

@@ -36,7 +36,9 @@ public:
   /// {"version": 1, "keys": {"trail.apply": ["Enter"], ...}}: only what differs from the defaults, unless
   /// `all`.
   [[nodiscard]] std::string toJson(bool all = false) const;
-  /// Reads what toJson wrote; an unknown command or key is an error that names it, and changes nothing.
+  /// Reads what toJson wrote. Entries of unknown commands and keys are left out and told by an error, and
+  /// toJson writes them again as they were, until their command gets another key; the others are taken. What
+  /// is no file of keys changes nothing.
   Status readJson(const std::string& text);
 
 private:
@@ -44,6 +46,7 @@ private:
 
   std::vector<KeyedCommand> commands_;
   std::map<std::string, std::vector<Chord>> changed_;
+  std::map<std::string, std::string> unknown_; ///< Entries of the file that were left out, as JSON.
 };
 
 /// The keys of a table of commands.

@@ -4,10 +4,12 @@
 
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/keymap.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/key_tables.h"
 
 using namespace stretch::app;
 namespace test = stretch::test;
+using stretch::gltf::Json;
 
 TEST_CASE("Keys are read and written by the same names") {
   for (const Key key : test::allKeys()) {
@@ -73,13 +75,37 @@ TEST_CASE("Changing a key takes it from the command that had it and tells which"
   }
 }
 
-TEST_CASE("A bad key file is refused as a whole") {
+TEST_CASE("What is no file of keys is refused") {
   Keymap keymap({{"a", {"K"}}, {"b", {"L"}}});
   CHECK_FALSE(keymap.readJson("not json"));
   CHECK_FALSE(keymap.readJson("[]"));
-  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": ["M"], "z": ["N"]}})"));
-  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": ["Banana"]}})"));
-  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": "M"}})"));
   CHECK(keymap.commandOf({Key{'K'}}) == "a");
   CHECK_FALSE(keymap.isChanged());
+}
+
+TEST_CASE("What is not understood in a file of keys is told and written again, the rest is taken") {
+  for (const char* const entry : {R"("z": ["N"])", R"("b": ["Banana"])", R"("b": "N")"}) {
+    CAPTURE(entry);
+    Keymap keymap({{"a", {"K"}}, {"b", {"L"}}, {"c", {}}});
+    const auto read = keymap.readJson(R"({"keys": {"a": ["M"], )" + std::string(entry) + "}}");
+    REQUIRE_FALSE(read);
+    CHECK(read.error().where == std::string(1, entry[1]));
+    CHECK(keymap.commandOf({Key{'M'}}) == "a");
+    CHECK(keymap.commandOf({Key{'L'}}) == "b");
+    REQUIRE(keymap.rebind("c", parseChord("P")));
+    const Json written = Json::parse(keymap.toJson())["keys"];
+    CHECK(written.size() == 3);
+    CHECK(written[std::string(1, entry[1])] == Json::parse("{" + std::string(entry) + "}").front());
+    CHECK(Json::parse(keymap.toJson(true))["keys"].size() == 3);
+    REQUIRE(keymap.rebind("b", parseChord("Q")));
+    Keymap again({{"a", {"K"}}, {"b", {"L"}}, {"c", {}}});
+    CHECK(static_cast<bool>(again.readJson(keymap.toJson())) == (entry[1] == 'b'));
+    CHECK(again.commandOf({Key{'Q'}}) == "b");
+  }
+  Keymap keymap(std::vector<KeyedCommand>{{"a", {"K"}}});
+  const auto read = keymap.readJson(R"({"keys": {"y": ["N"], "z": ["N"]}})");
+  REQUIRE_FALSE(read);
+  CHECK(read.error().what == "2 entries are not understood");
+  keymap.resetToDefaults();
+  CHECK(Json::parse(keymap.toJson())["keys"].empty());
 }
