@@ -86,6 +86,9 @@ void showWhereWorkWas(Session& session, const std::optional<WorkPlace>& where) {
 } // namespace
 
 bool hasUnsavedWork(const OpenDocument& open) {
+  if (const SequenceSession* const sequence = open.sequence()) {
+    return !sequence->history().isSaved();
+  }
   const Session* const session = open.character();
   if (session == nullptr || session->history().isSaved()) {
     return false;
@@ -184,13 +187,25 @@ void FileWork::start(FileUser& user, const Paths& paths, std::optional<fs::path>
 
 // What is open now may be lost: the user was asked.
 void FileWork::give(FileUser& user) {
-  const Session* const open = user.open().character();
-  if (open != nullptr) {
-    opening_->givenPose = open->view().unkeyed;
+  if (const SequenceSession* const sequence = user.open().sequence()) {
+    opening_->givenSequence = sequence->history().current();
   }
+  const Session* const open = user.open().character();
+  if (open == nullptr) {
+    return;
+  }
+  opening_->givenPose = open->view().unkeyed;
   if (hasUnsavedWork(user.open())) {
     opening_->given = open->history().current();
   }
+}
+
+/// Whether the user gave up what is open as it is now.
+bool FileWork::isGiven(const OpenDocument& open) const {
+  if (const SequenceSession* const sequence = open.sequence()) {
+    return opening_->givenSequence && sameDocument(*opening_->givenSequence, sequence->history().current());
+  }
+  return opening_->given && sameDocument(*opening_->given, open.character()->history().current());
 }
 
 void FileWork::takeRead(FileUser& user) {
@@ -208,12 +223,10 @@ void FileWork::takeRead(FileUser& user) {
 
 /// Work that came after the user let the file be opened is asked for as well.
 void FileWork::show(FileUser& user) {
-  const bool given = opening_->given && hasUnsavedWork(user.open()) &&
-                     sameDocument(*opening_->given, user.open().character()->history().current());
   const Session* const open = user.open().character();
   const bool isNewPose =
       open != nullptr && isPosedWithoutKey(open->view()) && open->view().unkeyed != opening_->givenPose;
-  if ((hasUnsavedWork(user.open()) && !given) || isNewPose) {
+  if ((hasUnsavedWork(user.open()) && !isGiven(user.open())) || isNewPose) {
     state_ = AskingUnsaved{ShowRead{}};
     return;
   }
@@ -348,7 +361,7 @@ void FileWork::answerUnsaved(FileUser& user, const AskingUnsaved& asked, FileAns
     cancel();
   } else if (answer == FileAnswer::discard) {
     goOn(user, asked.next);
-  } else if (answer == FileAnswer::save) {
+  } else if (answer == FileAnswer::save && user.open().character() != nullptr) {
     if (const Status keyed = keyUnkeyedPose(*user.open().character()); !keyed) {
       user.tell(Tone::error, keyed.error().line());
       cancel();

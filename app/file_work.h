@@ -23,7 +23,7 @@ enum class Tone { info, success, warning, error };
 struct FileQuestion {
   enum class Kind {
     none,
-    unsaved,   ///< Work would be lost: save, discard or cancel?
+    unsaved,   ///< Work would be lost: save, discard or cancel? Of a sequence: discard or cancel?
     name,      ///< Asks for the file to save to. Answered by saveAs, or cancel.
     overwrite, ///< Another program changed the file: overwrite, otherName or cancel?
     restore    ///< Work was left behind by a crash: restore or discard?
@@ -125,6 +125,7 @@ private:
     Paths paths;
     std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up then.
     std::optional<Document> given;                    ///< Unsaved work that the user gave up for it,
+    std::optional<SequenceDocument> givenSequence;    ///< that of a sequence,
     UnkeyedPose givenPose;                            ///< and what was posed without a key.
     std::optional<FileStamp> stamp;                   ///< Stamp of the file, before it is read.
     std::shared_ptr<std::atomic<float>> share;
@@ -140,6 +141,7 @@ private:
   void start(FileUser& user, const Paths& paths, std::optional<std::filesystem::path> restoreFrom);
   void takeRead(FileUser& user);
   void give(FileUser& user);
+  [[nodiscard]] bool isGiven(const OpenDocument& open) const;
   void show(FileUser& user);
   void saveThen(FileUser& user, Next next);
   void write(FileUser& user, const std::filesystem::path& path, Next next);
@@ -167,6 +169,8 @@ private:
   double keptAsideSeconds_ = -1e9;
 };
 
+/// Whether a character has work that no file holds, or a sequence what was done since it was opened or
+/// exported.
 [[nodiscard]] bool hasUnsavedWork(const OpenDocument& open);
 
 /// Whether anything is lost where what is open is closed: unsaved work, or a pose without a key, which no

@@ -108,8 +108,9 @@ Status SequenceSession::startExport(const std::filesystem::path& path) {
   if (encoding_ != nullptr) {
     encoding_->cancel(); // What is written is encoded with it.
   }
+  exported_ = document();
   export_ = std::make_unique<Job<WrittenClip>>(
-      [document = document(), known = clip(), path](const skinning::Proceed& proceed) {
+      [document = exported_, known = clip(), path](const skinning::Proceed& proceed) {
         return writeClip(document, known, path, proceed);
       });
   return Success{};
@@ -124,6 +125,9 @@ std::optional<Result<WrittenClip>> SequenceSession::takeExport() {
   export_.reset();
   if (written) {
     clip_ = written->clip;
+    if (sameDocument(exported_, history().current())) {
+      markSaved();
+    }
   }
   // One that had written its file when it was cancelled is told all the same.
   return cancelled && !written ? std::nullopt : std::optional(std::move(written));

@@ -63,7 +63,8 @@ public:
   Status startExport(const std::filesystem::path& path);
   [[nodiscard]] bool isExporting() const { return export_ != nullptr; }
   [[nodiscard]] double exportedShare() const { return shareOf(export_); } ///< 0..1.
-  /// What was written, once; empty while there is nothing to tell, and when it was cancelled.
+  /// What was written, once; empty while there is nothing to tell, and when it was cancelled. The history
+  /// counts as saved where the document is still what was written.
   [[nodiscard]] std::optional<Result<WrittenClip>> takeExport();
 
   [[nodiscard]] bool isWorking() const { return isCompressing() || isEncoding() || isExporting(); }
@@ -85,6 +86,7 @@ private:
   std::unique_ptr<Job<CompressedClip>> compression_; ///< Null: none is being made; so the others.
   std::unique_ptr<Job<ExportedClip>> encoding_;
   std::unique_ptr<Job<WrittenClip>> export_;
+  SequenceDocument exported_; ///< Document whose result `export_` writes.
 };
 
 /// Whether there is what the look shows: the error needs a result, the thickness a surface that encloses

@@ -4,9 +4,11 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/document_commands.h"
+#include "app/file_work.h"
 #include "app/files/save.h"
 #include "app/open_document.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/file_desk.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
 #include "tests/support/skinning/shapes.h"
@@ -354,4 +356,42 @@ TEST_CASE("the shown frame is the nearest one within the sequence") {
   CHECK(app::shownFrame(*tube.session) == 4);
   tube.session->view().frame = 400.0;
   CHECK(app::shownFrame(*tube.session) == 11);
+}
+
+TEST_CASE("A sequence goes without a question as it was opened or exported, and else after one") {
+  OpenedTube tube;
+  test::Desk desk;
+  desk.document.open(*tube.document);
+  app::SequenceSession& session = *desk.document.sequence();
+  const test::TemporaryFolder folder;
+  app::FileWork work;
+  const auto asks = [&] {
+    work.quit(desk);
+    const bool asked = work.question().kind == app::FileQuestion::Kind::unsaved;
+    work.answer(desk, app::FileAnswer::cancel);
+    return asked;
+  };
+  CHECK_FALSE(asks());
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  CHECK(asks());
+  REQUIRE(session.startExport(folder / "tube.glb"));
+  REQUIRE(waitForExport(session));
+  CHECK_FALSE(asks());
+  REQUIRE(session.undo());
+  CHECK(asks());
+  REQUIRE(session.redo());
+  CHECK_FALSE(asks());
+
+  app::SequenceDocument changed = session.document();
+  changed.settings.bones = 9;
+  session.edit(changed, "Change");
+  desk.news();
+  work.openFile(desk, {desk.file("a.glb")});
+  work.answer(desk, app::FileAnswer::save); // is not offered
+  CHECK(work.question().kind == app::FileQuestion::Kind::unsaved);
+  work.answer(desk, app::FileAnswer::discard);
+  desk.waitWhileOpening(work);
+  CHECK(desk.news() == "closing opened ");
+  CHECK(desk.document.character() != nullptr);
 }

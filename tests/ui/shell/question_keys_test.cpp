@@ -12,6 +12,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/editor_stage.h"
+#include "tests/support/ui/work.h"
 #include "ui/shell/file_work.h"
 
 using namespace stretch;
@@ -169,5 +170,21 @@ TEST_CASE("A video that is given up leaves the program to the question about uns
   CHECK(stage.shell.beside.film.job == nullptr);
   CHECK(stage.isAsking());
   stage.pressAll({ImGuiKey_Tab, ImGuiKey_Enter}); // Don't save
+  CHECK(stage.shell.quit);
+}
+
+TEST_CASE("What was done to a sequence and not exported is asked for before it goes, and kept by Enter") {
+  test::EditorStage stage;
+  test::withCompression(stage.work());
+  stage.frames(2);
+  stage.askToClose();
+  REQUIRE(stage.shell.files.question().kind == app::FileQuestion::Kind::unsaved);
+  stage.pressWidgetKey(ImGuiKey_Enter); // Cancel
+  stage.frames(2);
+  CHECK_FALSE(stage.shell.quit);
+  CHECK(stage.shell.files.question().kind == app::FileQuestion::Kind::none);
+  stage.askToClose();
+  stage.pressWidgetKey(ImGuiKey_Tab);
+  stage.pressWidgetKey(ImGuiKey_Enter); // Discard
   CHECK(stage.shell.quit);
 }

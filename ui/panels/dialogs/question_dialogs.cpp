@@ -59,7 +59,20 @@ struct AskedDialog {
   int entered = -1;                     ///< Button that Enter stands for; -1: none.
 };
 
+AskedDialog unexportedDialog() {
+  return {app::FileQuestion::Kind::unsaved,
+          {.id = "unsaved", .icon = icon::warning, .title = "Discard your changes?", .width = 440.0F},
+          "There are changes to the sequence that were not exported. They are lost if you go on; to keep the "
+          "result, cancel and export it.",
+          {{.id = "", .text = "Discard", .emphasis = Emphasis::danger}, {.id = "", .text = "Cancel"}},
+          {app::FileAnswer::discard, app::FileAnswer::cancel},
+          1};
+}
+
 AskedDialog unsavedDialog(const app::OpenDocument& open) {
+  if (open.sequence() != nullptr) {
+    return unexportedDialog();
+  }
   const app::Session* const session = open.character();
   std::string lost = "There are changes that are not saved. They are lost if you go on without saving.";
   if (session != nullptr && app::isPosedWithoutKey(session->view())) {
