@@ -241,7 +241,9 @@ void Session::followRate() {
       rangeBefore_->y = std::max(rangeBefore_->x + 1.0, std::round(rangeBefore_->y * factor));
     }
     if (!view_.selection.spheres().empty()) {
+    const bool isPosed = isPosedWithoutKey(view_);
       for (double& frame : view_.selection.editTrails().spheres) {
+    view_.unkeyed.frame = isPosed ? view_.frame : view_.unkeyed.frame;
         frame *= factor;
       }
     }

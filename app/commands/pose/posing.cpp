@@ -52,16 +52,6 @@ Status poseWithoutKey(Session& session, const OffsetPose& pose) {
   return Success{};
 }
 
-/// What was keyed is shown without a key no longer.
-void forgetUnkeyed(ViewState& view, const OffsetPose& pose) {
-  for (const ControllerOffset& offset : pose.offsets) {
-    view.unkeyed.offsets.erase(offset.id);
-  }
-  for (const AttributeValue& value : pose.values) {
-    view.unkeyed.values.erase(value.id);
-  }
-}
-
 /// Of the adjustments of one controller that have a range: the one at the playhead, else the nearest that
 /// would grow up to it. Null where there is none.
 const rig::Adjustment* rangeToEnd(const Document& document, const ViewState& view, const std::string& id,
@@ -84,6 +74,15 @@ const rig::Adjustment* rangeToEnd(const Document& document, const ViewState& vie
 }
 
 } // namespace
+
+void forgetUnkeyed(ViewState& view, const OffsetPose& pose) {
+  for (const ControllerOffset& offset : pose.offsets) {
+    view.unkeyed.offsets.erase(offset.id);
+  }
+  for (const AttributeValue& value : pose.values) {
+    view.unkeyed.values.erase(value.id);
+  }
+}
 
 KeyRange keyRange(const Session& session) {
   const ViewState& view = session.view();

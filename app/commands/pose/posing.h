@@ -81,6 +81,9 @@ Status endOffsetsHere(Session& session, bool start);
 /// Keys at the playhead, as one step, whether auto-key is on or not.
 Status keyPose(Session& session, const OffsetPose& pose, const std::string& label);
 
+/// Shows what was keyed without a key no longer.
+void forgetUnkeyed(ViewState& view, const OffsetPose& pose);
+
 /// Keys what is posed without a key at the playhead, as one step. A drag that is on is taken back first.
 /// Nothing happens where nothing is posed so.
 Status keyUnkeyedPose(Session& session);

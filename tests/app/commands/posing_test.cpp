@@ -460,3 +460,14 @@ TEST_CASE("Undo takes a pose without a key first, and then what was done before"
   CHECK(moveOf(session, "left-hand") == Vec3(0.0));
   CHECK(run(session, command::undo) == "nothing was done yet");
 }
+
+TEST_CASE("A pose without a key stays at its place in time when frames are counted at another rate") {
+  Session session(test::boxer());
+  session.view().frame = 5.0;
+  CHECK(run(session, command::poseAutoKey).empty());
+  selectController(session, "left-hand", false);
+  REQUIRE(poseAll(session, moved("left-hand", {0.1, 0.0, 0.0}), "Move"));
+  CHECK(run(session, command::clipRate24).empty());
+  CHECK(session.view().frame == 4.0);
+  CHECK(moveOf(session, "left-hand").x == Approx(0.1));
+}

@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/pose/posing.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
+#include "tests/support/ui/editor_stage.h"
 #include "tests/support/ui/panel_driver.h"
 
 using namespace stretch;
@@ -57,4 +59,21 @@ TEST_CASE("A selected foot is pinned from its own menu and from the panel") {
   REQUIRE(driver.find(entry) != nullptr);
   driver.click(entry);
   CHECK(driver.requested == std::vector<std::string>{app::command::holdPin});
+}
+
+TEST_CASE("What is typed for a controller is keyed and seen, where it was posed without a key before") {
+  test::EditorStage stage;
+  stage.openBoxer();
+  stage.press("Alt+1");
+  stage.press("Shift+S");
+  REQUIRE(app::poseAll(stage.session(), {{{"left-hand", Vec3(0.1, 0.2, 0.0), Vec3(0.0)}}, {}}, "Move"));
+  stage.press("Shift+S");
+  stage.frames(2);
+  stage.click("controller/move-Y");
+  stage.type("0.5");
+  stage.pressWidgetKey(ImGuiKey_Enter);
+  CHECK(app::offsetAt(stage.session().document(), 0, stage.session().view().frame, "left-hand").move.y ==
+        Approx(0.5));
+  CHECK(app::shownOffset(stage.session(), "left-hand").move == Vec3(0.1, 0.5, 0.0));
+  CHECK(stage.session().view().unkeyed.empty());
 }

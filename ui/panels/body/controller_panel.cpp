@@ -36,9 +36,13 @@ void poseThrough(PanelContext& context, const EditPhase& phase, const std::strin
   const int clip = session.view().clip;
   const double frame = session.view().frame;
   const app::KeyRange range = app::keyRange(session);
+  const bool isKeyed = phase.changed && (!session.isDragging() || context.ui.panelDrag);
   editThrough(context, phase, label, [&](const app::Document& start) {
     return app::setOffsets(start, clip, frame, pose.offsets, pose.values, range);
   });
+  if (isKeyed) {
+    app::forgetUnkeyed(session.view(), pose);
+  }
 }
 
 Help markHelp(KeyMark mark) {
