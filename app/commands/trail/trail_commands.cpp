@@ -197,10 +197,12 @@ Status pasteOnLimbs(Session& session) {
   return Success{};
 }
 
+/// Each as it was before the command: trails of both sides change places.
 Status mirrorTargets(Session& session) {
   return editTargets(session, "Mirror the trail",
-                     [](const Document& document, const rig::Trail& trail) -> Result<Document> {
-                       Result<CreatedTrail> mirrored = mirrorTrail(document, trail.id);
+                     [&](const Document& document, const rig::Trail& trail) -> Result<Document> {
+                       Result<CreatedTrail> mirrored =
+                           mirrorTrail(document, *findTrail(session.document(), trail.id));
                        if (!mirrored) {
                          return mirrored.error();
                        }

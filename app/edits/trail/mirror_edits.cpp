@@ -120,20 +120,16 @@ rig::TrailSettings mirroredSettings(const rig::TrailSettings& settings, const Ve
   return mirrored;
 }
 
-Result<CreatedTrail> mirrorTrail(const Document& document, int trailId) {
-  const rig::Trail* trail = findTrail(document, trailId);
-  if (trail == nullptr) {
-    return missingTrail(trailId);
-  }
-  const Result<std::string> limb = otherSide(document, trail->limb);
+Result<CreatedTrail> mirrorTrail(const Document& document, const rig::Trail& trail) {
+  const Result<std::string> limb = otherSide(document, trail.limb);
   if (!limb) {
     return limb.error();
   }
-  const double frame = trail->settings.startFrame;
-  rig::Trail mirrored = *trail;
-  mirrored.settings = mirroredSettings(trail->settings, sagittalNormal(document, trail->clip, frame),
-                                       sagittalPoint(document, trail->clip, frame));
-  return pasteTrail(document, mirrored, *limb, trail->clip);
+  const double frame = trail.settings.startFrame;
+  rig::Trail mirrored = trail;
+  mirrored.settings = mirroredSettings(trail.settings, sagittalNormal(document, trail.clip, frame),
+                                       sagittalPoint(document, trail.clip, frame));
+  return pasteTrail(document, mirrored, *limb, trail.clip);
 }
 
 } // namespace stretch::app

@@ -39,6 +39,6 @@ struct SagittalPlane {
                                                   const Vec3& planePoint);
 
 /// Makes (or replaces) the trail of the other side's limb with the same range, mirrored.
-[[nodiscard]] Result<CreatedTrail> mirrorTrail(const Document& document, int trailId);
+[[nodiscard]] Result<CreatedTrail> mirrorTrail(const Document& document, const rig::Trail& trail);
 
 } // namespace stretch::app

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/exaggerate.h"
 #include "app/edits/trail/group_edits.h"
@@ -8,6 +9,7 @@
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/run_command.h"
 #include "tests/support/refusal.h"
 
 using namespace stretch;
@@ -130,4 +132,16 @@ TEST_CASE(
   CHECK(leaderOf({"spine", "left-arm", "right-arm"}) == "left-arm");
   CHECK(leaderOf({"right-arm", "spine"}) == "right-arm");
   CHECK(leaderOf({"spine", "right-arm"}) == "spine");
+}
+
+TEST_CASE("Trails of both sides that are mirrored together change places") {
+  Session session = withBothArms();
+  Document document = takeApart(session.document(), targetTrails(session));
+  document.trails[0].settings.scale = 2.0;
+  document.trails[1].settings.scale = 4.0;
+  session.edit(document, "Scale");
+  REQUIRE(targetTrails(session).size() == 2);
+  CHECK(test::run(session, command::mirrorTrail).empty());
+  CHECK(session.document().trails[0].settings.scale == 4.0);
+  CHECK(session.document().trails[1].settings.scale == 2.0);
 }

@@ -84,7 +84,7 @@ TEST_CASE("In view space pulls are stored along the view's axes") {
 
 TEST_CASE("A mirrored trail lies on the other limb, reflected across the body") {
   const Document pulled = moved(withTrail(), {{5.0, Vec3(0.3, 0.2, 0.1)}});
-  const Result<CreatedTrail> mirrored = mirrorTrail(pulled, trailId);
+  const Result<CreatedTrail> mirrored = mirrorTrail(pulled, *findTrail(pulled, trailId));
   REQUIRE(mirrored);
   const rig::Trail& trail = *findTrail(mirrored->document, mirrored->trailId);
   CHECK(trail.limb == "right-arm");
@@ -94,7 +94,8 @@ TEST_CASE("A mirrored trail lies on the other limb, reflected across the body") 
   CHECK(trail.settings.spheres[0].offset.z == Approx(0.1));
 
   SECTION("twice gives the same settings back") {
-    const Result<CreatedTrail> back = mirrorTrail(mirrored->document, mirrored->trailId);
+    const Result<CreatedTrail> back =
+        mirrorTrail(mirrored->document, *findTrail(mirrored->document, mirrored->trailId));
     REQUIRE(back);
     CHECK(back->trailId == trailId);
     CHECK(settingsOf(back->document).spheres[0].offset.x == Approx(0.3));

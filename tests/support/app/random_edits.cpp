@@ -183,7 +183,7 @@ Document randomOrder(const Document& document, const rig::Trail& trail, Dice& di
         document,
         applyStyle(document, ids, rig::builtInStyles().at(static_cast<std::size_t>(dice.below(11)))));
   case 4: {
-    const Result<CreatedTrail> mirrored = mirrorTrail(document, trail.id);
+    const Result<CreatedTrail> mirrored = mirrorTrail(document, trail);
     return mirrored ? mirrored->document : document;
   }
   default:
