@@ -165,93 +165,6 @@ double finite(double number) {
 
 } // namespace
 
-std::size_t keyCount(const KeySelection& selection) {
-  std::size_t count = 0;
-  for (const PickedRow& row : selection) {
-    count += row.keys.size();
-  }
-  return count;
-}
-
-KeySelection keysBetween(const Document& document, int clip, std::span<const KeyRow> rows, double firstFrame,
-                         double lastFrame) {
-  KeySelection selection;
-  for (const KeyRow& row : rows) {
-    const std::vector<double> frames = keyFramesOf(document, clip, row);
-    PickedRow picked{row, {}};
-    const auto first = std::lower_bound(frames.begin(), frames.end(), firstFrame - frameTolerance);
-    for (auto frame = first; frame != frames.end() && *frame <= lastFrame + frameTolerance; ++frame) {
-      picked.keys.push_back({static_cast<int>(frame - frames.begin())});
-    }
-    if (!picked.keys.empty()) {
-      selection.push_back(std::move(picked));
-    }
-  }
-  return selection;
-}
-
-KeySelection allKeys(const Document& document, int clip, std::span<const KeyRow> rows) {
-  return keysBetween(document, clip, rows, -1e9, 1e9);
-}
-
-KeySelection keysOffFrames(const Document& document, int clip) {
-  KeySelection off;
-  for (PickedRow& picked : allKeys(document, clip, keyedRows(document, clip))) {
-    const std::vector<double> frames = keyFramesOf(document, clip, picked.row);
-    std::erase_if(picked.keys, [&](const PickedKey& key) {
-      return sameFrame(frames[at(key.key)], std::round(frames[at(key.key)]));
-    });
-    if (!picked.keys.empty()) {
-      off.push_back(std::move(picked));
-    }
-  }
-  return off;
-}
-
-KeySelection joined(const KeySelection& a, const KeySelection& b) {
-  KeySelection both = a;
-  for (const PickedRow& more : b) {
-    const auto known =
-        std::find_if(both.begin(), both.end(), [&](const PickedRow& row) { return row.row == more.row; });
-    if (known == both.end()) {
-      both.push_back(more);
-      continue;
-    }
-    for (const PickedKey& key : more.keys) {
-      const auto place =
-          std::lower_bound(known->keys.begin(), known->keys.end(), key,
-                           [](const PickedKey& x, const PickedKey& y) { return x.key < y.key; });
-      if (place != known->keys.end() && place->key == key.key) {
-        place->components |= key.components;
-      } else {
-        known->keys.insert(place, key);
-      }
-    }
-  }
-  return both;
-}
-
-KeySelection stillThere(const Document& document, int clip, const KeySelection& selection) {
-  KeySelection there;
-  for (const PickedRow& picked : selection) {
-    const auto count = static_cast<int>(keyFramesOf(document, clip, picked.row).size());
-    PickedRow kept{picked.row, {}};
-    std::copy_if(picked.keys.begin(), picked.keys.end(), std::back_inserter(kept.keys),
-                 [&](const PickedKey& key) { return key.key < count; });
-    if (!kept.keys.empty()) {
-      there.push_back(std::move(kept));
-    }
-  }
-  return there;
-}
-
-std::string selectionTitle(const Document& document, const KeySelection& selection) {
-  const std::size_t keys = keyCount(selection);
-  const std::string count = keys == 1 ? "a key" : fmt::format("{} keys", keys);
-  return selection.size() == 1 ? fmt::format("{} of {}", count, rowTitle(document, selection.front().row))
-                               : fmt::format("{} of {} rows", count, selection.size());
-}
-
 Result<EditedKeys> moveKeys(const Document& document, int clip, const KeySelection& selection,
                             const KeyMove& move) {
   if (selection.empty()) {
@@ -357,16 +270,17 @@ Result<EditedKeys> removeKeys(const Document& document, int clip, const KeySelec
 }
 
 CopiedKeys copyKeys(const Document& document, int clip, const KeySelection& selection) {
-  CopiedKeys copied;
+  CopiedKeys copied{{}, clipOf(document, clip).framesPerSecond};
   double first = 1e9;
   for (const PickedRow& picked : selection) {
     HeldRow held = heldRow(document, clip, picked, RowDetail::values);
-    CopiedKeys::Row row{picked.row, {}};
+    CopiedKeys::Row row{picked.row, {}, {}};
     forPicked(held, [&](HeldKey& key) {
       key.key.origin = -1;
       key.key.valuesChanged = key.key.slopesChanged = true;
       first = std::min(first, key.key.frame);
       row.keys.push_back(key.key);
+      row.components.push_back(key.picked);
     });
     copied.rows.push_back(std::move(row));
   }
@@ -465,18 +379,58 @@ Result<EditedKeys> insertKeys(const Document& document, int clip, std::span<cons
   return edited;
 }
 
+namespace {
+
+// A copied key at its frame, of a row of the document whose keys are in order: components that were not
+// picked are as they are there.
+RowKey besidePresent(const Document& document, int clip, const HeldRow& present, RowKey key,
+                     unsigned components) {
+  const unsigned all = (1U << present.row.components) - 1U;
+  if ((components & all) == all) {
+    return key;
+  }
+  const auto there = std::ranges::find_if(
+      present.keys, [&](const HeldKey& other) { return sameFrame(other.key.frame, key.frame); });
+  const RowKey own =
+      there == present.keys.end() ? keyOnCurve(document, clip, present, key.frame) : there->key;
+  for (std::size_t i = 0; i < present.row.components; ++i) {
+    if ((components >> i & 1U) == 0) {
+      key.values[i] = own.values[i];
+      key.inSlopes[i] = own.inSlopes[i];
+      key.outSlopes[i] = own.outSlopes[i];
+    }
+  }
+  key.following = (key.following & components) | (own.following & ~components);
+  return key;
+}
+
+// Where a copied key comes to stand, in frames that are `factor` times as many in a second.
+RowKey keyInTime(RowKey key, double firstFrame, double factor) {
+  key.frame = settledFrame(key.frame * factor + firstFrame);
+  for (std::size_t i = 0; i < mostComponents; ++i) {
+    key.inSlopes[i] /= factor;
+    key.outSlopes[i] /= factor;
+  }
+  return key;
+}
+
+} // namespace
+
 Result<EditedKeys> pasteKeys(const Document& document, int clip, const CopiedKeys& copied, double frame,
                              const std::optional<KeyRow>& target) {
   EditedKeys edited{document, {}};
+  const double factor = clipOf(document, clip).framesPerSecond / copied.framesPerSecond;
   for (const CopiedKeys::Row& from : copied.rows) {
     const bool toTarget = target && copied.rows.size() == 1 && sameValues(*target, from.row);
-    HeldRow held = heldRow(document, clip, {toTarget ? *target : from.row, {}}, RowDetail::times);
+    const HeldRow present = heldRow(document, clip, {toTarget ? *target : from.row, {}}, RowDetail::values);
+    HeldRow held = present;
     bool any = false;
-    for (RowKey key : from.keys) {
-      key.frame = settledFrame(key.frame + frame);
+    for (std::size_t i = 0; i < from.keys.size(); ++i) {
+      RowKey key = keyInTime(from.keys[i], frame, factor);
       key.part = partAt(held.row, key.frame);
       if (key.part >= 0) {
-        held.keys.push_back({key, ~0U});
+        held.keys.push_back(
+            {besidePresent(document, clip, present, key, from.components[i]), from.components[i]});
         any = true;
       }
     }

@@ -76,18 +76,22 @@ struct KeyScale {
 [[nodiscard]] Result<EditedKeys> removeKeys(const Document& document, int clip,
                                             const KeySelection& selection);
 
-/// Keys that Copy takes, with their values and slopes, times counted from the first of all.
+/// Keys that Copy takes, with their values and slopes, times counted from the first of all in frames of the
+/// clip that they are of.
 struct CopiedKeys {
   struct Row {
     KeyRow row;
     std::vector<RowKey> keys;
+    std::vector<unsigned> components; ///< Those that were picked of each key: bit i for component i.
   };
   std::vector<Row> rows;
+  double framesPerSecond = 0.0;
 };
 [[nodiscard]] CopiedKeys copyKeys(const Document& document, int clip, const KeySelection& selection);
-/// The first key comes to stand at the frame; keys that stand in the way give way. One copied row goes to
-/// `target` where that is given and holds the same kind of values. Rows that take no keys are left out; an
-/// error where none does.
+/// The first key comes to stand at the frame, the others as far from it in time as they were; keys that stand
+/// in the way give way, but for components that were not picked, which stay as the row has them there. One
+/// copied row goes to `target` where that is given and holds the same kind of values. Rows that take no keys
+/// are left out; an error where none does.
 [[nodiscard]] Result<EditedKeys> pasteKeys(const Document& document, int clip, const CopiedKeys& copied,
                                            double frame, const std::optional<KeyRow>& target);
 

@@ -6,6 +6,7 @@
 
 #include "app/edits/trail/place_trails.h"
 #include "app/standing_floor.h"
+#include "app/things/time_map.h"
 
 namespace stretch::app {
 
@@ -167,8 +168,21 @@ Document deleteTrailsOfLimb(const Document& document, const std::string& limbId,
   return changed;
 }
 
-Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& copied, const std::string& limbId,
+namespace {
+
+/// The trail counted in the frames of another clip; as it is where its own is gone.
+rig::Trail inFramesOf(const Document& document, const rig::Trail& trail, int clip) {
+  const bool isThere = trail.clip >= 0 && at(trail.clip) < document.clips->size();
+  const double factor =
+      isThere ? clipOf(document, clip).framesPerSecond / clipOf(document, trail.clip).framesPerSecond : 1.0;
+  return factor == 1.0 ? trail : mapped(trail, TimeMap{.factor = factor});
+}
+
+} // namespace
+
+Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& from, const std::string& limbId,
                                 int clip) {
+  const rig::Trail copied = inFramesOf(document, from, clip);
   const rig::Trail* present =
       overlappingTrail(document, limbId, clip, copied.settings.startFrame, copied.settings.endFrame);
   if (present == nullptr) {

@@ -65,9 +65,9 @@ struct TrailDisplay {
 [[nodiscard]] Result<Document> deleteTrail(const Document& document, int trailId);
 [[nodiscard]] Document deleteTrailsOfLimb(const Document& document, const std::string& limbId, int clip);
 
-/// Pastes a trail on a limb: onto the trail that already shares its time (which keeps its range; spheres move
-/// along with the range's start), else as a new trail.
-[[nodiscard]] Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& copied,
+/// Pastes a trail on a limb, at the same time in seconds: onto the trail that already shares its time (which
+/// keeps its range; spheres move along with the range's start), else as a new trail.
+[[nodiscard]] Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& from,
                                               const std::string& limbId, int clip);
 
 /// Marks a clip as a loop, or not: releases wrap.

@@ -55,3 +55,14 @@ TEST_CASE("The source's keys are given back to the limb whose controller is sele
   CHECK(run(session, command::keysRestore).empty());
   CHECK_FALSE(hasEditedKeys(session.document()));
 }
+
+TEST_CASE("Copied keys are as far from one another in time where they are pasted at another rate") {
+  Session session(test::boxer()); // keys at 0, 5, 10 and 20 of 30 a second
+  pickKeys(session, keysBetween(session.document(), 0, std::vector{armTurns}, 5.0, 10.0), false);
+  CHECK(run(session, command::keysCopy).empty());
+  CHECK(run(session, command::clipRate24).empty());
+  CHECK(framesOf(session) == std::vector{0.0, 4.0, 8.0, 16.0});
+  session.view().frame = 20.0;
+  CHECK(run(session, command::keysPaste).empty());
+  CHECK(framesOf(session) == std::vector{0.0, 4.0, 8.0, 16.0, 20.0, 24.0});
+}

@@ -9,6 +9,7 @@
 #include "app/commands/table/past_end.h"
 #include "app/edits/keys/following_keys.h"
 #include "app/edits/keys/key_edits.h"
+#include "app/edits/keys/rate_edits.h"
 #include "app/edits/keys/retime.h"
 #include "app/edits/keys/track_edits.h"
 #include "app/edits/pose/adjustment_edits.h"
@@ -504,4 +505,14 @@ TEST_CASE("The character moves by its edited keys, and the original is the sourc
   const Vec3 source = handOf(evaluateOriginal(start, 0, seconds));
   CHECK(glm::distance(handOf(evaluate(raised, prepareMotion(raised, 0), seconds)), source) > 0.1);
   CHECK(handOf(evaluateOriginal(raised, 0, seconds)) == source);
+}
+
+TEST_CASE("Slopes of copied keys are as steep in time where they are pasted at another rate", "[keys]") {
+  const Document start =
+      documentOf(setKeySlope(withHandKeys(), 0, handRow, {1, 1U}, TangentSide::both, 0.02));
+  const CopiedKeys copied = copyKeys(start, 0, oneKey(handRow, 1));
+  const Document slower = workAtRate(start, 0, 15.0);
+  const KeyedRow row = readRow(documentOf(pasteKeys(slower, 0, copied, 7.0, {})), 0, handRow);
+  REQUIRE(row.keys.size() == 4);
+  CHECK(row.keys[3].outSlopes[0] == Approx(0.04).epsilon(0.02));
 }

@@ -390,3 +390,18 @@ TEST_CASE("Keys stay picked after an edit as far as they are still there, and no
   session.redo();
   CHECK(session.view().pickedKeys.empty());
 }
+
+TEST_CASE("Of a key that was picked in a part the rest stays as the curve has it where it is pasted") {
+  const Document start = withFistKeys();
+  const CopiedKeys copied = copyKeys(start, 0, keyOf(fistRow, 0, 0b10U));
+  for (const double frame : {8.0, 14.0}) {
+    CAPTURE(frame);
+    const double before = valuesAt(start, 0, fistRow, frame, {})[0];
+    const EditedKeys pasted = made(pasteKeys(start, 0, copied, frame, {}));
+    CHECK(valuesAt(pasted.document, 0, fistRow, frame, {})[0] == Approx(before));
+    CHECK(pasted.picked.front().keys.front().components == 0b10U);
+  }
+  const CopiedKeys whole = copyKeys(start, 0, keyOf(fistRow, 0));
+  CHECK(valuesAt(made(pasteKeys(start, 0, whole, 14.0, {})).document, 0, fistRow, 14.0, {})[0] ==
+        Approx(0.04));
+}

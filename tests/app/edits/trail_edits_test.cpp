@@ -177,3 +177,19 @@ TEST_CASE("A clip is marked as a loop once and unmarked again") {
   CHECK(once.loopingClips == std::vector<int>{0});
   CHECK(setLooping(once, 0, false).loopingClips.empty());
 }
+
+TEST_CASE("A trail that is pasted on a clip of another rate lies at the same time there") {
+  Document start = made(test::boxer(), punchTrail(5, 10)).document;
+  std::vector<Clip> clips = *start.clips;
+  clips.push_back(clips.front());
+  clips.back().framesPerSecond *= 2.0;
+  start.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  start.trails.front().settings.releaseFrames = 3.0;
+  const Result<CreatedTrail> pasted = pasteTrail(start, start.trails.front(), "left-arm", 1);
+  REQUIRE(pasted);
+  const rig::Trail& trail = *findTrail(pasted->document, pasted->trailId);
+  CHECK(trail.clip == 1);
+  CHECK(trail.settings.startFrame == 10.0);
+  CHECK(trail.settings.endFrame == 20.0);
+  CHECK(trail.settings.releaseFrames == 6.0);
+}
