@@ -35,15 +35,8 @@ Result<Document> withUnkeyed(const Document& document, const UnkeyedPose& pose) 
   return setOffsets(document, pose.clip, pose.frame, offsets, values, {});
 }
 
-// A clip that was imported goes by undo while it is viewed.
-void keepClipThere(const Document& document, ViewState& view) {
-  const int count = document.clips == nullptr ? 0 : static_cast<int>(document.clips->size());
-  if (view.clip >= count && view.clip > 0) {
-    view.clip = std::max(0, count - 1);
-    view.frame = 0.0;
-    view.rangeStart = 0.0;
-    view.rangeEnd = -1.0;
-  }
+std::size_t clipCount(const Document& document) {
+  return document.clips == nullptr ? 0 : document.clips->size();
 }
 
 } // namespace
@@ -60,6 +53,7 @@ Session::Session(Document document) : Editing(std::move(document)) {
   for (const rig::Trail& trail : history().current().trails) {
     knownTrails_.push_back(trail.id);
   }
+  knownClips_ = clipCount(history().current());
   followRate();
 }
 
@@ -225,6 +219,22 @@ std::optional<Vec2> Session::rangeByHand() const {
   return isOfTrail ? rangeBefore_ : range.y >= range.x ? std::optional(range) : std::nullopt;
 }
 
+// A clip that was imported goes by undo while it is viewed: what was viewed before it came is viewed again.
+void Session::followClips() {
+  const std::size_t count = clipCount(document());
+  if (count > knownClips_) {
+    viewedBefore_[count] = {view_.clip, view_.frame};
+  } else if (view_.clip >= static_cast<int>(count) && view_.clip > 0) {
+    const auto before = viewedBefore_.upper_bound(count);
+    const Viewed back = before == viewedBefore_.end() ? Viewed{} : before->second;
+    view_.clip = std::clamp(back.clip, 0, std::max(0, static_cast<int>(count) - 1));
+    view_.frame = back.frame;
+    view_.rangeStart = 0.0;
+    view_.rangeEnd = -1.0;
+  }
+  knownClips_ = count;
+}
+
 void Session::followRate() {
   const Document& shown = document();
   const bool exists = view_.clip >= 0 && static_cast<std::size_t>(view_.clip) < shown.clips->size();
@@ -288,7 +298,7 @@ void Session::keepSelectedTrail(const std::vector<int>& appeared) {
 }
 
 void Session::documentChanged() {
-  keepClipThere(document(), view_);
+  followClips();
   followRate();
   const Document& shown = document();
   std::vector<int> appeared;

@@ -166,11 +166,18 @@ private:
   std::shared_ptr<const Scene> bindPoseOf_;
   std::optional<Posed> posed_;
   mutable LastAnswer<MomentsKey, std::vector<rig::Moment>> moments_;
-  void followRate(); ///< Playhead, range and what was copied stay where they are in time.
+  void followClips(); ///< The viewed clip is one that is there.
+  void followRate();  ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
   void keepHandles();
   void keepPickedKeys();
 
+  struct Viewed {
+    int clip = 0;
+    double frame = 0.0;
+  };
+  std::size_t knownClips_ = 0;                 ///< Number of clips, as last shown.
+  std::map<std::size_t, Viewed> viewedBefore_; ///< Place viewed when there came to be so many.
   Followed followed_;
   std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was
                                     ///< set.

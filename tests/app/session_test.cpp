@@ -7,12 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/keys/clips.h"
+#include "app/commands/table/command_ids.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/files/user_files.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/run_command.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -211,4 +214,30 @@ TEST_CASE("An applied trail is opened again by a change, and by disconnecting it
   CHECK(findTrail(*setTrailSettings(applied, id, findTrail(applied, id)->settings), id)->applied);
   CHECK_FALSE(findTrail(scaled(applied, 3.0), id)->applied);
   CHECK_FALSE(findTrail(*setConnected(applied, id, false), id)->applied);
+}
+
+TEST_CASE("Undoing an import brings back the clip that was viewed before, one import after the other") {
+  Document start = test::boxer();
+  const auto withClips = [&](std::size_t count) {
+    Document document = start;
+    document.clips = std::make_shared<const std::vector<Clip>>(count, start.clips->front());
+    return document;
+  };
+  start = withClips(2);
+  Session session(start);
+  session.view().frame = 6.0;
+  const auto import = [&](std::size_t count) {
+    REQUIRE(session.edit(withClips(count), "Import a clip"));
+    showClip(session, static_cast<int>(count) - 1);
+  };
+  import(3);
+  session.view().frame = 9.0;
+  import(5);
+  REQUIRE(session.view().clip == 4);
+  CHECK(test::run(session, command::undo).empty());
+  CHECK(session.view().clip == 2);
+  CHECK(session.view().frame == 9.0);
+  CHECK(test::run(session, command::undo).empty());
+  CHECK(session.view().clip == 0);
+  CHECK(session.view().frame == 6.0);
 }
