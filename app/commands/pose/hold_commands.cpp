@@ -114,15 +114,15 @@ std::string otherHand(const Document& document, const std::string& limbId) {
   return other != nullptr ? other->id : std::string();
 }
 
-// The grip of this clip by which the first target leads in the shown range; where the list has it.
+// The grip of this clip by which the first target leads or follows in the shown range; where the list has it.
 std::optional<std::size_t> presentGrip(const Session& session) {
   const std::vector<std::string> targets = heldTargets(session);
   const std::vector<rig::Grip>& grips = session.document().holds.grips;
   for (std::size_t i = 0; !targets.empty() && i < grips.size(); ++i) {
     const Vec2 range = grips[i].time.rangeFrames;
     const Vec2 wanted = shownTime(session, targets.front()).rangeFrames;
-    if (grips[i].leader == targets.front() && grips[i].clip == session.view().clip && range.x <= wanted.y &&
-        wanted.x <= range.y) {
+    const bool isMeant = grips[i].leader == targets.front() || grips[i].follower == targets.front();
+    if (isMeant && grips[i].clip == session.view().clip && range.x <= wanted.y && wanted.x <= range.y) {
       return i;
     }
   }

@@ -424,3 +424,12 @@ TEST_CASE("A hold whose range would meet another one of its limb is refused, and
     CHECK(moved->holds.pins[1 - which] == pinned->holds.pins[1 - which]);
   }
 }
+
+TEST_CASE("A grip is let go from the hand that follows as well") {
+  Session session = armSelected();
+  CHECK(runHold(session, command::holdMatch).empty());
+  REQUIRE(session.document().holds.grips.size() == 1);
+  selectLimb(session, session.document().holds.grips.front().follower, false);
+  CHECK(runHold(session, command::holdMatch).empty());
+  CHECK(session.document().holds.grips.empty());
+}
