@@ -27,10 +27,11 @@ Vec3 axisOfLock(const AxisLock& lock, const Mat3& carrierAxes) {
 
 Vec3 movedBy(const PullModal& modal, const Mat3& carrierAxes) {
   const std::optional<Vec3> axis = lockedAxis(modal.lock, carrierAxes);
-  if (!modal.typed.empty()) {
-    return modal.typed.value() * axis.value_or(modal.viewAxes[0]);
+  const bool isTyped = !modal.typed.empty();
+  if (axis && isTyped) {
+    return modal.typed.value() * *axis;
   }
-  const Vec3 free = modal.mouseWorld + modal.arrowsWorld;
+  const Vec3 free = isTyped ? modal.typed.value() * modal.viewAxes[0] : modal.mouseWorld + modal.arrowsWorld;
   if (!modal.lock.axis) {
     return free;
   }

@@ -247,3 +247,14 @@ TEST_CASE("A number is typed digit by digit, turned round by a minus and taken b
   CHECK_FALSE(type({"Home"}));
   CHECK(number.text == "123456789");
 }
+
+TEST_CASE("What is typed keeps to the plane of the lock, as the mouse does") {
+  PullModal modal = sphereModal();
+  modal.viewAxes = Mat3(Vec3(0.6, 0.0, 0.8), Vec3(0.0, 1.0, 0.0), Vec3(-0.8, 0.0, 0.6));
+  type(modal, "2");
+  CHECK(near(worldChange(modal, Mat3(1.0)), {1.2, 0.0, 1.6}));
+  type(modal, "Shift+X");
+  CHECK(near(worldChange(modal, Mat3(1.0)), {0.0, 0.0, 1.6}));
+  type(modal, "X");
+  CHECK(near(worldChange(modal, Mat3(1.0)), {2.0, 0.0, 0.0}));
+}
