@@ -6,6 +6,7 @@
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/offset_edits.h"
 #include "tests/support/ui/drawn.h"
+#include "tests/support/ui/editor_stage.h"
 #include "tests/support/ui/panel_driver.h"
 
 using namespace stretch;
@@ -76,4 +77,11 @@ TEST_CASE("What a pose makes a limb do wrong is told in the status bar too, whil
   app::selectLimb(session, "left-leg", false);
   driver.frames(2);
   CHECK(driver.find("status/warnings") == nullptr); // which is of the controllers' panel
+}
+
+TEST_CASE("The key that moves a selected controller is hinted at") {
+  test::EditorStage stage;
+  stage.openBoxer();
+  stage.press("Alt+1");
+  CHECK(stage.shell.items.find("status/hint/G") != nullptr);
 }

@@ -145,7 +145,7 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
   const app::Session& session = context.character();
   const bool limbChosen = !session.view().selection.limbs().empty();
   if (app::hasControllers(session)) {
-    addHint(context, hints, command::sphereGrab, "move");
+    addHint(context, hints, command::controllerMove, "move");
     addHint(context, hints, command::poseKey, "key");
     addHint(context, hints, command::poseWholeClip, "whole clip");
   } else if (!limbChosen) {
