@@ -91,24 +91,6 @@ void updateTheme(Editor& editor) {
   }
 }
 
-void takeKeyAnswers(Shell& shell) {
-  UiAnswers& answers = shell.ui.answers;
-  if (answers.keyChange) {
-    const KeyChange change = *std::exchange(answers.keyChange, std::nullopt);
-    const Result<std::string> loser = shell.keymap.rebind(change.commandId, app::parseChord(change.keyText));
-    if (!loser) {
-      shell.ui.dialogs.keys.clash = loser.error().line();
-    } else {
-      shell.ui.dialogs.keys.clash = loser->empty() ? "" : change.keyText + " was taken from " + *loser;
-      tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
-    }
-  }
-  if (std::exchange(answers.resetKeys, false)) {
-    shell.keymap.resetToDefaults();
-    tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
-  }
-}
-
 void takeAnswers(Editor& editor) {
   Shell& shell = editor.shell;
   takeKeyAnswers(shell);

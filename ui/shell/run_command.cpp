@@ -21,6 +21,7 @@
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
 
 namespace stretch::ui {
@@ -361,6 +362,34 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
     shell.heldKey = chord.key;
   } else if (!commandId.empty() && (commandId != command::workStop || isEnabled(shell, commandId))) {
     runCommand(shell, commandId);
+  }
+}
+
+namespace {
+
+/// Whose key was given to another command, and whether that one is left without any.
+std::string clashText(const Shell& shell, const std::string& keyText, const std::string& loser) {
+  return keyText + " was the key of \"" + findCommandOf(shell, loser)->label + "\", which has " +
+         (shell.keymap.chordsOf(loser).empty() ? "none now." : "others.");
+}
+
+} // namespace
+
+void takeKeyAnswers(Shell& shell) {
+  UiAnswers& answers = shell.ui.answers;
+  if (answers.keyChange) {
+    const KeyChange change = *std::exchange(answers.keyChange, std::nullopt);
+    const Result<std::string> loser = shell.keymap.rebind(change.commandId, app::parseChord(change.keyText));
+    if (!loser) {
+      shell.ui.dialogs.keys.clash = loser.error().line();
+    } else {
+      shell.ui.dialogs.keys.clash = loser->empty() ? "" : clashText(shell, change.keyText, *loser);
+      tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
+    }
+  }
+  if (std::exchange(answers.resetKeys, false)) {
+    shell.keymap.resetToDefaults();
+    tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
   }
 }
 

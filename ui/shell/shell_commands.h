@@ -41,4 +41,8 @@ void goToTip(Shell& shell);
 /// Begins E, where the settings say at the trail's tip. A character is open.
 Status startExaggerating(Shell& shell, app::OverlapChoice choice);
 
+/// Takes up what the keys overview was answered: a key for a command, or all keys as they were. They are
+/// written into the user's settings at once, and whose key it was is told.
+void takeKeyAnswers(Shell& shell);
+
 } // namespace stretch::ui

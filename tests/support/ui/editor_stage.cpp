@@ -138,6 +138,7 @@ void EditorStage::frame() {
   for (const std::string& id : std::exchange(shell.requested, {})) {
     runCommand(shell, id);
   }
+  takeKeyAnswers(shell);
   ImGui::Render();
 }
 

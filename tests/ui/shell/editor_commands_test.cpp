@@ -7,6 +7,7 @@
 #include "app/commands/table/command_ids.h"
 #include "core/base/file.h"
 #include "tests/support/app/key_tables.h"
+#include "tests/support/ui/editor_stage.h"
 #include "ui/shell/shell_commands.h"
 
 using namespace stretch;
@@ -176,4 +177,20 @@ TEST_CASE("Without a file only what needs none is on") {
   }
   runCommand(shell, command::trailApply);
   REQUIRE(shell.ui.toasts.size() == 1);
+}
+
+TEST_CASE("Whose key was taken is told by its label, and whether it has others") {
+  test::EditorStage stage;
+  const auto give = [&](const char* command, const char* key) {
+    stage.shell.ui.dialogs.keys.open = true;
+    stage.shell.ui.dialogs.keys.filter = "apply";
+    stage.frames(3);
+    stage.click(std::string("keys/") + command);
+    stage.press(key);
+    stage.frames(2);
+    return stage.shell.ui.dialogs.keys.clash;
+  };
+  CHECK(give(command::trailApply, "T") == "T was the key of \"Motion trail\", which has none now.");
+  CHECK(give(command::trailApply, "Ctrl+Y") == "Ctrl+Y was the key of \"Redo\", which has others.");
+  CHECK(give(command::trailApply, "Ctrl+Shift+F12").empty());
 }

@@ -126,12 +126,6 @@ void takeKey(PanelContext& context) {
     return;
   }
   if (pressed != "Escape" && pressed != "Esc") {
-    const auto other = std::ranges::find_if(context.commands, [&](const CommandInfo& c) {
-      return c.keyText == pressed && c.id != keys.waitingFor;
-    });
-    keys.clash = other == context.commands.end()
-                     ? std::string()
-                     : pressed + " was the key of \"" + other->label + "\", which has none now.";
     context.ui.answers.keyChange =
         KeyChange{keys.waitingFor, pressed == "Backspace" ? std::string() : pressed};
   }
