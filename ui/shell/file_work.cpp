@@ -423,6 +423,18 @@ void addPropFile(Shell& shell, const std::filesystem::path& path) {
   }
 }
 
+namespace {
+
+/// "2 trails from the recipe", "3 things from the recipe" where there are others among them.
+std::string replayedText(const app::Recipe& recipe) {
+  std::size_t count = 0;
+  app::eachList(recipe, [&](const auto& things) { count += things.size(); });
+  const bool areTrails = count > 0 && count == recipe.trails.size();
+  return fmt::format("{} {}{} from the recipe", count, areTrails ? "trail" : "thing", count == 1 ? "" : "s");
+}
+
+} // namespace
+
 void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
   app::Document document = shell.open.character()->document();
   const Result<app::Recipe> recipe =
@@ -438,7 +450,7 @@ void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
   }
   const std::vector<std::string> replaced = app::gaveWay(document, changed->document);
   shell.open.character()->edit(std::move(changed->document), "Replay a recipe");
-  tell(shell, ToastKind::success, fmt::format("{} trails from the recipe", recipe->trails.size()));
+  tell(shell, ToastKind::success, replayedText(*recipe));
   for (const std::string& line : replaced) {
     tell(shell, ToastKind::warning, capitalised(line));
   }

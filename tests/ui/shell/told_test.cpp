@@ -150,3 +150,19 @@ TEST_CASE("That undo took a pose without a key is told, and the steps before it 
   stage.press("Ctrl+Z");
   CHECK(stage.isTold("Undone: Loop"));
 }
+
+TEST_CASE("All that a recipe brought is counted, of whatever kind") {
+  Told stage;
+  const auto replay = [&](const char* text) {
+    REQUIRE(writeText(stage.folder / "some.json", text));
+    loadRecipeFile(stage.shell, stage.folder / "some.json");
+  };
+  const std::string pose = R"({"controller": "left-hand", "keys": [{"frame": 4, "move": [0, 0.2, 0]}]})";
+  const std::string trail = R"({"limb": "left-arm", "range": [20, 30], "scale": 2})";
+  replay((R"({"version": 1, "trails": [)" + trail + "]}").c_str());
+  CHECK(stage.isTold("1 trail from the recipe"));
+  replay((R"({"version": 1, "trails": [], "adjustments": [)" + pose + "]}").c_str());
+  CHECK(stage.isTold("1 thing from the recipe"));
+  replay((R"({"version": 1, "trails": [)" + trail + R"(], "adjustments": [)" + pose + "]}").c_str());
+  CHECK(stage.isTold("2 things from the recipe"));
+}
