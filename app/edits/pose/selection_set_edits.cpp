@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/trail/name_edits.h"
 #include "app/named.h"
 
 namespace stretch::app {
@@ -69,11 +70,12 @@ Result<Document> renameSelectionSet(const Document& document, const std::string&
   if (set == renamed.selectionSets.end()) {
     return Error{"there is no selection set '" + name + "'", "", "keep one first"};
   }
-  if (newName.empty() || (newName != name && isTaken(document, newName))) {
-    return Error{newName.empty() ? "a set needs a name" : "another set is called '" + newName + "'", "",
+  const std::string kept = keptName(newName);
+  if (kept.empty() || (kept != name && isTaken(document, kept))) {
+    return Error{kept.empty() ? "a set needs a name" : "another set is called '" + kept + "'", "",
                  "give a name that no other set has"};
   }
-  set->name = newName;
+  set->name = kept;
   return renamed;
 }
 

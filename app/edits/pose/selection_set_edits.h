@@ -18,8 +18,8 @@ namespace stretch::app {
 [[nodiscard]] Result<Document> keepSelectionSet(const Document& document, const Selection& selection,
                                                 const std::string& name);
 
-/// Gives a set another name. An error where there is no such set, or another one has the new name; empty
-/// names too.
+/// Gives a set another name, as keptName has it. An error where there is no such set, or another one has the
+/// new name; empty names too.
 [[nodiscard]] Result<Document> renameSelectionSet(const Document& document, const std::string& name,
                                                   const std::string& newName);
 

@@ -29,13 +29,17 @@ std::string shortened(std::string text) {
 
 } // namespace
 
+std::string keptName(const std::string& typed) {
+  return shortened(trimmed(typed));
+}
+
 Result<Document> renameTrail(const Document& document, int trailId, const std::string& name) {
   Document changed = document;
   rig::Trail* const trail = findTrail(changed, trailId);
   if (trail == nullptr) {
     return missingTrail(trailId);
   }
-  trail->name = shortened(trimmed(name));
+  trail->name = keptName(name);
   return changed;
 }
 
@@ -46,7 +50,7 @@ Result<Document> renameGroup(const Document& document, int trailId, const std::s
   }
   Document changed = document;
   for (const int id : members) {
-    findTrail(changed, id)->groupName = shortened(trimmed(name));
+    findTrail(changed, id)->groupName = keptName(name);
   }
   return changed;
 }

@@ -6,6 +6,9 @@
 
 namespace stretch::app {
 
+/// A name as it is kept: what was typed without the white space around it, and not longer than 80 bytes.
+[[nodiscard]] std::string keptName(const std::string& typed);
+
 /// Gives a trail a name of its own; white space around it is dropped, and an empty one takes it away.
 [[nodiscard]] Result<Document> renameTrail(const Document& document, int trailId, const std::string& name);
 

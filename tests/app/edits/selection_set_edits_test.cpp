@@ -208,3 +208,13 @@ TEST_CASE("Sets that no selection could be are refused, with what is wrong") {
   CHECK_THAT(refusalOf(Json::array({{{"name", "Wrong"}, {"joints", {"head"}}}})),
              Catch::StartsWith("joints: is not a part"));
 }
+
+TEST_CASE("The name of a set is trimmed and shortened, and spaces alone are none") {
+  const Document document = withSets();
+  CHECK_THAT(test::refusal(renameSelectionSet(document, "Arms", " \t ")),
+             Catch::StartsWith("a set needs a name"));
+  CHECK_THAT(test::refusal(renameSelectionSet(document, "Arms", " Hands ")),
+             Catch::StartsWith("another set is called 'Hands'"));
+  CHECK(namesOf(*renameSelectionSet(document, "Arms", " Both arms ")) == Names{"Both arms", "Hands"});
+  CHECK(namesOf(*renameSelectionSet(document, "Arms", std::string(500, 'a'))).front().size() == 80);
+}
