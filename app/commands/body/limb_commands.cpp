@@ -81,7 +81,7 @@ DocumentCommand planCommand(const rig::BodyPlan& plan) {
 
 bool hasSelection(const Session& session) {
   return !session.view().selection.limbs().empty() || session.view().selection.trail() != 0 ||
-         hasControllers(session);
+         hasControllers(session) || !session.view().selection.locators().empty();
 }
 
 Status selectNone(Session& session) {

@@ -182,3 +182,12 @@ TEST_CASE("Tab goes to the trail of the limb that is nearest to the playhead, in
   CHECK(test::run(session, command::sphereNext).empty());
   CHECK(session.view().selection.trail() == trailAt(session, 1));
 }
+
+TEST_CASE("Nothing is selected by the key for it where locators are") {
+  Session session = withTrails();
+  session.view().showLocators = true;
+  selectLocator(session, "leftHand", false);
+  CHECK(test::run(session, command::selectNone).empty());
+  CHECK(session.view().selection.locators().empty());
+  CHECK(test::run(session, command::selectNone) == "nothing is selected");
+}
