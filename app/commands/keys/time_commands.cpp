@@ -73,17 +73,13 @@ Vec2 rangeFrom(const Session& session, bool start) {
 /// The selected trail's range, which the working range follows; without one the working range alone.
 Status setRange(Session& session, bool start) {
   const rig::Trail* trail = selectedTrail(session);
-  if (hasControllers(session)) {
-    Status done = endOffsetsHere(session, start);
-    if (done) {
-      setRangeByHand(session, rangeFrom(session, start));
-    }
-    return done;
-  }
   if (trail == nullptr) {
     const Vec2 range = rangeFrom(session, start);
     if (!(range.y > range.x)) {
       return Error{"the range would have no length", "", "move the playhead first"};
+    }
+    if (const Status ended = hasControllers(session) ? endOffsetsHere(session, start) : Success{}; !ended) {
+      return ended;
     }
     setRangeByHand(session, range);
     return Success{};

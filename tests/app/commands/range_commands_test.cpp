@@ -99,3 +99,14 @@ TEST_CASE(
     CHECK(frameAfter(command::timeNextKey, frame) == Approx(next).margin(1e-5));
   }
 }
+
+TEST_CASE("While a controller is selected a range without a length is refused as well") {
+  Session session(test::boxer());
+  selectController(session, "left-hand", false);
+  session.view().frame = 20.0;
+  CHECK_THAT(run(session, command::rangeStart), Catch::Contains("the range would have no length"));
+  CHECK_FALSE(session.rangeByHand());
+  session.view().frame = 12.0;
+  CHECK(run(session, command::rangeStart).empty());
+  CHECK(session.rangeByHand() == Vec2(12.0, 20.0));
+}
