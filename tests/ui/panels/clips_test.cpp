@@ -4,6 +4,7 @@
 #include "app/edits/trail/name_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/panel_driver.h"
+#include "ui/panels/rows/clip_name.h"
 
 using namespace stretch;
 using test::PanelDriver;
@@ -241,4 +242,9 @@ TEST_CASE("A trail is renamed by the keypad's Enter, and Esc leaves its name") {
   CHECK(session.history().undoLabel() == "Rename the trail");
   CHECK(rename("hook", ImGuiKey_Escape) == "jab");
   CHECK(rename("hook", ImGuiKey_Enter) == "hook");
+}
+
+TEST_CASE("A clip without a name is counted from the first, in every list") {
+  CHECK(ui::clipName("", 2) == "Clip 3");
+  CHECK(ui::clipName("Walk", 2) == "Walk");
 }

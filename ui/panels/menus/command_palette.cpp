@@ -42,7 +42,7 @@ std::vector<Entry> entriesOf(const PanelContext& context) {
   const std::vector<Clip>& clips = *context.character().document().clips;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const int clip = static_cast<int>(i);
-    const std::string name = clipName(clips[i], i);
+    const std::string name = clipName(clips[i].name, i);
     const std::string help = fmt::format("{:.2f} s", clips[i].endSeconds);
     entries.push_back(
         {{"clip-" + std::to_string(i), palette.clipsOnly ? name : "Clip: " + name, help, ""}, clip});

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/rows/clip_name.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/fuzzy.h"
 #include "ui/widgets/icons.h"
@@ -16,8 +17,7 @@ namespace stretch::ui {
 namespace {
 
 std::string clipHeading(const ClipPick& pick, std::size_t clip) {
-  const std::string& name = pick.clips[clip].name;
-  return name.empty() ? fmt::format("Clip {}", clip + 1) : name;
+  return clipName(pick.clips[clip].name, clip);
 }
 
 /// Those that the filter leaves, in the order of the file.

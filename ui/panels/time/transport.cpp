@@ -209,7 +209,8 @@ float clipChooserWidth(const PanelContext& context, const std::vector<RowControl
   const Theme& theme = context.theme;
   const app::Session& session = *context.open.character();
   const int clip = session.view().clip;
-  const std::string name = clipName(app::clipOf(session.document(), clip), static_cast<std::size_t>(clip));
+  const std::string name =
+      clipName(app::clipOf(session.document(), clip).name, static_cast<std::size_t>(clip));
   float left = available - theme.px(60.0F); // Of the text at the row's end.
   for (const RowControl& part : others) {
     left -= part.width;
@@ -270,8 +271,8 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
     const std::string work = workText(context.character().document(), static_cast<int>(i));
-    choices.push_back({clipName(clips[i], i),
-                       {.title = clipName(clips[i], i), .text = seconds + work},
+    choices.push_back({clipName(clips[i].name, i),
+                       {.title = clipName(clips[i].name, i), .text = seconds + work},
                        true,
                        !work.empty()});
     choices.back().note = clips.size() > manyClips ? seconds : "";
