@@ -28,6 +28,10 @@ const std::vector<double>& Selection::spheres() const {
   return selectedPart(selected_, &TrailSelection::spheres);
 }
 
+const std::vector<int>& Selection::trailsBeside() const {
+  return selectedPart(selected_, &TrailSelection::beside);
+}
+
 const std::vector<std::string>& Selection::controllers() const {
   return selectedPart(selected_, &ControllerSelection::ids);
 }
@@ -69,6 +73,7 @@ void Selection::dropTrail() {
   if (auto* const trails = std::get_if<TrailSelection>(&selected_)) {
     trails->trail = 0;
     trails->spheres.clear();
+    trails->beside.clear();
   }
 }
 

@@ -11,6 +11,7 @@ struct TrailSelection {
   std::vector<std::string> limbs; ///< Ids, in the order in which they were selected.
   int trail = 0;                  ///< Id; 0 none.
   std::vector<double> spheres;    ///< Frames of selected control spheres of that trail.
+  std::vector<int> beside = {};   ///< Ids of trails that were added to it, of selected limbs.
 
   friend bool operator==(const TrailSelection&, const TrailSelection&) = default;
 };
@@ -37,6 +38,7 @@ public:
   [[nodiscard]] const std::vector<std::string>& limbs() const;
   [[nodiscard]] int trail() const; ///< 0 none.
   [[nodiscard]] const std::vector<double>& spheres() const;
+  [[nodiscard]] const std::vector<int>& trailsBeside() const;
   [[nodiscard]] const std::vector<std::string>& controllers() const;
   [[nodiscard]] const std::vector<std::string>& locators() const;
 
@@ -46,7 +48,8 @@ public:
   void setControllers(std::vector<std::string> ids);
   void setLocators(std::vector<std::string> names);
 
-  /// Drops the spheres; or the trail and its spheres, limbs stay selected. Other kinds stay as they are.
+  /// Drops the spheres; or the trail, those beside it and its spheres, limbs stay selected. Other kinds stay
+  /// as they are.
   void dropSpheres();
   void dropTrail();
   /// Drops controllers and locators; limbs, trail and spheres stay.

@@ -241,7 +241,9 @@ void Session::followRate() {
   const double now = exists ? clipOf(shown, view_.clip).framesPerSecond : 0.0;
   if (exists && ratedClip_ == view_.clip && rate_ > 0.0 && now != rate_) {
     const double factor = now / rate_;
+    const bool isPosed = isPosedWithoutKey(view_);
     view_.frame = std::round(view_.frame * factor);
+    view_.unkeyed.frame = isPosed ? view_.frame : view_.unkeyed.frame;
     if (view_.rangeEnd >= view_.rangeStart) {
       view_.rangeStart = std::round(view_.rangeStart * factor);
       view_.rangeEnd = std::max(view_.rangeStart + 1.0, std::round(view_.rangeEnd * factor));
@@ -251,9 +253,7 @@ void Session::followRate() {
       rangeBefore_->y = std::max(rangeBefore_->x + 1.0, std::round(rangeBefore_->y * factor));
     }
     if (!view_.selection.spheres().empty()) {
-    const bool isPosed = isPosedWithoutKey(view_);
       for (double& frame : view_.selection.editTrails().spheres) {
-    view_.unkeyed.frame = isPosed ? view_.frame : view_.unkeyed.frame;
         frame *= factor;
       }
     }
@@ -315,6 +315,10 @@ void Session::documentChanged() {
   if (!view_.selection.limbs().empty()) {
     std::erase_if(view_.selection.editTrails().limbs,
                   [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
+  }
+  if (!view_.selection.trailsBeside().empty()) {
+    std::erase_if(view_.selection.editTrails().beside,
+                  [&](int trail) { return findTrail(shown, trail) == nullptr; });
   }
   keepHandles();
   keepPickedKeys();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "app/commands/table/frames.h"
 #include "app/edits/pose/adjustment_edits.h"
@@ -71,6 +72,8 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
     limbs = {limbId};
   } else if (wasSelected) {
     std::erase(limbs, limbId);
+    std::erase_if(view.selection.editTrails().beside,
+                  [&](int id) { return findTrail(session.document(), id)->limb == limbId; });
   } else {
     limbs.push_back(limbId);
   }
@@ -79,6 +82,7 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
   const bool leavesTrail = trail != nullptr && wasSelected && trail->limb == limbId;
   if (!add || view.selection.trail() == 0 || leavesTrail) {
     view.selection.editTrails().trail = limbs.empty() ? 0 : trailAtPlayhead(session, limbs.back());
+    view.selection.editTrails().beside.clear();
   }
   session.followSelection();
 }
@@ -94,7 +98,14 @@ void selectTrail(Session& session, int trailId) {
     session.followSelection();
     return;
   }
-  view.selection.editTrails().trail = trailId;
+  TrailSelection& selection = view.selection.editTrails();
+  const auto added = std::ranges::find(selection.beside, trailId);
+  if (added != selection.beside.end()) {
+    *added = selection.trail; // It leads now, and the others stay.
+  } else if (selection.trail != trailId) {
+    selection.beside.clear();
+  }
+  selection.trail = trailId;
   session.followSelection();
   const auto& limbs = view.selection.limbs();
   if (std::find(limbs.begin(), limbs.end(), trail->limb) == limbs.end()) {
@@ -109,14 +120,28 @@ void selectTrailInList(Session& session, int trailId, bool add) {
     return;
   }
   clearControllers(session);
-  std::vector<std::string>& limbs = session.view().selection.editTrails().limbs;
+  TrailSelection& selection = session.view().selection.editTrails();
   if (!add || leading == nullptr) {
-    limbs = {trail->limb};
+    selection.limbs = {trail->limb};
+    selection.beside.clear();
     selectTrail(session, trailId);
-  } else if (trail->id != leading->id && isSelected(session, trail->limb)) {
-    std::erase(limbs, trail->limb);
   } else if (trail->id != leading->id) {
-    limbs.push_back(trail->limb);
+    const std::vector<int> targets = targetTrails(session);
+    selection.beside.assign(targets.begin() + 1, targets.end());
+    const auto present = std::ranges::find(selection.beside, trailId);
+    if (present == selection.beside.end()) {
+      selection.beside.push_back(trailId);
+    } else {
+      selection.beside.erase(present);
+    }
+    const bool isMeant = trail->limb == leading->limb || std::ranges::any_of(selection.beside, [&](int id) {
+                           return findTrail(session.document(), id)->limb == trail->limb;
+                         });
+    if (!isMeant) {
+      std::erase(selection.limbs, trail->limb);
+    } else if (!isSelected(session, trail->limb)) {
+      selection.limbs.push_back(trail->limb);
+    }
   }
 }
 
@@ -124,6 +149,7 @@ void selectGroup(Session& session, int trailId) {
   const std::vector<int> members = groupMembers(session.document(), trailId);
   if (!members.empty()) {
     session.view().selection.editTrails().limbs.clear();
+    session.view().selection.editTrails().beside.clear();
   }
   for (const int id : members) {
     session.view().selection.editTrails().limbs.push_back(findTrail(session.document(), id)->limb);
@@ -136,9 +162,17 @@ std::vector<int> targetTrails(const Session& session) {
   std::vector<int> targets;
   if (selected != nullptr) {
     targets.push_back(selected->id);
+    std::ranges::copy_if(session.view().selection.trailsBeside(), std::back_inserter(targets), [&](int id) {
+      const rig::Trail* const trail = findTrail(session.document(), id);
+      return trail != nullptr && trail->clip == selected->clip && isSelected(session, trail->limb);
+    });
   }
+  const std::size_t named = targets.size();
   for (const std::string& limbId : session.view().selection.limbs()) {
-    if (selected != nullptr && limbId == selected->limb) {
+    const bool isNamed =
+        std::any_of(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(named),
+                    [&](int id) { return findTrail(session.document(), id)->limb == limbId; });
+    if (isNamed) {
       continue;
     }
     const rig::Trail* beside = selected == nullptr ? nullptr : trailBeside(session, *selected, limbId);

@@ -19,16 +19,16 @@ void selectLimb(Session& session, const std::string& limbId, bool add);
 /// Selects a trail with its limb; 0 deselects.
 void selectTrail(Session& session, int trailId);
 
-/// Selects a trail as a list does: it alone with its limb, or (`add`) its limb beside those that are
-/// selected; again takes it away.
+/// Selects a trail as a list does: it alone with its limb, or (`add`) beside the one that leads; again takes
+/// it away. A limb goes with its last trail.
 void selectTrailInList(Session& session, int trailId, bool add);
 
 /// Selects a trail with all others of its group and their limbs; a trail that stands alone as selectTrail().
 void selectGroup(Session& session, int trailId);
 
-/// Ids of the trails that commands act on: the selected trail, and of the other selected limbs those of its
-/// group, else those that share time with it; without a selected trail those of the selected limbs in which
-/// the playhead stands, else each limb's only one.
+/// Ids of the trails that commands act on: the selected trail, those that were added to it, and of the other
+/// selected limbs those of its group, else those that share time with it; without a selected trail those of
+/// the selected limbs in which the playhead stands, else each limb's only one.
 [[nodiscard]] std::vector<int> targetTrails(const Session& session);
 
 /// Returns those of these trails that lie over the selected one's range: its ends are changed together, other

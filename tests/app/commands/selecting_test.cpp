@@ -183,6 +183,53 @@ TEST_CASE("Tab goes to the trail of the limb that is nearest to the playhead, in
   CHECK(session.view().selection.trail() == trailAt(session, 1));
 }
 
+TEST_CASE(
+    "Trails that are added in a list are meant with the one that leads, two of one limb and others too") {
+  Session session = withTrails();
+  const Ids ids{trailAt(session, 0), trailAt(session, 1), trailAt(session, 2), trailAt(session, 3)};
+  selectTrailInList(session, ids[0], false);
+  selectTrailInList(session, ids[1], true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm"});
+  CHECK(targetTrails(session) == Ids{ids[0], ids[1]});
+  selectTrailInList(session, ids[2], true); // shares no time with the first
+  CHECK(session.view().selection.limbs() == Names{"left-arm", "right-arm"});
+  CHECK(targetTrails(session) == Ids{ids[0], ids[1], ids[2]});
+  selectTrail(session, ids[1]); // leads now
+  CHECK(targetTrails(session) == Ids{ids[1], ids[0], ids[2]});
+  selectTrailInList(session, ids[0], true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm", "right-arm"});
+  CHECK(targetTrails(session) == Ids{ids[1], ids[2]});
+  selectTrailInList(session, ids[2], true);
+  CHECK(session.view().selection.limbs() == Names{"left-arm"});
+  CHECK(targetTrails(session) == Ids{ids[1]});
+}
+
+TEST_CASE("Added trails go with their limb, with the leading trail and with themselves") {
+  const auto added = [] {
+    Session session = withTrails();
+    selectTrailInList(session, trailAt(session, 0), false);
+    selectTrailInList(session, trailAt(session, 1), true);
+    selectTrailInList(session, trailAt(session, 2), true);
+    return session;
+  };
+  Session session = added();
+  selectLimb(session, "right-arm", true);
+  selectLimb(session, "right-arm", true);
+  CHECK(session.view().selection.trailsBeside() == Ids{trailAt(session, 1)});
+  session = added();
+  selectLimb(session, "left-arm", false);
+  CHECK(session.view().selection.trailsBeside().empty());
+  session = added();
+  selectTrail(session, trailAt(session, 3));
+  CHECK(targetTrails(session) == Ids{trailAt(session, 3)});
+  session = added();
+  const int gone = trailAt(session, 2);
+  Document without = session.document();
+  std::erase_if(without.trails, [&](const rig::Trail& trail) { return trail.id == gone; });
+  session.edit(without, "Delete");
+  CHECK(session.view().selection.trailsBeside() == Ids{trailAt(session, 1)});
+}
+
 TEST_CASE("Nothing is selected by the key for it where locators are") {
   Session session = withTrails();
   session.view().showLocators = true;
