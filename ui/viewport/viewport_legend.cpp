@@ -119,6 +119,7 @@ float drawTrailLegend(ViewportContext& context, float bottom) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, faded(theme.colours.background, 0.6F),
                       theme.corner());
+  context.items.add("viewport/trail-legend", corner, {corner.x + width, corner.y + height});
   const WidgetContext widgets{theme, context.items};
   float y = corner.y + 0.5F * theme.unit();
   for (const LegendRow& row : rows) {

@@ -96,6 +96,18 @@ std::vector<Rect> trailsIn(const ViewportContext& context) {
   return boxes;
 }
 
+/// The legends and the label of the lens.
+std::vector<Rect> labelsIn(const ViewportContext& context) {
+  std::vector<Rect> labels;
+  for (const char* const id :
+       {"viewport/lens", "viewport/trail-legend", "viewport/weight-legend", "viewport/stretch-legend"}) {
+    if (const Item* const item = context.items.find(id)) {
+      labels.push_back({item->min, item->max});
+    }
+  }
+  return labels;
+}
+
 /// What no message may cover.
 std::vector<Rect> keptFree(const ViewportContext& context) {
   std::vector<Rect> kept;
@@ -125,9 +137,10 @@ void showMessages(ViewportContext& context) {
     messages = {figureIn(context), 0, {}};
     return;
   }
-  messages.drawn =
-      drawMessages(context, {context.viewport.box, messages.figure, keptFree(context), trailsIn(context)},
-                   messages.place, *ImGui::GetWindowDrawList());
+  messages.drawn = drawMessages(
+      context,
+      {context.viewport.box, messages.figure, keptFree(context), trailsIn(context), labelsIn(context)},
+      messages.place, *ImGui::GetWindowDrawList());
 }
 
 bool pressMessage(ViewportContext& context) {

@@ -188,3 +188,18 @@ TEST_CASE("What went wrong is told beside an open dialog where the window has ro
   CHECK(told.count == 1);
   CHECK(told.over == 0);
 }
+
+TEST_CASE("No message covers what the picture's lines and colours mean, nor the label of the lens") {
+  test::GuiPainter painter;
+  Seen stage(painter);
+  stage.ui.toasts.clear();
+  stage.showViewport();
+  tellTwo(stage.ui);
+  stage.showViewport();
+  for (const char* const id : {"viewport/trail-legend", "viewport/lens"}) {
+    CAPTURE(id);
+    const Item* const item = stage.items.find(id);
+    REQUIRE(item != nullptr);
+    CHECK(messagesOver(stage.items, {item->min, item->max}).over == 0);
+  }
+}

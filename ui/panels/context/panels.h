@@ -59,9 +59,10 @@ void drawTour(PanelContext& context, const Rect& picture);
 /// Room for messages.
 struct MessageRoom {
   Rect picture;
-  std::optional<Rect> figure; ///< The character: messages keep beside it where there is room.
-  std::vector<Rect> kept;     ///< Covered by no message while there is another place.
-  std::vector<Rect> spared;   ///< Left free as well, where there is room for that.
+  std::optional<Rect> figure;    ///< The character: messages keep beside it where there is room.
+  std::vector<Rect> kept;        ///< Covered by no message while there is another place.
+  std::vector<Rect> spared;      ///< Left free as well, where there is room for that.
+  std::vector<Rect> labels = {}; ///< And these, where there is room for both.
 };
 
 /// Draws what was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no

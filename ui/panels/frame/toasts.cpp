@@ -200,20 +200,24 @@ bool isFree(const std::vector<PlacedToast>& placed, const Rect& room, const std:
   });
 }
 
-/// In the place of the frame before, else in the first one that is free of what is spared as well and wide
-/// enough for a long message, else in the first that is free of what is kept, else in the first.
+/// In the place of the frame before, else in the first one that is free of labels and of what is spared as
+/// well and wide enough for a long message, else in the first that is without the labels, else in the first
+/// that is free of what is kept, else in the first.
 std::vector<PlacedToast> placeFreely(const Theme& theme, const ToastStyle& style,
                                      const std::vector<Toast*>& shown, const std::vector<StackPlace>& places,
                                      const MessageRoom& room, std::size_t& at) {
   at = std::min(at, places.size() - 1);
-  for (const bool sparing : {true, false}) {
+  for (const int spared : {2, 1, 0}) {
     for (std::size_t tried = 0; tried <= places.size(); ++tried) {
       const std::size_t index = tried == 0 ? at : tried - 1;
       std::vector<PlacedToast> placed = placeToasts(theme, style, shown, places[index]);
       const bool isShort =
           std::ranges::none_of(placed, [](const PlacedToast& toast) { return toast.place.isLong; });
-      if (isFree(placed, places[index].room, room.kept) &&
-          (!sparing || (isShort && isFree(placed, places[index].room, room.spared)))) {
+      const auto spares = [&](const std::vector<Rect>& boxes) {
+        return isFree(placed, places[index].room, boxes);
+      };
+      if (spares(room.kept) && (spared < 1 || (isShort && spares(room.spared))) &&
+          (spared < 2 || spares(room.labels))) {
         at = index;
         return placed;
       }
@@ -251,7 +255,7 @@ std::vector<DrawnToast> drawMessages(PanelContext& context, const MessageRoom& r
   const Rect dialogBox = dialog != nullptr ? Rect{dialog->Rect().Min, dialog->Rect().Max} : Rect{};
   const std::vector<StackPlace> places =
       dialog != nullptr ? placesByDialog(room.picture, dialogBox) : placesInPicture(theme, room);
-  const MessageRoom placed = dialog != nullptr ? MessageRoom{room.picture, {}, {dialogBox}, {}} : room;
+  const MessageRoom placed = dialog != nullptr ? MessageRoom{room.picture, {}, {dialogBox}, {}, {}} : room;
   const ToastStyle style = toastStyle(theme, room.picture);
   ImDrawList& list = dialog != nullptr ? *ImGui::GetForegroundDrawList() : under;
   std::vector<DrawnToast> drawn;
