@@ -35,7 +35,8 @@ std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Ca
   }
   for (std::size_t i = 0; i < possible.size(); ++i) {
     const Node& node = scene.nodes[i];
-    const bool carriesSkin = node.mesh >= 0 && node.skin >= 0;
+    // The mesh itself stands for no bone, unless it says so: on a joint of a skin it changes nothing.
+    const bool carriesSkin = node.mesh >= 0 && node.skin >= 0 && candidates != Candidates::skinJoints;
     const bool carriesMesh = node.mesh >= 0 && candidates == Candidates::nodesNoMeshes;
     if (carriesSkin || carriesMesh || !isFinite(positionOf(bindPose.worlds[i]))) {
       possible[i] = false;

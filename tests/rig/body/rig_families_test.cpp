@@ -119,6 +119,21 @@ TEST_CASE("A skin that was bound in other units than the scene has the height an
   }
 }
 
+TEST_CASE("A joint that shows the mesh of its skin is the same joint of its limb") {
+  const BuiltBiped whole = build(makeNamedBody("Mixamo"));
+  const Body plain = detectBody(whole.scene);
+  Scene scene = whole.scene;
+  const Limb& arm = *limbAt(plain.limbs, {LimbKind::arm, LimbSide::left});
+  const NodeIndex elbow = arm.joints.at(1);
+  const auto shown = std::ranges::find_if(scene.nodes, [](const Node& node) { return node.skin >= 0; });
+  REQUIRE(shown != scene.nodes.end());
+  std::swap(scene.nodes[at(elbow)].mesh, shown->mesh);
+  std::swap(scene.nodes[at(elbow)].skin, shown->skin);
+  const Body body = detectBody(scene);
+  CHECK(limbAt(body.limbs, {LimbKind::arm, LimbSide::left})->joints == arm.joints);
+  checkArmsAndLegs(whole, body);
+}
+
 TEST_CASE("Where only the hands are skinned, the rigid rest counts into the height") {
   SyntheticBiped body = makeNamedBody("Mixamo");
   BuiltBiped whole = build(body);
