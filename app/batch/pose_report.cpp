@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/edits/pose/adjustment_edits.h"
-#include "app/evaluate/end_flips.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/missed_places.h"

@@ -20,7 +20,7 @@ struct HoldReport {
   double strength = 0.0;           ///< The most that it is held by, 0..1; below 1 it is held nowhere fully.
   double farthestOverridden = 0.0; ///< Likewise where another hold of the limb decides.
   std::vector<double> framesOverridden = {};       ///< Likewise.
-  rig::HoldKind overriddenBy = rig::HoldKind::pin; ///< What decides there.
+  rig::HoldKind overriddenBy = rig::HoldKind::pin; ///< Hold that decides there.
 };
 
 /// Frames and half frames of the clip, at most some twenty thousand frames: where holds are looked at.

@@ -1,6 +1,7 @@
 #include "app/evaluate/prop_flips.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include <fmt/core.h>
@@ -15,31 +16,60 @@ namespace stretch::app {
 
 namespace {
 
-// How a prop is turned at one time, and its hands where nothing holds them.
+// How something is turned at one time, and what explains it: of a prop its hands where nothing holds them.
 struct Turns {
-  Quat prop;
-  std::vector<Quat> hands;
+  Quat turned;
+  std::vector<Quat> causes;
 };
 
 Turns turnsAt(const rig::SolvedHolds& holds, const rig::SolvedProp& prop, const FrameState& state,
               const FrameState& unheld) {
   Turns turns{rotationOf(state.worlds[at(prop.node)]), {}};
   for (const rig::SolvedPropHand& hand : prop.hands) {
-    turns.hands.push_back(rig::endPlace(holds.limbs[hand.limb].limb, unheld).orientation);
+    turns.causes.push_back(rig::endPlace(holds.limbs[hand.limb].limb, unheld).orientation);
   }
   return turns;
 }
 
-// How far the prop turns, in degrees, where its hands do not explain it; 0 where they do.
-double flipBetween(const Turns& before, const Turns& after) {
-  constexpr double timesHands = 3.0;
-  constexpr double least = 45.0 / 180.0 * pi;
-  double hands = 0.0;
-  for (std::size_t i = 0; i < before.hands.size(); ++i) {
-    hands = std::max(hands, angleBetween(before.hands[i], after.hands[i]));
+// Turns of the ends that a hold has a part of, by the place of the limb in SolvedHolds::limbs; of a grip its
+// leader explains it, too.
+std::map<std::size_t, Turns> partsHeld(const rig::MotionState& motion,
+                                       const std::vector<rig::HeldGoal>& goals, const FrameState& state,
+                                       const FrameState& unheld) {
+  std::map<std::size_t, Turns> turns;
+  for (const rig::HeldGoal& goal : goals) {
+    if (goal.overriddenBy || goal.strength >= 1.0) {
+      continue;
+    }
+    const rig::Limb& limb = motion.holds.limbs[goal.limb].limb;
+    Turns& own = turns[goal.limb];
+    own = {rig::endPlace(limb, state).orientation, {rig::endPlace(limb, unheld).orientation}};
+    if (goal.kind == rig::HoldKind::grip) {
+      own.causes.push_back(rig::endPlace(motion.holds.grips[goal.index]->leader, state).orientation);
+    }
   }
-  const double turned = angleBetween(before.prop, after.prop);
-  return turned > least + timesHands * hands ? turned * 180.0 / pi : 0.0;
+  return turns;
+}
+
+// How far something turns, in degrees, where its causes do not explain it; 0 where they do.
+double flipBetween(const Turns& before, const Turns& after) {
+  constexpr double timesCauses = 3.0;
+  constexpr double least = 45.0 / 180.0 * pi;
+  double causes = 0.0;
+  for (std::size_t i = 0; i < std::min(before.causes.size(), after.causes.size()); ++i) {
+    causes = std::max(causes, angleBetween(before.causes[i], after.causes[i]));
+  }
+  const double turned = angleBetween(before.turned, after.turned);
+  return turned > least + timesCauses * causes ? turned * 180.0 / pi : 0.0;
+}
+
+void keepWorst(const EndFlip& flip, std::vector<EndFlip>& flips) {
+  const auto known = std::ranges::find(flips, flip.limb, &EndFlip::limb);
+  if (known == flips.end()) {
+    flips.push_back(flip);
+  } else if (flip.degrees > known->degrees) {
+    *known = flip;
+  }
 }
 
 } // namespace
@@ -79,6 +109,44 @@ std::string flipWarning(const PropFlip& flip) {
                      "against each other there by half a "
                      "turn; let one hand hold it more firmly from a frame before",
                      flip.prop, flip.degrees, flip.frame);
+}
+
+std::vector<EndFlip> endFlips(const Document& document, const rig::MotionState& motion) {
+  std::vector<EndFlip> flips;
+  const Clip& clip = clipOf(document, motion.clip);
+  rig::MotionState free = motion;
+  free.holds = {};
+  std::map<std::size_t, Turns> last;
+  for (const double frame : motion.holds.empty() ? std::vector<double>{} : halfFramesOf(motion)) {
+    const double seconds = frame / clip.framesPerSecond;
+    FrameState state = rig::adjustedFrame(*document.scene, clip, motion, seconds);
+    std::vector<rig::HeldGoal> goals = rig::applyTrailsAndHolds(*document.scene, motion, state);
+    rig::applyAfterHolds(*document.scene, motion, goals, state);
+    if (std::ranges::none_of(goals, [](const rig::HeldGoal& goal) { return goal.strength < 1.0; })) {
+      last.clear();
+      continue;
+    }
+    const FrameState unheld = rig::evaluateMotion(*document.scene, clip, free, seconds);
+    std::map<std::size_t, Turns> turns = partsHeld(motion, goals, state, unheld);
+    for (const rig::HeldGoal& goal : goals) {
+      const auto before = last.find(goal.limb);
+      const auto after = turns.find(goal.limb);
+      const bool isLooked = !goal.overriddenBy && before != last.end() && after != turns.end();
+      if (const double degrees = isLooked ? flipBetween(before->second, after->second) : 0.0; degrees > 0.0) {
+        keepWorst({goal.kind, motion.holds.limbs[goal.limb].limb.id, frame, degrees}, flips);
+      }
+    }
+    last = std::move(turns);
+  }
+  return flips;
+}
+
+std::string endFlipWarning(const EndFlip& flip) {
+  return fmt::format(
+      "the end of {} turns over by {:.0f} degrees at frame {:g}, as its {} comes or goes: it is "
+      "turned by half a turn there against how that has it; let the blend be shorter, or the "
+      "hold leave its turn free",
+      flip.limb, flip.degrees, flip.frame, holdWord(flip.kind));
 }
 
 } // namespace stretch::app

@@ -45,17 +45,11 @@ public:
 private:
   // Of the goals of one hold, from `first` to before `end`; a prop is brought along.
   Anchor anchorOf(const std::vector<HeldGoal>& goals, std::size_t first, std::size_t end) {
-    switch (goals[first].kind) {
-    case HoldKind::pin:
-      break;
-    case HoldKind::grip: {
+    if (goals[first].kind == HoldKind::grip) {
       const Limb& leader = holds_.grips[goals[first].index]->leader;
       return {endPlace(leader, before_), endPlace(leader, frame_)};
     }
-    case HoldKind::prop:
-      return propAnchor(goals, first, end);
-    }
-    return {};
+    return goals[first].kind == HoldKind::prop ? propAnchor(goals, first, end) : Anchor{};
   }
 
   Anchor propAnchor(const std::vector<HeldGoal>& goals, std::size_t first, std::size_t end) {

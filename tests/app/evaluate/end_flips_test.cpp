@@ -1,11 +1,10 @@
-#include "app/evaluate/end_flips.h"
-
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/prop_flips.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/things_of_clip.h"
 
