@@ -407,9 +407,10 @@ std::vector<RefusedLine> refusedPoses(const std::string& out, const std::string&
   };
 }
 
-/// Options that do not go with a stream to which frames are added.
-std::vector<RefusedLine> refusedAppending(const std::string& out, const std::string& tube,
-                                          const std::string& moduli) {
+/// Options of a compression that do not count, and those that do not go with a stream to which frames are
+/// added.
+std::vector<RefusedLine> refusedCompressions(const std::string& out, const std::string& tube,
+                                             const std::string& moduli) {
   return {
       {{"compress", tube, "-o", out, "--append", tube, "--stream", tube},
        "the bones are those of the stream that is there",
@@ -429,6 +430,9 @@ std::vector<RefusedLine> refusedAppending(const std::string& out, const std::str
       {{"compress", tube, "-o", out, "--append", tube, "--bones", "3"},
        "--bones: frames that are appended take their bones from the stream",
        2},
+      {{"compress", tube, "-o", out, "--scale-limit", "3"}, "--scale-limit: does not count here"},
+      {{"compress", tube, "-o", out, "--influences", "8", "--weights", "geodesic"},
+       "--influences: does not count here"},
   };
 }
 
@@ -468,9 +472,6 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
         "--curvature", (outputs / "table.csv").string(), "--stream", (outputs / "stream").string()},
        "the body has no centre line, so there is no curvature to write"},
       {{"compress", tube, "-o", out, "--open-stream"}, "there is no stream to write", 2},
-      {{"compress", tube, "-o", out, "--scale-limit", "3"}, "--scale-limit: does not count here"},
-      {{"compress", tube, "-o", out, "--influences", "8", "--weights", "geodesic"},
-       "--influences: does not count here"},
       {{"compress", tube, "-o", out, "--curvature", out}, "out.glb: is written twice"},
       {{"compress", tube, "-o", out, "--skip", "3"},
        "3 frames are skipped, and the sequence has 3; give at most 2"},
@@ -482,7 +483,7 @@ TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothi
   };
   for (const std::vector<RefusedLine>& more :
        {others, refusedStyles(out), refusedPoses(out, trails), refusedTrailOptions(out, trails),
-        refusedAppending(out, tube, moduli)}) {
+        refusedCompressions(out, tube, moduli)}) {
     lines.insert(lines.end(), more.begin(), more.end());
   }
   for (const RefusedLine& line : lines) {
