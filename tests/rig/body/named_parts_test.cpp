@@ -47,11 +47,6 @@ void drop(SyntheticBiped& body, const std::vector<std::string>& stems) {
   });
 }
 
-bool warnsOf(const Body& body, const std::string& words) {
-  return std::ranges::any_of(
-      body.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
-
 // Everything is called by its key.
 SyntheticBiped namedPerson() {
   SyntheticBiped body = makeBody({.fingers = false});

@@ -17,11 +17,6 @@ SyntheticJoint& joint(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
-bool warnsOf(const Body& biped, const std::string& words) {
-  return std::ranges::any_of(
-      biped.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
-
 } // namespace
 
 TEST_CASE("twist joints beside and inside a limb's bones are not joints of the limb") {

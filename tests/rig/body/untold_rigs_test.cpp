@@ -14,11 +14,6 @@ using namespace stretch::test;
 
 namespace {
 
-bool warnsOf(const Body& body, const std::string& words) {
-  return std::ranges::any_of(
-      body.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
-
 void add(SyntheticBiped& body, const std::string& key, const std::string& parent, const Vec3& place) {
   body.joints.push_back({key, parent, place});
 }

@@ -54,4 +54,9 @@ double innerAngle(const std::vector<Vec3>& points) {
   return angleBetween(points[0] - points[1], points[2] - points[1]);
 }
 
+bool warnsOf(const rig::Body& body, const std::string& words) {
+  return std::ranges::any_of(
+      body.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+}
+
 } // namespace stretch::test

@@ -28,4 +28,7 @@ void checkArmsAndLegs(const BuiltBiped& built, const rig::Body& biped);
 /// The angle at the middle one of the first three points of a limb, radians.
 [[nodiscard]] double innerAngle(const std::vector<Vec3>& points);
 
+/// Whether one of the body's warnings has these words.
+[[nodiscard]] bool warnsOf(const rig::Body& body, const std::string& words);
+
 } // namespace stretch::test
