@@ -117,16 +117,19 @@ std::size_t topOf(const Json& json, std::size_t node) {
   return node;
 }
 
-// A node that hangs on none goes into every scene; one that takes over a mesh, into those that show the mesh.
+// A node that hangs on none goes into the scene that is shown; one that takes over a mesh, into all that show
+// the mesh.
 void attach(const AddedNode& node, std::size_t child, Journal& journal) {
   if (node.parent.exists()) {
     journal.append(Pointer("/nodes") / at(node.parent) / "children", child);
     return;
   }
+  const int shown = indexOr(journal.json(), "scene", 0);
   const Json top = node.meshFrom.exists() ? Json(topOf(journal.json(), at(node.meshFrom))) : Json();
   for (std::size_t i = 0; i < sizeOf(journal.json(), "scenes"); ++i) {
     const Json* const tops = find(element(journal.json(), "scenes", i), "nodes");
-    if (top.is_null() || (tops != nullptr && std::ranges::find(*tops, top) != tops->end())) {
+    const bool showsMesh = tops != nullptr && std::ranges::find(*tops, top) != tops->end();
+    if (top.is_null() ? static_cast<int>(i) == shown : showsMesh) {
       journal.append(Pointer("/scenes") / i / "nodes", child);
     }
   }
