@@ -25,6 +25,14 @@ Vec3 axisOfLock(const AxisLock& lock, const Mat3& carrierAxes) {
   return axes[lock.axis.value_or(0)];
 }
 
+// Where a typed amount goes in the plane beside the locked axis: to the right as it is seen, or up where the
+// locked axis points to the right.
+Vec3 typedDirection(const PullModal& modal, const Vec3& locked) {
+  const Vec3 right = modal.viewAxes[0] - glm::dot(modal.viewAxes[0], locked) * locked;
+  const Vec3 up = modal.viewAxes[1] - glm::dot(modal.viewAxes[1], locked) * locked;
+  return glm::normalize(glm::length(right) > 0.5 ? right : up);
+}
+
 Vec3 movedBy(const PullModal& modal, const Mat3& carrierAxes) {
   const std::optional<Vec3> axis = lockedAxis(modal.lock, carrierAxes);
   const bool isTyped = !modal.typed.empty();
@@ -36,6 +44,9 @@ Vec3 movedBy(const PullModal& modal, const Mat3& carrierAxes) {
     return free;
   }
   const Vec3 locked = axisOfLock(modal.lock, carrierAxes);
+  if (isTyped) { // in a plane: along an axis it was answered above
+    return modal.typed.value() * typedDirection(modal, locked);
+  }
   const Vec3 along = glm::dot(free, locked) * locked;
   return modal.lock.plane ? free - along : along;
 }

@@ -309,7 +309,10 @@ TEST_CASE("A stretch as volume is refused where vertices would lose joints that 
       line["mode"] = 3;
       line.erase("indices");
       const auto places = line["attributes"]["POSITION"].get<std::size_t>();
-      json["accessors"].push_back(Json(json["accessors"][places]));
+      Json own = json["accessors"][places];
+      json["bufferViews"].push_back(Json(json["bufferViews"][own["bufferView"].get<std::size_t>()]));
+      own["bufferView"] = json["bufferViews"].size() - 1;
+      json["accessors"].push_back(own);
       line["attributes"]["POSITION"] = json["accessors"].size() - 1;
       json["meshes"][0]["primitives"].push_back(line);
     });
