@@ -29,6 +29,11 @@ std::vector<ui::CommandInfo> commandsFor(const app::OpenDocument& open) {
     infos.push_back({command.id, command.label, command.help,
                      command.keys.empty() ? "" : command.keys.front(), true, false});
   }
+  for (ui::CommandInfo& info : infos) { // G moves controllers where there is no sphere to grab
+    if (info.id == ui::command::controllerMove) {
+      info.keyText = "G";
+    }
+  }
   for (const auto& command : app::documentCommands()) {
     for (ui::CommandInfo& info : infos) {
       info.enabled = info.id == command.id ? app::isEnabled(command, open) : info.enabled;
