@@ -577,30 +577,3 @@ TEST_CASE("Channels of morph weights follow a mesh to its leaf, by node or by po
   CHECK_FALSE(changed["nodes"][prop].contains("weights"));
   CHECK(changed["animations"][0]["channels"][0]["target"]["node"] == lower);
 }
-
-TEST_CASE("A new root that takes over a mesh joins every scene that shows the mesh") {
-  const TemporaryFolder folder;
-  GlbBuilder glb = armBuilder();
-  glb.json["scenes"] = {{{"nodes", {0}}}, {{"nodes", {5}}}, {{"nodes", {5, 0}}}};
-  glb.json["scene"] = 2;
-  const gltf::Loaded file = arm(folder, glb);
-  gltf::Edits edits;
-  edits.addedNodes = {{"prop_mesh", NodeIndex::none, {}, NodeIndex(prop), false}};
-  const Json changed = patchedOrFail(*file.source, edits).json;
-  CHECK(changed["scenes"][0]["nodes"] == Json::array({0, firstAdded}));
-  CHECK(changed["scenes"][1]["nodes"] == Json::array({5}));
-  CHECK(changed["scenes"][2]["nodes"] == Json::array({5, 0, firstAdded}));
-}
-
-TEST_CASE("A new root joins the scene that is shown") {
-  const TemporaryFolder folder;
-  GlbBuilder glb = armBuilder();
-  glb.json["scenes"] = {{{"nodes", {5}}}, {{"nodes", {0}}}};
-  glb.json["scene"] = 1;
-  const gltf::Loaded file = arm(folder, glb);
-  gltf::Edits edits;
-  edits.addedNodes = {{"root_too", NodeIndex::none, {}, NodeIndex::none, false}};
-  const Json changed = patchedOrFail(*file.source, edits).json;
-  CHECK(changed["scenes"][0]["nodes"] == Json::array({5}));
-  CHECK(changed["scenes"][1]["nodes"] == Json::array({0, firstAdded}));
-}
