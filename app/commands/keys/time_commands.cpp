@@ -78,7 +78,7 @@ Status setRange(Session& session, bool start) {
     if (!(range.y > range.x)) {
       return Error{"the range would have no length", "", "move the playhead first"};
     }
-    if (const Status ended = hasControllers(session) ? endOffsetsHere(session, start) : Success{}; !ended) {
+    if (Status ended = hasControllers(session) ? endOffsetsHere(session, start) : Success{}; !ended) {
       return ended;
     }
     setRangeByHand(session, range);
