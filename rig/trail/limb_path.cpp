@@ -163,17 +163,29 @@ LimbPath onFramesOf(const LimbPath& path, double framesPerSecond) {
   return counted;
 }
 
-bool isDenseAt(const Clip& clip, const std::vector<NodeIndex>& nodes, double framesPerSecond) {
-  const auto isDense = [&](std::size_t keyCount) {
-    return isDenselyKeyed(keyCount, clip.startSeconds, clip.endSeconds, framesPerSecond);
-  };
-  // One track is enough: those of a long capture are not merged for this.
-  return std::ranges::any_of(clip.tracks,
-                             [&](const CopyOnWrite<Track>& track) {
-                               return isOfNodes(*track, nodes) &&
-                                      isDense(keyCountOf(*track, clip.startSeconds, clip.endSeconds));
-                             }) ||
-         isDense(keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds).size());
+bool isDenseAt(const Clip& clip, std::size_t keyCount, double framesPerSecond) {
+  return isDenselyKeyed(keyCount, clip.startSeconds, clip.endSeconds, framesPerSecond);
+}
+
+// The keys of all these tracks; of one track alone that is dense as frames are counted: those of a long
+// capture are not merged for this.
+std::size_t keyCountOf(const Clip& clip, const std::vector<NodeIndex>& nodes) {
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    const std::size_t count =
+        isOfNodes(*track, nodes) ? keyCountOf(*track, clip.startSeconds, clip.endSeconds) : 0;
+    if (isDenseAt(clip, count, clip.framesPerSecond)) {
+      return count;
+    }
+  }
+  return keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds).size();
+}
+
+double keyRateOf(const Clip& clip, std::size_t keyCount) {
+  constexpr double lowest = 8.0; // that a file's keys may tell
+  const bool mayBeLower =
+      !isDenseAt(clip, keyCount, clip.framesPerSecond) && isDenseAt(clip, keyCount, lowest);
+  return mayBeLower ? std::min(clip.framesPerSecond, guessFramesPerSecond(clip.tracks))
+                    : clip.framesPerSecond;
 }
 
 } // namespace
@@ -347,14 +359,12 @@ bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds
 }
 
 double keyRate(const Clip& clip, const std::vector<NodeIndex>& nodes) {
-  constexpr double lowest = 8.0; // that a file's keys may tell
-  const bool mayBeLower = !isDenseAt(clip, nodes, clip.framesPerSecond) && isDenseAt(clip, nodes, lowest);
-  return mayBeLower ? std::min(clip.framesPerSecond, guessFramesPerSecond(clip.tracks))
-                    : clip.framesPerSecond;
+  return keyRateOf(clip, keyCountOf(clip, nodes));
 }
 
 bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes) {
-  return isDenseAt(clip, nodes, keyRate(clip, nodes));
+  const std::size_t keyCount = keyCountOf(clip, nodes);
+  return isDenseAt(clip, keyCount, keyRateOf(clip, keyCount));
 }
 
 std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
