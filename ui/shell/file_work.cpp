@@ -20,6 +20,7 @@
 #include "ui/panels/files/file_listing.h"
 #include "ui/shell/clip_import.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/shell_commands.h"
 #include "ui/shell/style_work.h"
 #include "ui/shell/tour.h"
 #include "ui/viewport/viewport_scene.h"
@@ -448,12 +449,9 @@ void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::error, changed.error().line());
     return;
   }
-  const std::vector<std::string> replaced = app::gaveWay(document, changed->document);
   shell.open.character()->edit(std::move(changed->document), "Replay a recipe");
   tell(shell, ToastKind::success, replayedText(*recipe));
-  for (const std::string& line : replaced) {
-    tell(shell, ToastKind::warning, capitalised(line));
-  }
+  tellGaveWay(shell, document);
 }
 
 } // namespace stretch::ui

@@ -132,13 +132,6 @@ std::optional<app::Document> documentToHoldIn(const Shell& shell, std::string_vi
              : std::optional(shell.open.character()->document());
 }
 
-/// What stood there and made room for them.
-void tellGaveWay(Shell& shell, const app::Document& before) {
-  for (const std::string& line : app::gaveWay(before, shell.open.character()->document())) {
-    tell(shell, ToastKind::warning, capitalised(line));
-  }
-}
-
 /// How far a pose reaches that was pasted at a first key without a range; empty for other commands.
 std::string pastedText(const Shell& shell, std::string_view commandId) {
   const bool pastes = commandId == command::posePaste || commandId == command::posePasteMirrored;
@@ -218,6 +211,16 @@ bool isRefusalShown(const Shell& shell) {
 }
 
 } // namespace
+
+void tellGaveWay(Shell& shell, const app::Document& before) {
+  for (const std::string& line : app::gaveWay(before, shell.open.character()->document())) {
+    const std::size_t end = line.find(':'); // of the subject: a limb's id, or the name of something else
+    const std::string subject = line.substr(0, end);
+    const bool isLimb = end != std::string::npos && app::findLimb(before, subject) != nullptr;
+    tell(shell, ToastKind::warning,
+         capitalised(isLimb ? app::limbTitle(before, subject) + line.substr(end) : line));
+  }
+}
 
 void runCommand(Shell& shell, std::string_view commandId) {
   const app::Command<Shell>* command = findCommandOf(shell, commandId);

@@ -26,6 +26,9 @@ namespace stretch::ui {
 /// Runs a command by its id; what went wrong is told in a toast.
 void runCommand(Shell& shell, std::string_view commandId);
 
+/// Tells what of the document before stood where new things are now, and made room for them.
+void tellGaveWay(Shell& shell, const app::Document& before);
+
 /// Makes `shell.commandInfos` for the panels.
 void describeCommands(Shell& shell);
 
