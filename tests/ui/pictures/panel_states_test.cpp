@@ -50,6 +50,13 @@ const State panelStates[] = {
     {"trails-group", drawTrailsPanel, test::withGroup},
     {"trails-group-folded", drawTrailsPanel, test::withGroup, 304.0F, 0.0F, {"trails/group-1/fold"}},
     {"trails-group-hidden", drawTrailsPanel, test::withGroup, 304.0F, 0.0F, {"trails/group-1/visible"}},
+    {"trails-two-selected", drawTrailsPanel,
+     [](const test::Work& work) {
+       test::withTwoTrails(work);
+       const std::vector<rig::Trail>& trails = work.session().document().trails;
+       app::selectTrailInList(work.session(), trails[0].id, false);
+       app::selectTrailInList(work.session(), trails[1].id, true);
+     }},
     {"trails-holds", drawTrailsPanel, test::withEverything},
     {"trail-settings-group", drawTrailSettingsPanel, test::withGroup},
     {"trail-settings-slow", drawTrailSettingsPanel,

@@ -214,11 +214,18 @@ void trailButtons(PanelContext& context, const rig::Trail& trail) {
   }
 }
 
+/// Whether the trail is the selected one or was added to it, in the list or with its limb.
+bool isSelectedTrail(const app::Session& session, int trailId) {
+  const std::vector<int> targets = app::targetTrails(session);
+  return app::hasSelectedTrail(session) &&
+         std::find(targets.begin(), targets.end(), trailId) != targets.end();
+}
+
 void trailRow(PanelContext& context, const rig::Trail& trail) {
   const Theme& theme = context.theme;
   const float height = rowLines(theme).whole;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  fillRow(context, context.character().view().selection.trail() == trail.id);
+  fillRow(context, isSelectedTrail(context.character(), trail.id));
   ImGui::BeginGroup();
   colourSwatch(context, trail, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));
