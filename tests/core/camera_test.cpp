@@ -57,6 +57,16 @@ TEST_CASE("the file's cameras are read with their lens, each under a name of its
   CHECK(test::warnsOf(file, "cameras[2] and 1 more")); // one line for what is alike
 }
 
+TEST_CASE("a flat camera of negative magnifications shows as much as one of positive ones") {
+  test::GlbBuilder glb = withCameras();
+  glb.json["cameras"][1]["orthographic"]["xmag"] = -4.0;
+  const gltf::Loaded file = test::loaded(glb);
+  const SceneCamera* const flat = cameraNamed(*file.scene, "Flat");
+  REQUIRE(flat != nullptr);
+  CHECK(flat->halfHeight == 2.0);
+  CHECK(flat->aspect == 2.0);
+}
+
 TEST_CASE("a camera stands at its node, looks along -Z and is not bent by its scale") {
   Mat4 world = toMatrix({Vec3(1.0, 2.0, 3.0), axisAngle(Vec3(0.0, 1.0, 0.0), 0.5 * pi), Vec3(1.0)});
   world[0] *= 3.0;

@@ -102,6 +102,28 @@ TEST_CASE("A text is a mesh where it has vertices with faces or normals, or is t
   }
 }
 
+TEST_CASE("What may be used some other way says how: meshes, caches, pictures, scenes and pages") {
+  const std::pair<std::string, std::string> remedies[] = {
+      {"\x89PNG\r\n", "give the character that it belongs to"},
+      {"8BPS", "give the character that it belongs to"},
+      {"\x28\xB5\x2F\xFD", "export it as .glb or .fbx"},
+      {"BLENDER-v300", "export it as .glb or .fbx"},
+      {"FOR8", "export it as .glb or .fbx"},
+      {"Ogawa\xFF", "export its frames as OBJ into a folder"},
+      {"ply\nformat ascii", "'bind' gives it a skeleton"},
+      {"solid cube", "'bind' gives it a skeleton"},
+      {"v 1 2 3\nf 1 2 3\n", "'bind' gives it a skeleton"},
+      {"POINTCACHE2", "open it together with its base mesh"},
+      {"%PDF-1.7", "give a character or a clip"},
+      {"OggS", "give a character or a clip"},
+      {"<!DOCTYPE html><p>", "download the file that the page is about"},
+      {"<html><body>", "download the file that the page is about"}};
+  for (const auto& [text, remedy] : remedies) {
+    CAPTURE(text);
+    CHECK_THAT(remedyFor(text), Catch::Contains(remedy));
+  }
+}
+
 TEST_CASE("Files of other programs are told by what they begin with, names by their ends") {
   CHECK(formatOf(textBytes("Kaydara FBX Binary  \x1A")) == Format::fbx);
   CHECK(formatOf(textBytes("; FBX 7.4.0\nFBXHeaderExtension: {")) == Format::fbx);

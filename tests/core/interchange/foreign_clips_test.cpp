@@ -65,6 +65,11 @@ TEST_CASE("A clip that a program named bears the file's name where it is the onl
     legs.clip.mName = aiString(passedOn);
     CHECK(names() == std::vector<std::string>{"figure"});
   }
+  for (const char* const given : {"", "Motion", "Take 01", "Default Take", "Unreal Take", "Animation"}) {
+    CAPTURE(given);
+    legs.clip.mName = aiString(given);
+    CHECK(names() == std::vector<std::string>{"figure"});
+  }
   legs.clip.mName = aiString("Armature|Jab|Layer0");
   CHECK(names() == std::vector<std::string>{"Armature|Jab|Layer0"});
   legs.clip.mName = aiString("Take 001");
