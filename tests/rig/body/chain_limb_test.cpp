@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -52,7 +53,12 @@ TEST_CASE("joints that make no chain are refused, with what is wrong") {
   CHECK(refusal("hand_l", "upperarm_l").find("name the upper joint first") != std::string::npos);
   CHECK(refusal("hand_l", "foot_r").find("one chain") != std::string::npos);
   built.scene.nodes[at(built.node.at("hand.r"))].name = "hand_l";
-  CHECK(refusal("clavicle_l", "hand_l").find("several nodes have this name") != std::string::npos);
+  const std::string several = refusal("clavicle_l", "hand_l");
+  CHECK_THAT(several, Catch::Contains("several nodes have this name"));
+  const int left = built.node.at("hand.l").value;
+  const int right = built.node.at("hand.r").value;
+  CHECK_THAT(several, Catch::EndsWith(fmt::format("say which one: #{}, #{}", std::min(left, right),
+                                                  std::max(left, right))));
 }
 
 TEST_CASE("among nodes of one name the joint is meant, not the mesh") {

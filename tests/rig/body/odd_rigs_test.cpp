@@ -207,6 +207,21 @@ TEST_CASE("two arms both named left are told apart by where they are, with a war
   CHECK(warnsOf(biped, "disagree about left and right"));
 }
 
+TEST_CASE("names that call every limb left tell no side: the geometry does, and that is told") {
+  SyntheticBiped body = makeNamedBody("Mixamo");
+  body.names["upperArm.r"] = body.names["upperArm.l"];
+  body.names["foreArm.r"] = body.names["foreArm.l"];
+  body.names["hand.r"] = body.names["hand.l"];
+  CHECK(warnsOf(detectBody(build(body).scene), "the sides follow most of them"));
+  for (const std::string key : {"clavicle", "thigh", "shin", "foot", "toe"}) {
+    body.names[key + ".r"] = body.names[key + ".l"];
+  }
+  const BuiltBiped built = build(body);
+  const Body biped = detectBody(built.scene);
+  checkArmsAndLegs(built, biped);
+  CHECK(warnsOf(biped, "the sides follow the geometry"));
+}
+
 TEST_CASE("a well-named biped is found without a warning and with more confidence than one without names") {
   const BuiltBiped withNames = build(makeNamedBody("Unreal"));
   const BuiltBiped without = build(makeBody());

@@ -395,6 +395,21 @@ TEST_CASE("A mesh that hangs on a stretched joint rigidly becomes a skinned one 
   CHECK_FALSE(edits.addedNodes[holder].parent.exists());
 }
 
+TEST_CASE("The node that a rigid mesh moves to is mirrored where the mesh was, and only there") {
+  const double mirror = GENERATE(1.0, -1.0);
+  Scene scene = forearm({{0.1F, 0.0F, 0.0F}, {0.3F, 0.02F, 0.0F}});
+  scene.nodes[1].mesh = -1;
+  scene.nodes[0].mesh = 0;
+  scene.nodes[0].rest.scale = Vec3(1.0, mirror, 1.0);
+  scene.skins.clear();
+  gltf::Edits edits;
+  addBindCorners(scene, {{0, {longer(Vec3(2.0, 1.0, 1.0))}}}, {}, edits);
+  REQUIRE(edits.boundMeshes.size() == 1);
+  const auto holder = static_cast<std::size_t>(edits.boundMeshes[0].node.value) - scene.nodes.size();
+  const Vec3 scale = edits.addedNodes.at(holder).rest.scale; // which tells what side of a triangle is outside
+  CHECK(scale.x * scale.y * scale.z == mirror);
+}
+
 TEST_CASE("Corners grow with what they hold, also around one point or a flat piece") {
   const double size = GENERATE(0.01, 30.0);
   for (const std::vector<Vec3>& points :
