@@ -33,6 +33,7 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
     {"hand", PartWord::arm}, {"wrist", PartWord::arm}, {"elbow", PartWord::arm}, {"bras", PartWord::arm},
     {"wing", PartWord::wing}, {"wings", PartWord::wing}, {"feather", PartWord::wing},
     {"aile", PartWord::wing}, {"ala", PartWord::wing}, {"fluegel", PartWord::wing},
+    {"flugel", PartWord::wing},
     {"fin", PartWord::fin}, {"fins", PartWord::fin}, {"flipper", PartWord::fin}, {"fluke", PartWord::fin},
     {"pectoral", PartWord::fin}, {"dorsal", PartWord::fin}, {"nageoire", PartWord::fin},
     {"antenna", PartWord::feeler}, {"antennae", PartWord::feeler}, {"feeler", PartWord::feeler},

@@ -34,7 +34,7 @@ TEST_CASE("Parts of beasts are read in every language that they are named in") {
   const std::pair<PartWord, std::vector<std::string>> parts[] = {
       {PartWord::leg, {"hoof", "paw", "hock", "femur", "coxa", "patte", "jambe", "bein"}},
       {PartWord::arm, {"hand", "elbow", "bras"}},
-      {PartWord::wing, {"wing", "feather", "aile", "ala", "fluegel"}},
+      {PartWord::wing, {"wing", "feather", "aile", "ala", "fluegel", "Flügel"}},
       {PartWord::fin, {"fin", "flipper", "fluke", "pectoral", "dorsal", "nageoire"}},
       {PartWord::feeler, {"antenna", "antennae", "tentacle", "palp"}},
       {PartWord::claw, {"claw", "claws", "pincer", "pincers", "chela", "chelae"}},
