@@ -96,6 +96,22 @@ TEST_CASE("Unsaved work is asked for before another file is opened") {
   }
 }
 
+TEST_CASE("While a question is open no other file is opened, and the answer goes on with what was asked") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  desk.news();
+  work.quit(desk);
+  REQUIRE(work.question().kind == Kind::unsaved);
+  work.openFile(desk, {desk.file("b.glb")});
+  CHECK(desk.told.back() == std::pair(Tone::info, std::string("Answer the question first")));
+  CHECK(work.question().kind == Kind::unsaved);
+  work.answer(desk, FileAnswer::discard);
+  CHECK(desk.news() == "quit ");
+  CHECK_FALSE(work.isOpening());
+}
+
 TEST_CASE("A name that is not given forgets what waited for it") {
   Desk desk;
   FileWork work;

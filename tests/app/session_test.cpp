@@ -9,6 +9,7 @@
 
 #include "app/commands/keys/clips.h"
 #include "app/commands/table/command_ids.h"
+#include "app/commands/table/ranges.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
@@ -240,4 +241,18 @@ TEST_CASE("Undoing an import brings back the clip that was viewed before, one im
   CHECK(test::run(session, command::undo).empty());
   CHECK(session.view().clip == 0);
   CHECK(session.view().frame == 6.0);
+}
+
+TEST_CASE("A range that was set in an imported clip goes with the clip when that is undone") {
+  Document start = test::boxer();
+  Session session(start);
+  Document more = start;
+  more.clips = std::make_shared<const std::vector<Clip>>(2, start.clips->front());
+  REQUIRE(session.edit(more, "Import a clip"));
+  showClip(session, 1);
+  session.view().rangeStart = 12.0;
+  session.view().rangeEnd = 18.0;
+  CHECK(test::run(session, command::undo).empty());
+  CHECK(session.view().clip == 0);
+  CHECK_FALSE(isRangeSet(session.view()));
 }

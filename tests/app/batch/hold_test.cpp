@@ -154,6 +154,19 @@ TEST_CASE("what holds a hand back from the length of its own trail is told besid
   CHECK(report["trails"][0]["kept"] == "held by a grip");
 }
 
+TEST_CASE("of several holds that keep a hand from its length the one is told that decides") {
+  const test::TemporaryFolder folder;
+  Json recipe = heldRecipe("grips", {{"leader", "left-arm"}, {"follower", "right-arm"}, {"range", {0, 60}}});
+  recipe["pins"] = Json::array({{{"limb", "right-arm"}, {"range", {10, 40}}}});
+  recipe["trails"] = Json::array({{{"limb", "right-arm"}, {"range", {21, 27}}, {"scale", 2}}});
+  const std::string written = folder.write("both.json", recipe.dump()).string();
+  const std::string told = test::runVerb({"exaggerate", posedCharacter, "-o",
+                                          (folder / "both.glb").string(), "--recipe", written})
+                               .output;
+  CHECK_THAT(told, Catch::Contains("long, held by a grip"));
+  CHECK_THAT(told, !Catch::Contains("held by a pin"));
+}
+
 TEST_CASE("an arm that a trail has stretched is no longer than it has to be where it is pinned") {
   const Document source = openedFile(posedCharacter);
   Document document = test::withNewTrail(source, {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});

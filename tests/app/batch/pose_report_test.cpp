@@ -11,6 +11,7 @@
 
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -132,4 +133,39 @@ TEST_CASE("What feet and hands miss between keys, and where nothing of theirs is
   }
   CHECK(farthest > 0.02);
   CHECK_THAT(told, Catch::Contains(fmt::format("most at frame {:g}: its limb", worst)));
+}
+
+TEST_CASE("A place that is missed at a key between two half frames alone is told with that frame", "[pose]") {
+  const TemporaryFolder folder;
+  const Json report = reportOf(folder, Json::parse(R"({"version": 1, "adjustments": [
+      {"attribute": "left-arm.stretch", "keys": [{"frame": 0, "value": 0}]},
+      {"controller": "left-hand", "range": [5.1, 5.4], "keys": [{"frame": 5.25, "move": [3, 0, 0]}]}]})"));
+  REQUIRE(report["warnings"].size() == 1);
+  CHECK_THAT(report["warnings"][0].get<std::string>(),
+             Catch::StartsWith("left-hand misses its place at frame 5.25 by ") &&
+                 Catch::EndsWith(": its limb is not to stretch so far"));
+}
+
+TEST_CASE("In plain words a hold is held, held in part, overridden or too far", "[pose]") {
+  const TemporaryFolder folder;
+  const auto toldOf = [&](const std::string& holds) {
+    const std::string recipe =
+        folder.write("holds.json", R"({"version": 1, "units": "metres", )" + holds + "}").string();
+    const test::VerbAnswer answer = test::runVerb(
+        {"pose", test::posedCharacter, "-o", (folder / "held.glb").string(), "--recipe", recipe});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    return answer.output;
+  };
+  CHECK_THAT(toldOf(R"("pins": [{"limb": "left-arm", "range": [5, 9]}])"),
+             Catch::StartsWith("pin of left-arm: held, at most "));
+  // Full between two half frames alone: at the later one a thirtieth of the blend is over, which is smooth.
+  CHECK(toldOf(R"("pins": [{"limb": "left-arm", "range": [5.3, 5.4], "blend": [3, 3]}])") ==
+        "pin of left-arm: held by a strength of at most 0.9967\n");
+  const std::string both = toldOf(R"("pins": [{"limb": "right-arm", "range": [10, 40]}],
+      "grips": [{"leader": "left-arm", "follower": "right-arm", "range": [0, 60]}])");
+  CHECK_THAT(both, Catch::Contains("grip of right-arm: held, at most "));
+  CHECK_THAT(both, Catch::Contains("pin of right-arm: overridden, up to "));
+  CHECK_THAT(toldOf(R"("pins": [{"limb": "left-arm", "range": [5, 9], "place": [5, 1, 0], "stretch": 0}])"),
+             Catch::StartsWith("pin of left-arm: falls short by up to "));
 }

@@ -283,6 +283,12 @@ TEST_CASE("What the keys of the modal left alone stays each trail's own, of the 
   type(modal, "I 7 0");
   CHECK(withModal(other, modal).easeIn.percent == Approx(0.35)); // both together stay below the whole
   CHECK(withModal(other, modal).easeOut == other.easeOut);
+  modal = punch();
+  other.easeIn = {0.6, 0.2};
+  other.easeOut = {};
+  type(modal, "O 7 0");
+  CHECK(withModal(other, modal).easeIn == other.easeIn);
+  CHECK(withModal(other, modal).easeOut.percent == Approx(0.35));
 }
 
 TEST_CASE("The ease steps by its field, its value within its half and its percent beside the other one") {

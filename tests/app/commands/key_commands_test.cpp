@@ -11,7 +11,9 @@
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_command.h"
 
 using namespace stretch;
@@ -65,4 +67,28 @@ TEST_CASE("Copied keys are as far from one another in time where they are pasted
   session.view().frame = 20.0;
   CHECK(run(session, command::keysPaste).empty());
   CHECK(framesOf(session) == std::vector{0.0, 4.0, 8.0, 16.0, 20.0, 24.0});
+}
+
+TEST_CASE("The source's keys are given back to a joint of its own as well, and where none is named it is asked") {
+  Session session(test::openedFile(test::posedCharacter));
+  const std::vector<rig::Controller> own = jointControllersOf(session.document());
+  REQUIRE_FALSE(own.empty());
+  const auto keyed = std::ranges::find_if(own, [&](const rig::Controller& joint) {
+    return !keyFramesOf(session.document(), 0, {joint.node, Channel::rotation, {}}).empty();
+  });
+  REQUIRE(keyed != own.end());
+  selectController(session, keyed->id, false);
+  const std::vector<KeyRow> rows = rowsOfSelection(session);
+  CHECK_FALSE(rows.empty());
+  CHECK(std::ranges::all_of(rows, [&](const KeyRow& row) { return row.node == keyed->node; }));
+  session.view().selection = {};
+  session.view().keyRows = rows;
+  CHECK(run(session, command::keysRestore) == "the clip's own keys are as the file has them");
+  CHECK(run(session, command::keysAll).empty());
+  REQUIRE(editKeys(session, moveKeys(session.document(), 0, pickedKeys(session), {0.0, 10.0}), "Move"));
+  pickKeys(session, {}, false);
+  CHECK(run(session, command::keysRestore) == "pick keys, or select a limb or a controller first");
+  selectController(session, keyed->id, false);
+  CHECK(run(session, command::keysRestore).empty());
+  CHECK_FALSE(hasEditedKeys(session.document()));
 }

@@ -109,3 +109,19 @@ TEST_CASE("What is not understood in a file of keys is told and written again, t
   keymap.resetToDefaults();
   CHECK(Json::parse(keymap.toJson())["keys"].empty());
 }
+
+TEST_CASE("What a file of keys says of a command that nobody understands goes with the key that it loses") {
+  const auto fresh = [] { return Keymap({{"a", {"K"}}, {"b", {"L"}}, {"c", {}}}); };
+  Keymap keymap = fresh();
+  REQUIRE_FALSE(keymap.readJson(R"({"keys": {"b": ["Banana"], "c": "N"}})"));
+  const auto loser = keymap.rebind("a", parseChord("L"));
+  REQUIRE(loser);
+  REQUIRE(*loser == "b");
+  const Json written = Json::parse(keymap.toJson())["keys"];
+  CHECK(written["b"] == Json::array());
+  CHECK(written["c"] == "N"); // had no part in it
+  Keymap again = fresh();
+  CHECK_FALSE(again.readJson(keymap.toJson()));
+  CHECK(again.commandOf({Key{'L'}}) == "a");
+  CHECK(again.chordsOf("b").empty());
+}

@@ -238,3 +238,15 @@ TEST_CASE("Nothing is selected by the key for it where locators are") {
   CHECK(session.view().selection.locators().empty());
   CHECK(test::run(session, command::selectNone) == "nothing is selected");
 }
+
+TEST_CASE("A group that is chosen is meant alone, also where another trail of its leading limb was added") {
+  Document document = withTrails().document();
+  document.trails[0].group = document.trails[3].group = 7; // left arm and spine, frames 1 to 5
+  Session session(document);
+  selectTrailInList(session, trailAt(session, 0), false);
+  selectTrailInList(session, trailAt(session, 1), true);
+  REQUIRE(targetTrails(session) == Ids{trailAt(session, 0), trailAt(session, 1)});
+  selectGroup(session, trailAt(session, 0));
+  CHECK(session.view().selection.limbs() == Names{"left-arm", "spine"});
+  CHECK(targetTrails(session) == Ids{trailAt(session, 0), trailAt(session, 3)});
+}

@@ -405,3 +405,17 @@ TEST_CASE("Of a key that was picked in a part the rest stays as the curve has it
   CHECK(valuesAt(made(pasteKeys(start, 0, whole, 14.0, {})).document, 0, fistRow, 14.0, {})[0] ==
         Approx(0.04));
 }
+
+TEST_CASE("A part of a key that is pasted takes its own slopes along, the rest follows as it did") {
+  const Document start =
+      made(setKeyKind(test::boxer(), 0, keyOf(punchRow, 1), rig::KeyInterpolation::automatic)).document;
+  const auto followingAt = [](const Document& document, std::size_t key) {
+    return readRow(document, 0, punchRow).keys.at(key).following;
+  };
+  REQUIRE(followingAt(start, 1) == 0b111U);
+  REQUIRE(followingAt(start, 2) == 0U);
+  const CopiedKeys still = copyKeys(start, 0, keyOf(punchRow, 2, 0b100U));
+  CHECK(followingAt(made(pasteKeys(start, 0, still, 5.0, {})).document, 1) == 0b011U);
+  const CopiedKeys smooth = copyKeys(start, 0, keyOf(punchRow, 1, 0b100U));
+  CHECK(followingAt(made(pasteKeys(start, 0, smooth, 10.0, {})).document, 2) == 0b100U);
+}

@@ -193,3 +193,16 @@ TEST_CASE("A trail that is pasted on a clip of another rate lies at the same tim
   CHECK(trail.settings.endFrame == 20.0);
   CHECK(trail.settings.releaseFrames == 6.0);
 }
+
+TEST_CASE("A trail that was copied from a clip that is gone is pasted at the frames that it had") {
+  rig::Trail copied = made(test::boxer(), punchTrail(5, 10)).document.trails.front();
+  copied.clip = 3; // imported, and undone since
+  const Result<CreatedTrail> pasted = pasteTrail(test::boxer(), copied, "right-arm", 0);
+  INFO(test::refusal(pasted));
+  REQUIRE(pasted);
+  const rig::Trail& trail = *findTrail(pasted->document, pasted->trailId);
+  CHECK(trail.clip == 0);
+  CHECK(trail.limb == "right-arm");
+  CHECK(trail.settings.startFrame == 5.0);
+  CHECK(trail.settings.endFrame == 10.0);
+}

@@ -1,3 +1,4 @@
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -5,6 +6,8 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/prop_flips.h"
+#include "core/math/rotation.h"
+#include "rig/motion/solved_holds.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/things_of_clip.h"
 
@@ -58,4 +61,27 @@ TEST_CASE("A hand that stays within half a turn of its pin, or whose pin leaves 
           "nowhere") {
   CHECK(endFlipsOf(lettingGo(170.0)).empty());
   CHECK(endFlipsOf(lettingGo(298.0, false)).empty());
+}
+
+TEST_CASE("A hand whose grip goes turns over nowhere while it only follows a leader that turns fast") {
+  Document document = test::twoPunches();
+  Track leader = test::turnsOf(document, "left-arm");
+  leader.node = findLimb(document, "left-arm")->endNode;
+  for (const auto& [frame, degrees] : {std::pair(0.0, 0.0), {8.0, 0.0}, {8.5, 100.0}, {20.0, 100.0}}) {
+    test::addKey(leader, frame, glm::angleAxis(degrees * degreeOfHand, Vec3(1, 0, 0)));
+  }
+  document = test::withTracks(document, {leader});
+  rig::Grip grip;
+  grip.follower = "right-arm";
+  grip.leader = "left-arm";
+  grip.time = {{0.0, 2.0}, {0.0, 18.0}}; // two thirds of it are left at frame 8
+  grip.relationFrame = 0.0;
+  document.holds.grips = {grip};
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const auto turnOfFollower = [&](double frame) {
+    const FrameState state = evaluate(document, motion, frame / 30.0);
+    return rig::endPlace(*findLimb(document, "right-arm"), state).orientation;
+  };
+  CHECK(angleBetween(turnOfFollower(8.0), turnOfFollower(8.5)) > 50.0 * degreeOfHand); // as a flip would
+  CHECK(endFlips(document, motion).empty());
 }

@@ -205,3 +205,14 @@ TEST_CASE("A hold that falls short is told with its limb, its frames and how far
   report.framesFallShort = {};
   CHECK(holdWarning(report).empty());
 }
+
+TEST_CASE("A hold that another one of its own kind overrides is told to be left for another one") {
+  HoldReport report{rig::HoldKind::prop, 0, "left-arm"};
+  report.farthestOverridden = 0.25;
+  report.framesOverridden = {3.0, 3.5, 4.0};
+  report.overriddenBy = rig::HoldKind::prop;
+  CHECK(overrideWarning(report) ==
+        "the prop of left-arm is left by up to 0.25 at frames 3 to 4: another prop decides there");
+  report.overriddenBy = rig::HoldKind::grip;
+  CHECK_THAT(overrideWarning(report), Catch::EndsWith(": the grip decides there"));
+}
