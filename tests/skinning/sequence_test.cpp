@@ -80,6 +80,29 @@ TEST_CASE("a folder of frames is read in the order of its numbers, with or witho
   CHECK_THAT(sequence->warnings[0], Contains("number 4 to 8, 12 to 99:"));
 }
 
+TEST_CASE("numbers that no frame has are counted in the step of the others, the first eight gaps by name") {
+  const test::TemporaryFolder folder;
+  for (const int frame : {1, 2, 4, 6, 8, 10, 12, 14, 16, 18}) {
+    folder.write("wolf-" + std::to_string(frame) + ".obj", tetrahedron(frame));
+  }
+  auto sequence = readSequence({folder.path()});
+  REQUIRE(sequence);
+  REQUIRE(sequence->warnings.size() == 1);
+  CHECK_THAT(sequence->warnings[0], Contains("number 3, 5, 7, 9, 11, 13, 15, 17:"));
+  folder.write("wolf-20.obj", tetrahedron(20.0));
+  sequence = readSequence({folder.path()});
+  REQUIRE(sequence);
+  CHECK_THAT(sequence->warnings.at(0), Contains("number 3, 5, 7, 9, 11, 13, 15, 17 and more:"));
+  const test::TemporaryFolder everySecond;
+  for (const int frame : {2, 4, 6, 10}) {
+    everySecond.write("wolf-" + std::to_string(frame) + ".obj", tetrahedron(frame));
+  }
+  sequence = readSequence({everySecond.path()});
+  REQUIRE(sequence);
+  REQUIRE(sequence->warnings.size() == 1);
+  CHECK_THAT(sequence->warnings[0], Contains("number 8:"));
+}
+
 TEST_CASE("negative indices, slashes and polygons of an OBJ are understood") {
   const auto mesh =
       parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n", "quad.obj");
