@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/keys/keys.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/edits/keys/key_row.h"
+#include "tests/support/app/run_command.h"
 #include "tests/support/ui/panel_driver.h"
 
 using namespace stretch;
@@ -33,4 +37,27 @@ TEST_CASE(
   const std::vector<double> expected = app::keyFramesOf(document, 0, keyed.front());
   CHECK(std::ranges::equal(hips->frames, expected,
                            [](double shown, double key) { return std::abs(shown - key) < 1e-3; }));
+}
+
+TEST_CASE("All keys of the dope sheet are whole ones, whichever curves the graph showed before") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  app::Session& session = *driver.open.character();
+  app::selectLimb(session, "left-arm", false);
+  const auto pickedBits = [&](ui::BottomTab tab) {
+    driver.ui.time.tab = tab;
+    driver.frames(3);
+    REQUIRE(test::run(session, app::command::keysAll).empty());
+    REQUIRE_FALSE(app::pickedKeys(session).empty());
+    unsigned every = ~0U;
+    for (const app::PickedRow& row : app::pickedKeys(session)) {
+      for (const app::PickedKey& key : row.keys) {
+        every &= key.components;
+      }
+    }
+    return every;
+  };
+  driver.ui.time.graph.hidden = {true, false, false};
+  const unsigned ofCurves = pickedBits(ui::BottomTab::graph);
+  CHECK(ofCurves != ~0U); // The curve that is hidden is left out.
+  CHECK(pickedBits(ui::BottomTab::dopeSheet) == ~0U);
 }

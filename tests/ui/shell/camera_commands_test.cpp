@@ -60,6 +60,19 @@ TEST_CASE("The file's cameras are looked through one after the other, and then t
   CHECK(shell.viewport.look.name.empty());
 }
 
+TEST_CASE("The camera that is looked through is told by its name and its place among the file's") {
+  Filmed filmed;
+  const auto toldNext = [&] {
+    runCommand(filmed.shell, command::viewCamera);
+    filmed.show();
+    return filmed.shell.ui.toasts.back().text;
+  };
+  CHECK(toldNext() == "Through the camera 'Side', 1 of 3");
+  CHECK(toldNext() == "Through the camera 'Front', 2 of 3");
+  CHECK(toldNext() == "Through the camera 'Flat', 3 of 3");
+  CHECK(toldNext() == "The view moves freely again");
+}
+
 TEST_CASE("A view is kept with the camera that is looked through, and its key goes back to it") {
   Filmed filmed;
   Shell& shell = filmed.shell;

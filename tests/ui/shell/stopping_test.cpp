@@ -148,6 +148,29 @@ TEST_CASE("A clip that is ready while something is dragged comes in when the dra
   CHECK(session.history().canUndo());
 }
 
+TEST_CASE("A file's only clip is told by its name, several clips by how many came", "[jobs]") {
+  const test::TemporaryFolder folder;
+  const app::Document boxer = test::PanelDriver::bundledCharacter();
+  const Result<app::NewClips> swing =
+      app::clipsFromFile(boxer, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", {}, {}});
+  REQUIRE(swing);
+  REQUIRE(swing->clips.size() == 1);
+  const Result<app::Document> more = app::withNewClips(boxer, {swing->clips.front().clip});
+  REQUIRE(more);
+  REQUIRE(app::saveDocument(*more, folder / "moves.glb", {}));
+  REQUIRE(more->clips->size() == 2);
+  const auto told = [&](const std::filesystem::path& file) {
+    Working working(boxer);
+    importClip(working.shell, {file, -1});
+    working.waitUntilDone();
+    REQUIRE_FALSE(working.shell.ui.toasts.empty());
+    return working.shell.ui.toasts.front().text;
+  };
+  CHECK(told(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb") ==
+        more->clips->back().name + " is imported: its keys are as in its file");
+  CHECK(told(folder / "moves.glb") == "2 clips imported");
+}
+
 TEST_CASE("A clip for a character that is not open any more is told and left out", "[jobs]") {
   Working working(test::PanelDriver::bundledCharacter());
   importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});

@@ -120,6 +120,46 @@ TEST_CASE("A playblast beside the original shows as much of either side as a pla
   CHECK(stage.isTold("Drawn: " + (folder / "both.png").string() + ", frames 26 to 27, beside the original"));
 }
 
+TEST_CASE("The original side of a playblast shows no pin") {
+  const test::TemporaryFolder folder;
+  Told stage;
+  stage.shell.ui.overlays.sideBySide = true;
+  const auto filmed = [&](const std::string& name) {
+    app::setRangeByHand(stage.session(), {27.0, 27.0});
+    startFilm(stage.shell, folder / (name + ".png"));
+    while (stage.shell.beside.film.job != nullptr) {
+      stage.settle();
+      updateFilm(stage.shell);
+    }
+    const Result<Image> picture = readImage(folder / (name + "-0027.png"));
+    REQUIRE(picture);
+    return *picture;
+  };
+  const auto differing = [](const Image& a, const Image& b, bool right) {
+    REQUIRE((a.width == b.width && a.height == b.height));
+    int count = 0;
+    for (int y = 0; y < a.height; ++y) {
+      for (int x = right ? a.width / 2 : 0; x < (right ? a.width : a.width / 2); ++x) {
+        const auto at = static_cast<std::size_t>(4 * (y * a.width + x));
+        count += std::equal(a.rgba.begin() + static_cast<std::ptrdiff_t>(at),
+                            a.rgba.begin() + static_cast<std::ptrdiff_t>(at + 4),
+                            b.rgba.begin() + static_cast<std::ptrdiff_t>(at))
+                     ? 0
+                     : 1;
+      }
+    }
+    return count;
+  };
+  const Image before = filmed("before");
+  app::selectLimb(stage.session(), "left-arm", false);
+  app::setRangeByHand(stage.session(), {20.0, 30.0}); // The punch goes from 21 to 27.
+  stage.run(command::holdPin);
+  REQUIRE(stage.session().document().holds.pins.size() == 1);
+  const Image pinned = filmed("pinned");
+  CHECK(differing(before, pinned, false) == 0);
+  CHECK(differing(before, pinned, true) > 100);
+}
+
 TEST_CASE("A range that was only a trail's is not remembered as one that was set by hand") {
   Told stage;
   const auto remembered = [&] {
