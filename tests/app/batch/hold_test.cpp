@@ -160,9 +160,9 @@ TEST_CASE("of several holds that keep a hand from its length the one is told tha
   recipe["pins"] = Json::array({{{"limb", "right-arm"}, {"range", {10, 40}}}});
   recipe["trails"] = Json::array({{{"limb", "right-arm"}, {"range", {21, 27}}, {"scale", 2}}});
   const std::string written = folder.write("both.json", recipe.dump()).string();
-  const std::string told = test::runVerb({"exaggerate", posedCharacter, "-o",
-                                          (folder / "both.glb").string(), "--recipe", written})
-                               .output;
+  const std::string told =
+      test::runVerb({"exaggerate", posedCharacter, "-o", (folder / "both.glb").string(), "--recipe", written})
+          .output;
   CHECK_THAT(told, Catch::Contains("long, held by a grip"));
   CHECK_THAT(told, !Catch::Contains("held by a pin"));
 }

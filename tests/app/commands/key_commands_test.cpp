@@ -69,7 +69,8 @@ TEST_CASE("Copied keys are as far from one another in time where they are pasted
   CHECK(framesOf(session) == std::vector{0.0, 4.0, 8.0, 16.0, 20.0, 24.0});
 }
 
-TEST_CASE("The source's keys are given back to a joint of its own as well, and where none is named it is asked") {
+TEST_CASE(
+    "The source's keys are given back to a joint of its own as well, and where none is named it is asked") {
   Session session(test::openedFile(test::posedCharacter));
   const std::vector<rig::Controller> own = jointControllersOf(session.document());
   REQUIRE_FALSE(own.empty());

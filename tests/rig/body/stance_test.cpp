@@ -197,7 +197,8 @@ TEST_CASE("coat tails that reach the ground are no legs") {
 }
 
 TEST_CASE("A biped has the tail that its names or its shape tell, and none of what it wears") {
-  const std::string name = GENERATE("Tail", "Bone", "CoatTail", "Skirt", "Sword", "Quiver", "Scarf", "Sheath", "Ponytail");
+  const std::string name =
+      GENERATE("Tail", "Bone", "CoatTail", "Skirt", "Sword", "Quiver", "Scarf", "Sheath", "Ponytail");
   CAPTURE(name);
   SyntheticBiped body = makeBody();
   applyNames(body, namingScheme("Mixamo"));

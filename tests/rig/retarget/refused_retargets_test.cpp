@@ -44,7 +44,8 @@ TEST_CASE("Bringing a clip over is stopped wherever it has come to") {
   CHECK(until(2.0));
 }
 
-TEST_CASE("A track of a name that two joints have goes to neither, one that a mesh has as well to the joint") {
+TEST_CASE(
+    "A track of a name that two joints have goes to neither, one that a mesh has as well to the joint") {
   const MovingBiped moving = test::punchingBiped();
   const NodeIndex arm = moving.node.at("upperArm.l");
   const std::string name = moving.scene.nodes[at(arm)].name;
