@@ -207,6 +207,8 @@ def removals(source, begin, code):
             error = "rror" in source.code[begin : span[1]]
             yield "error swallowed" if error else "early return", 0, span[1] - begin, None
         return
+    if re.match(r"[\w.:>\[\]()*-]+\.reserve\(", code):
+        return  # memory asked for beforehand: without it everything behaves as it did
     if re.match(r"[\w.:>\[\]()*-]+(?:\([^;]*|\s*[-+*/|&]?=[^=][^;]*)", code) and not re.match(r"(if|for|while|switch|return|else)\b", code):
         span = source.statement(begin)
         if span:

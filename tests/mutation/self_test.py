@@ -97,6 +97,10 @@ class WhatALineBecomes(unittest.TestCase):
     def test_a_template_is_no_comparison(self):
         self.assertNotIn("edge", self.becomes("std::vector<int> all;"))
 
+    def test_memory_asked_for_beforehand_is_left_alone(self):
+        self.assertEqual(self.becomes("points.reserve(count);"), {})
+        self.assertIn("statement gone", self.becomes("points.clear();"))
+
     def test_what_only_the_compiler_sees_is_left_alone(self):
         for line in ("static_assert(most == 3);", "case 1:", "constexpr int most = 3;", "// a < b", "#if a < b"):
             self.assertEqual(self.becomes(line), {}, line)

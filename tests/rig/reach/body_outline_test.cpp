@@ -69,3 +69,13 @@ TEST_CASE("a mesh on a node that is scaled to nothing has no outline") {
   CHECK(outline.points.front().empty());
   CHECK(outlined(outline, {NodeIndex(0)}).empty());
 }
+
+TEST_CASE("a vertex that alone sticks out of a mesh is in its outline, the first and the last as well") {
+  Scene scene = ball(1.0);
+  std::vector<glm::vec3>& vertices = scene.meshes.front().primitives.front().positions;
+  const std::size_t lone = GENERATE_COPY(std::size_t{0}, std::size_t{1}, vertices.size() - 1);
+  vertices[lone] = {0.0F, 4.0F, 0.0F};
+  const std::vector<Vec3> points = outlineOf(scene).points.front();
+  CHECK(std::ranges::any_of(points,
+                            [](const Vec3& point) { return glm::length(point - Vec3(0, 4, 0)) < 1e-5; }));
+}
