@@ -262,6 +262,13 @@ TEST_CASE("bad folders are refused with one clear line") {
   CHECK_THAT(errorOf(folder.path() / "none"), Contains("none"));
 }
 
+TEST_CASE("a frame of a folder that cannot be read is refused by its name") {
+  const test::TemporaryFolder folder;
+  folder.write("f_1.obj", tetrahedron(1.0));
+  std::filesystem::create_symlink(folder.path() / "gone.obj", folder.path() / "f_2.obj");
+  CHECK_THAT(errorOf(folder.path()), Contains("f_2.obj"));
+}
+
 TEST_CASE("a point cache moves the vertices of its base mesh") {
   const test::TemporaryFolder folder;
   const auto base = folder.write("base.obj", tetrahedron(0.0));

@@ -120,7 +120,7 @@ TEST_CASE("The second leaf of a stretched joint is told where the first one scal
   REQUIRE(found.size() == 1);
   CHECK(found[0].node == end);
   CHECK(found[0].cosine == Approx(cosineAt(scene, restPose(scene), at(end))));
-  scene.bindChains = {{NodeIndex(2), leaf}}; // one leaf alone is scaled along its own axes
+  scene.bindChains = {{NodeIndex(2), leaf, NodeIndex::none}}; // one leaf alone is scaled along its own axes
   CHECK(gltf::residualShear(scene, {}, 0.01).empty());
 }
 
