@@ -216,6 +216,11 @@ TEST_CASE("What is posed at an end of its range is said to go at once there, but
   Session whole = posed("hips", down);
   CHECK_FALSE((endsAtOnce(whole, true) || endsAtOnce(whole, false)));
   CHECK(heldPoseText(whole).starts_with("The pose is held over the whole clip"));
+  Document other = whole.document();
+  REQUIRE(other.adjustments.size() == 1);
+  other.adjustments.front().clip = 1; // at the same frame of another clip
+  whole.edit(other, "Move");
+  CHECK(heldPoseText(whole).empty());
 }
 
 TEST_CASE("The range keys end what the selection is offset in") {

@@ -99,6 +99,7 @@ TEST_CASE("A limb means its trail at the playhead, else its only one") {
     session.view().selection.editTrails().limbs = {"left-arm", "right-arm"};
     CHECK(targetTrails(session).size() == (frame == 3.0 || frame == 14.0 ? 2 : 1));
     CHECK(targetTrails(session).back() == right[0]);
+    CHECK(targetsOfRange(session).empty()); // no trail is selected whose range would be theirs
     selectLimb(session, "left-arm", false);
     CHECK(session.view().selection.trail() == (frame == 3.0 ? left[0] : frame == 14.0 ? left[1] : 0));
   }

@@ -161,6 +161,16 @@ TEST_CASE("A pasted trail keeps its range on a free limb and takes the range of 
     REQUIRE(settings.spheres.size() == 1); // The one that would lie past the end is left out.
     CHECK(settings.spheres.front().frame == 7.0);
   }
+  SECTION("a limb whose trail was applied: what is pasted is not yet") {
+    NewTrail there = punchTrail(5, 9);
+    there.limb = "right-arm";
+    const CreatedTrail both = made(source.document, there);
+    const Result<Document> applied = applyTrail(both.document, both.trailId);
+    REQUIRE(applied);
+    const Result<CreatedTrail> pasted = pasteTrail(*applied, copied, "right-arm", 0);
+    REQUIRE(pasted);
+    CHECK_FALSE(findTrail(pasted->document, both.trailId)->applied);
+  }
 }
 
 TEST_CASE("Edits of a trail that is not there are refused") {
