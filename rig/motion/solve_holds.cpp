@@ -85,10 +85,8 @@ private:
   [[nodiscard]] double framesPerSecond() const { return input_.clip->framesPerSecond; }
 
   void addNodes(const Limb& limb) {
-    solved_.nodes.insert(solved_.nodes.end(), limb.joints.begin(), limb.joints.end());
-    if (limb.endNode.exists()) {
-      solved_.nodes.push_back(limb.endNode);
-    }
+    const std::vector<NodeIndex> own = jointsAndEnd(limb);
+    solved_.nodes.insert(solved_.nodes.end(), own.begin(), own.end());
   }
 
   // Place in SolvedHolds::limbs.
@@ -112,18 +110,13 @@ private:
     return state;
   }
 
-  [[nodiscard]] static std::vector<NodeIndex> nodesOf(const Limb& limb) {
-    std::vector<NodeIndex> nodes = limb.joints;
-    nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
-    return nodes;
-  }
-
   std::optional<SolvedPin> solve(const Pin& pin) {
     const Limb* const limb = limbOf(input_, pin.limb);
     if (limb == nullptr) {
       return std::nullopt;
     }
-    const HeldPlace place = pin.place ? *pin.place : endPlace(*limb, adjustedAt(pin.atFrame, nodesOf(*limb)));
+    const HeldPlace place =
+        pin.place ? *pin.place : endPlace(*limb, adjustedAt(pin.atFrame, jointsAndEnd(*limb)));
     return SolvedPin{held(*limb), spanOf(pin.time, framesPerSecond(), turnSeconds_), place, pin.turns,
                      pin.stretch};
   }
@@ -138,8 +131,8 @@ private:
         held(*follower), *leader, spanOf(grip.time, framesPerSecond(), turnSeconds_), {}, grip.stretch};
     addNodes(*leader);
     if (grip.relationFrame) {
-      std::vector<NodeIndex> nodes = nodesOf(*leader);
-      const std::vector<NodeIndex> more = nodesOf(*follower);
+      std::vector<NodeIndex> nodes = jointsAndEnd(*leader);
+      const std::vector<NodeIndex> more = jointsAndEnd(*follower);
       nodes.insert(nodes.end(), more.begin(), more.end());
       const FrameState state = adjustedAt(*grip.relationFrame, nodes);
       solved.relation = seenFrom(endPlace(*leader, state), endPlace(*follower, state));
@@ -160,7 +153,7 @@ private:
     std::vector<NodeIndex> nodes{solved.node};
     for (const PropHand& hand : prop.hands) {
       if (const Limb* const limb = limbOf(input_, hand.limb)) {
-        const std::vector<NodeIndex> more = nodesOf(*limb);
+        const std::vector<NodeIndex> more = jointsAndEnd(*limb);
         nodes.insert(nodes.end(), more.begin(), more.end());
       }
     }
@@ -168,7 +161,7 @@ private:
         prop.boundFrame ? std::optional(adjustedAt(*prop.boundFrame, nodes)) : std::nullopt;
     for (const PropHand& hand : prop.hands) {
       const Limb* const limb = limbOf(input_, hand.limb);
-      if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, nodesOf(*limb).back())) {
+      if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, jointsAndEnd(*limb).back())) {
         Adjustment firmness;
         firmness.keys = withFades(hand.keys);
         solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()), {}});

@@ -57,8 +57,7 @@ void keepPulledSpheres(SolvedTrail& solved) {
 } // namespace
 
 std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
-  std::vector<NodeIndex> nodes = limb.joints;
-  nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+  std::vector<NodeIndex> nodes = jointsAndEnd(limb);
   if (input.hips.exists()) {
     nodes.push_back(input.hips);
   }
@@ -137,8 +136,7 @@ TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb,
   if (!hips.exists() || limb.ledByFirst) {
     return TrailSpace::world;
   }
-  std::vector<NodeIndex> nodes = limb.joints;
-  nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+  std::vector<NodeIndex> nodes = jointsAndEnd(limb);
   nodes.push_back(hips);
   const NodeSampler sampler(scene, clip, nodes);
   FrameState sampled;
