@@ -38,13 +38,9 @@ struct EndGoal {
   Quat turn{1.0, 0.0, 0.0, 0.0};
 };
 
-bool isSameTurn(const Mat4& a, const Mat4& b) {
-  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 // How a node turned in the world from one matrix to another.
 Quat turnBetween(const Mat4& before, const Mat4& now) {
-  return isSameTurn(before, now) ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+  return Mat3(before) == Mat3(now) ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
 }
 
 class Adjuster {
@@ -57,6 +53,7 @@ public:
   /// `source`: what the frame is a copy of; null: not at hand.
   std::vector<AskedPlace> run(const FrameState* source, std::vector<ControllerSpace>* spaces = nullptr) {
     spaces_ = spaces;
+    asked_.reserve(body_.limbs.size() + 5); // those of the trunk
     const bool isCarried = moveBody();
     if (source == nullptr || isCarried) {
       carried_.worlds = frame_.worlds;

@@ -112,12 +112,12 @@ struct Carry {
 Carry carryOf(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
               const LimbSample& sample, const FrameState& source, const FrameState& frame) {
   const NodeIndex base = stayingNode(solved.limb);
-  const NodeIndex carrier = carrierOf(scene, motion, base);
   Carry carry;
   carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
   carry.baseBefore = sample.base;
   carry.baseNow = stayingPosition(solved.limb, frame);
-  if (!carry.still && carrier.exists()) {
+  const NodeIndex carrier = carry.still ? NodeIndex::none : carrierOf(scene, motion, base);
+  if (carrier.exists()) {
     carry.turn = rotationOf(frame.worlds[at(carrier)]) * glm::inverse(rotationOf(source.worlds[at(carrier)]));
   }
   return carry;

@@ -38,9 +38,8 @@ std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<std:
     nodes.insert(touched.begin(), touched.end());
   }
   for (const PathRequest& request : requests) {
-    const Limb& limb = motion.trails[request.trail].limb;
-    nodes.insert(limb.joints.begin(), limb.joints.end());
-    nodes.insert(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+    const std::vector<NodeIndex> own = jointsAndEnd(motion.trails[request.trail].limb);
+    nodes.insert(own.begin(), own.end());
   }
   if (motion.hips.exists()) {
     nodes.insert(motion.hips);
@@ -50,11 +49,12 @@ std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<std:
 
 std::vector<double> framesOfAll(const std::vector<PathRequest>& requests) {
   std::vector<double> frames;
+  std::vector<double> merged;
   for (const PathRequest& request : requests) {
-    frames.insert(frames.end(), request.frames.begin(), request.frames.end());
+    merged.clear();
+    std::ranges::set_union(frames, request.frames, std::back_inserter(merged));
+    std::swap(frames, merged);
   }
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;
 }
 
@@ -158,10 +158,6 @@ std::vector<NodeIndex> nodesOfAll(const MotionState& motion, const std::vector<P
   }
   std::vector<NodeIndex> nodes = nodesOf(motion, active, requests);
   nodes.insert(nodes.end(), motion.holds.nodes.begin(), motion.holds.nodes.end());
-  for (const std::size_t trail : active) {
-    const std::vector<NodeIndex>& joints = motion.trails[trail].limb.joints;
-    nodes.insert(nodes.end(), joints.begin(), joints.end());
-  }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;

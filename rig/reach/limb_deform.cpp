@@ -51,7 +51,15 @@ void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology
   }
 }
 
-// The joint and what rides on its bone, stretched; the nodes on the path are up to date then.
+// What lies on the bone. Its last node is the next joint or the limb's end, which turn before anything asks
+// where they are.
+void refreshBetween(PoseWriter& writer, const BoneTopology& bone) {
+  for (std::size_t i = 1; i < bone.pathNodes.size(); ++i) {
+    writer.refresh(bone.pathNodes[i - 1]);
+  }
+}
+
+// The joint and what rides on its bone, stretched.
 void stretchBone(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Mat3& stretch) {
   moveByStretch(writer, bone, stretch);
   moveNestedTwists(writer, scene, bone, stretch);
@@ -124,10 +132,6 @@ void moveLeader(PoseWriter& writer, NodeIndex leader, const Vec3& lead, const Li
   writer.refreshSubtree(leader);
 }
 
-bool sameTurn(const Quat& a, const Quat& b) {
-  return a == b;
-}
-
 // Where a node goes that is carried by one above it, without a look at its own transforms.
 void carrySubtree(const Scene& scene, NodeIndex node, const Mat4& changeWorld, FrameState& frame) {
   Mat4& world = frame.worlds[at(node)];
@@ -188,7 +192,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     const BoneTopology& bone = topology.bones[i];
     const bool isPlaced = isDetached(topology, i) || (isLed && i == 1);
     // A joint that turns exactly as its parent bone does keeps its local rotation.
-    if (i == 0 || isPlaced || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
+    if (i == 0 || isPlaced || shape.turns[i] != shape.turns[i - 1]) {
       writer.turnInWorld(bone.joint, shape.turns[i]);
     }
     if (isPlaced) {
@@ -199,14 +203,14 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(bone.joint, points.front() + shape.baseMove);
     }
     writer.refresh(bone.joint);
-    const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * (points[i + 1] - points[i]);
-    if (glm::length(offset) > 0.0 && shape.stretches[i] != 1.0) {
-      const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretches[i], options.volume);
-      stretchBone(writer, scene, bone, stretch);
+    if (shape.stretches[i] != 1.0) {
+      const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * (points[i + 1] - points[i]);
+      if (glm::length(offset) > 0.0) {
+        stretchBone(writer, scene, bone,
+                    boneStretch(glm::normalize(offset), shape.stretches[i], options.volume));
+      }
     }
-    for (const NodeIndex node : bone.pathNodes) {
-      writer.refresh(node);
-    }
+    refreshBetween(writer, bone);
   }
   if (limb.endNode.exists()) {
     if (!topology.endIsDescendant) {
@@ -241,9 +245,7 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
     }
     writer.refresh(bone.joint);
     stretchBone(writer, scene, bone, stretches[i]);
-    for (const NodeIndex node : bone.pathNodes) {
-      writer.refresh(node);
-    }
+    refreshBetween(writer, bone);
   }
   if (!topology.endIsDescendant) {
     moveDetachedEnd(writer, scene, limb, topology, carried(topology.bones.size() - 1, end));
@@ -261,7 +263,7 @@ void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, Fra
 void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
                FrameState& frame) {
   PoseWriter writer(scene, frame);
-  if (!sameTurn(turnWorld, Quat(1.0, 0.0, 0.0, 0.0))) {
+  if (turnWorld != Quat(1.0, 0.0, 0.0, 0.0)) {
     writer.turnInWorld(node, turnWorld);
   }
   const Mat4 before = writer.world(node);

@@ -40,11 +40,7 @@ struct SampledPose {
 
 std::vector<SampledPose> posesOf(const ReachInput& input, const Limb& limb) {
   constexpr double mostSamples = 200.0;
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  const NodeSampler sampler(input.scene, input.clip, nodes);
+  const NodeSampler sampler(input.scene, input.clip, jointsAndEnd(limb));
   const double length = std::max(0.0, input.clip.endSeconds - input.clip.startSeconds);
   const double count = std::clamp(std::ceil(length * input.clip.framesPerSecond), 1.0, mostSamples);
   std::vector<SampledPose> poses;
@@ -108,9 +104,10 @@ Vec3 bendTo(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& g
   problem.stretchSwitch = goal.stretchSwitch;
   const TwoBoneShape shape = solveTwoBone(problem);
   LimbPose pose;
+  pose.turns.reserve(limb.joints.size());
+  pose.stretches.assign(limb.joints.size(), shape.scale);
   for (std::size_t bone = 0; bone < limb.joints.size(); ++bone) {
     pose.turns.push_back(shape.turns[bone < reaching.bendPoint ? 0 : 1]);
-    pose.stretches.push_back(shape.scale);
   }
   pose.end = shape.end;
   deformLimb(scene, limb, reaching.topology, pose, {goal.volume, false, goal.endTurn}, frame);
@@ -120,10 +117,6 @@ Vec3 bendTo(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& g
 std::optional<Mat4> endMatrix(const Limb& limb, const FrameState& frame) {
   return limb.endNode.exists() ? std::optional(frame.worlds[at(limb.endNode)]) : std::nullopt;
 }
-
-} // namespace
-
-namespace {
 
 // Left and right, legs before arms before others.
 std::vector<std::pair<const Limb*, const Limb*>> pairsOf(const std::vector<Limb>& limbs) {
@@ -152,14 +145,14 @@ Vec3 facingInBind(const std::vector<Limb>& limbs, const BindPlaces& places) {
 }
 
 TwoBoneProblem posedLimb(const ReachingLimb& reaching, const FrameState& frame) {
-  const std::vector<Vec3> points = limbPoints(reaching.limb, frame);
+  const std::vector<NodeIndex>& joints = reaching.limb.joints;
+  const Mat4& base = frame.worlds[at(joints.front())];
   TwoBoneProblem problem;
-  problem.base = points.front();
-  problem.joint = points[reaching.bendPoint];
-  problem.end = points.back();
+  problem.base = positionOf(base);
+  problem.end = endPosition(reaching.limb, frame);
+  problem.joint = positionOf(frame.worlds[at(joints[reaching.bendPoint])]);
   problem.target = problem.end;
-  problem.usualBend =
-      rotationOf(frame.worlds[at(reaching.limb.joints.front())]) * reaching.bends.at(frame.timeSeconds);
+  problem.usualBend = rotationOf(base) * reaching.bends.at(frame.timeSeconds);
   return problem;
 }
 

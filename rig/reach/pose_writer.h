@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <vector>
 
 #include <glm/matrix.hpp>
@@ -25,13 +25,15 @@ namespace stretch::rig {
 class PoseWriter {
 public:
   PoseWriter(const Scene& scene, FrameState& frame)
-      : scene_(scene), frame_(frame), keptAt_(scene.nodes.size(), isNotKept) {}
+      : scene_(scene), frame_(frame), marks_(scene.nodes.size()) {
+    kept_.reserve(8); // as many as most limbs have
+  }
 
   [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
   /// World matrix of the node in the pose that the frame started from.
   [[nodiscard]] Mat4 worldBefore(NodeIndex node) const {
-    const std::size_t kept = keptAt_[at(node)];
-    return kept == isNotKept ? frame_.worlds[at(node)] : kept_[kept];
+    const std::uint32_t kept = marks_[at(node)].kept;
+    return kept == 0 ? frame_.worlds[at(node)] : kept_[kept - 1];
   }
 
   /// World matrix of the node's parent as it stands, parents of it having been written before.
@@ -42,20 +44,27 @@ public:
 
   Transform& local(NodeIndex node) {
     frame_.pose.usesMatrix[at(node)] = false;
+    marks_[at(node)].refreshed = 0;
     return frame_.pose.locals[at(node)];
   }
 
   /// Recomputes the node's own world matrix; its children follow when they are written or at the end.
   void refresh(NodeIndex node) {
-    if (keptAt_[at(node)] == isNotKept) {
-      keptAt_[at(node)] = kept_.size();
+    Mark& mark = marks_[at(node)];
+    mark.refreshed = ++refreshes_;
+    if (mark.kept == 0) {
       kept_.push_back(world(node));
+      mark.kept = static_cast<std::uint32_t>(kept_.size());
     }
     frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
   }
 
+  /// The node and all below it, but for what has not changed since it was refreshed.
   void refreshSubtree(NodeIndex node) {
-    refresh(node);
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    if (marks_[at(node)].refreshed <= (parent.exists() ? marks_[at(parent)].refreshed : 0)) {
+      refresh(node);
+    }
     for (const NodeIndex child : scene_.nodes[at(node)].children) {
       refreshSubtree(child);
     }
@@ -87,11 +96,16 @@ private:
     return parent.exists() ? worldBefore(parent) : Mat4(1.0);
   }
 
-  static constexpr std::size_t isNotKept = std::numeric_limits<std::size_t>::max();
+  struct Mark {
+    std::uint32_t kept = 0;      // place in kept_, from 1; 0: not there
+    std::uint32_t refreshed = 0; // how many were before it, from 1; 0: not since it was written
+  };
+
   const Scene& scene_;
   FrameState& frame_;
-  std::vector<std::size_t> keptAt_; // of each node: where in kept_
-  std::vector<Mat4> kept_;          // world matrices of what was written, as they were
+  std::vector<Mark> marks_; // of each node
+  std::vector<Mat4> kept_;  // world matrices of what was written, as they were
+  std::uint32_t refreshes_ = 0;
 };
 
 } // namespace stretch::rig

@@ -232,7 +232,6 @@ void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
   frame.timeSeconds = timeSeconds;
   frame.pose.locals.resize(count);
   frame.pose.usesMatrix.resize(count, false);
-  frame.pose.weights.resize(count);
   frame.worlds.resize(count, Mat4(1.0));
   frame.stretch.assign(chains_.empty() ? 0 : count, Mat3(1.0));
   for (const Step& step : steps_) {
