@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <type_traits>
 
 #include "core/gltf/import/accessor_layout.h"
 #include "core/gltf/source/fields.h"
@@ -73,7 +74,11 @@ std::vector<Number> readAll(const Source& source, int accessor, Convert&& conver
   check(shape.has_value(), "only accessors of known shape are read");
   const auto width = static_cast<std::size_t>(shape->width);
   std::vector<Number> values(shape->count * width);
-  if (const std::optional<ElementRun> run = denseRun(source, accessor, *shape)) {
+  const std::optional<ElementRun> run = denseRun(source, accessor, *shape);
+  constexpr auto own = std::is_same_v<Number, float> ? ComponentType::float32 : ComponentType::uint32;
+  if (run && shape->component == own && run->stride == width * sizeof(Number)) { // the numbers themselves
+    std::memcpy(values.data(), run->first, values.size() * sizeof(Number));
+  } else if (run) {
     forEachComponent(*run, *shape,
                      [&](std::size_t element, std::size_t component, const std::uint8_t* bytes) {
                        values[element * width + component] = convert(bytes, *shape);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -29,18 +30,18 @@ void validateBufferView(const Source& source, std::size_t index, Problems& probl
   }
 }
 
-// One accessor; answers whether its values can be compared with what it says of them.
+// One accessor; answers its shape where its values can be compared with what it says of them.
 class AccessorCheck {
 public:
   AccessorCheck(const Source& source, std::size_t index, bool isUsed, Problems& problems)
       : source_(source), json_(element(source.json, "accessors", index)), index_(index), problems_(problems),
         isUsed_(isUsed) {}
 
-  bool run() {
-    const std::optional<AccessorShape> shape = shapeOf(source_, static_cast<int>(index_));
+  std::optional<AccessorShape> run() {
+    std::optional<AccessorShape> shape = shapeOf(source_, static_cast<int>(index_));
     if (!shape) {
       problems_.warning(where(), "has an unknown type or component type and is not used");
-      return false;
+      return std::nullopt;
     }
     if (find(json_, "bufferView") != nullptr) {
       part(json_, where(), *shape, shape->count, true);
@@ -51,7 +52,7 @@ public:
     if (const Json* sparse = find(json_, "sparse")) {
       sparsePart(*sparse, *shape);
     }
-    return !hasErrors_ && isReadable_ && hasData();
+    return !hasErrors_ && isReadable_ && hasData() ? std::move(shape) : std::nullopt;
   }
 
 private:
@@ -192,9 +193,11 @@ struct Bounds {
 Bounds boundsOf(const std::vector<float>& values, std::size_t width) {
   Bounds bounds{{values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)},
                 {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)}};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    bounds.least[i % width] = std::min(bounds.least[i % width], values[i]);
-    bounds.most[i % width] = std::max(bounds.most[i % width], values[i]);
+  for (std::size_t element = 0; element < values.size(); element += width) {
+    for (std::size_t i = 0; i < width; ++i) {
+      bounds.least[i] = std::min(bounds.least[i], values[element + i]);
+      bounds.most[i] = std::max(bounds.most[i], values[element + i]);
+    }
   }
   return bounds;
 }
@@ -294,12 +297,9 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
   const std::set<int> weights = weightAccessors(source.json);
   DecodeBudget compared(source);
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
-    if (!AccessorCheck(source, i, used[i], problems).run()) {
-      continue;
-    }
-    const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
-    if (compared.take(shape.count * static_cast<std::size_t>(shape.width))) {
-      validateValues(source, i, shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
+    const std::optional<AccessorShape> shape = AccessorCheck(source, i, used[i], problems).run();
+    if (shape && compared.take(shape->count * static_cast<std::size_t>(shape->width))) {
+      validateValues(source, i, *shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
                      problems);
     }
   }

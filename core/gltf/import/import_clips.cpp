@@ -116,10 +116,15 @@ private:
     track.interpolation = interpolationOf(sampler, place);
     const int input = indexOr(sampler, "input");
     const int output = indexOr(sampler, "output");
-    if (!isInput(input, place) || !isOutput(input, output, channelIndex, track, place)) {
+    const std::optional<std::size_t> keys = keysOf(input, place);
+    if (!keys || !isOutput(*keys, output, channelIndex, track, place)) {
       return false;
     }
-    track.times = readFloats(source_, input);
+    if (input != timesInput_) { // most exporters give all tracks of a clip the same times
+      times_ = readFloats(source_, input);
+      timesInput_ = input;
+    }
+    track.times = times_;
     track.values = readFloats(source_, output);
     if (!std::ranges::all_of(track.values, [](float value) { return std::isfinite(value); })) {
       problems_.error(place + ".output", "holds values that are no finite numbers");
@@ -129,16 +134,17 @@ private:
     return repairTimes(track.times, input, place);
   }
 
-  bool isInput(int accessor, const std::string& place) {
+  // How many keys there are; nothing where the accessor cannot hold their times.
+  std::optional<std::size_t> keysOf(int accessor, const std::string& place) {
     const std::optional<AccessorShape> shape = shapeOf(source_, accessor);
     if (!shape || shape->type != "SCALAR" || shape->component != ComponentType::float32) {
       problems_.error(place + ".input", "is not an accessor of float scalars");
-      return false;
+      return std::nullopt;
     }
-    return true;
+    return shape->count;
   }
 
-  bool isOutput(int input, int output, std::size_t channelIndex, const Track& track,
+  bool isOutput(std::size_t keys, int output, std::size_t channelIndex, const Track& track,
                 const std::string& place) {
     const std::optional<AccessorShape> shape = shapeOf(source_, output);
     const bool isVector = track.channel != Channel::weights;
@@ -151,7 +157,6 @@ private:
                       fmt::format("its accessor has a type that {} cannot use", channelPlace(channelIndex)));
       return false;
     }
-    const std::size_t keys = shapeOf(source_, input)->count;
     const std::size_t perKey = (track.interpolation == Interpolation::cubicSpline ? 3U : 1U) *
                                (isVector ? 1U : static_cast<std::size_t>(track.width));
     if (shape->count != keys * perKey) {
@@ -216,6 +221,8 @@ private:
   DecodeBudget& budget_;
   Problems& problems_;
   std::set<std::pair<NodeIndex, Channel>> targets_;
+  int timesInput_ = -1;
+  std::vector<float> times_; // of the accessor timesInput_
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "core/gltf/read/structure.h"
 
 #include <algorithm>
+#include <map>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -31,17 +33,19 @@ struct Place {
 
 class StructureCheck {
 public:
-  StructureCheck(const Json& root, Problems& problems) : root_(root), problems_(problems) {}
+  StructureCheck(const Json& root, Problems& problems) : root_(root), problems_(problems) {
+    for (const Property& property : schema()) {
+      properties_[property.owner].push_back(&property);
+    }
+  }
 
   void object(const Json& value, std::string_view kind, const Place& place) {
     if (!value.is_object()) {
       problems_.error(place.text(), "is no object");
       return;
     }
-    for (const Property& property : schema()) {
-      if (property.owner == kind) {
-        propertyOf(value, property, place);
-      }
+    for (const Property* const property : properties_[kind]) {
+      propertyOf(value, *property, place);
     }
   }
 
@@ -154,6 +158,7 @@ private:
 
   const Json& root_;
   Problems& problems_;
+  std::map<std::string_view, std::vector<const Property*>> properties_; // by their owners
 };
 
 void validateVersion(const Json& json, Problems& problems) {

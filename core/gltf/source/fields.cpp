@@ -109,8 +109,10 @@ std::size_t sizeOf(const Json& object, std::string_view key) {
 }
 
 const Json& element(const Json& object, std::string_view key, std::size_t index) {
-  check(index < sizeOf(object, key), "an index that was validated points into its list");
-  return (*find(object, key))[index];
+  const Json* const list = find(object, key);
+  check(list != nullptr && list->is_array() && index < list->size(),
+        "an index that was validated points into its list");
+  return (*list)[index];
 }
 
 bool listsText(const Json& object, std::string_view key, std::string_view text) {
