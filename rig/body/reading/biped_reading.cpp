@@ -52,7 +52,11 @@ bool shareJoint(const BodyView& view, const LimbGuess& a, const LimbGuess& b) {
 
 // Joints from `from` to `to`; 0 where one of them is missing.
 std::size_t jointsBetween(const BodyView& view, int from, int to) {
-  return from < 0 || to < 0 ? 0 : view.path(from, to).size();
+  std::size_t joints = 1;
+  for (; to >= 0 && to != from; to = view.parentOf(to)) {
+    ++joints;
+  }
+  return from < 0 || to < 0 ? 0 : joints;
 }
 
 // 0 where both have the same joints; a missing end is worth less than a missing bone.
@@ -119,23 +123,26 @@ std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane
 }
 
 bool overlap(const BodyView& view, const LimbPair& arms, const LimbPair& legs) {
-  for (const LimbGuess* arm : limbsOf(arms)) {
-    for (const LimbGuess* leg : limbsOf(legs)) {
-      if (shareJoint(view, *arm, *leg)) {
-        return true;
-      }
-    }
+  const auto share = [&](const std::optional<LimbGuess>& arm, const std::optional<LimbGuess>& leg) {
+    return arm && leg && shareJoint(view, *arm, *leg);
+  };
+  return share(arms.negative, legs.negative) || share(arms.negative, legs.positive) ||
+         share(arms.positive, legs.negative) || share(arms.positive, legs.positive);
+}
+
+// Zero where there are no limbs.
+template <typename Mean, typename Value>
+Mean meanOf(const LimbPair& pair, const Value& value) {
+  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
+  Mean sum(0.0);
+  for (const LimbGuess* limb : limbs) {
+    sum += value(*limb);
   }
-  return false;
+  return sum / std::max(1.0, static_cast<double>(limbs.size()));
 }
 
 double meanLength(const LimbPair& pair) {
-  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
-  double sum = 0.0;
-  for (const LimbGuess* limb : limbs) {
-    sum += limb->length;
-  }
-  return limbs.empty() ? 0.0 : sum / static_cast<double>(limbs.size());
+  return meanOf<double>(pair, [](const LimbGuess& limb) { return limb.length; });
 }
 
 // 1 where the ends are the body's lowest joints along `up`, 0 where much of it is lower.
@@ -256,12 +263,7 @@ std::optional<double> bestOfOthers(const BodyView& view, const std::vector<Combi
 } // namespace
 
 Vec3 meanBase(const BodyView& view, const LimbPair& pair) {
-  Vec3 sum(0.0);
-  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
-  for (const LimbGuess* limb : limbs) {
-    sum += view.at(limb->base);
-  }
-  return sum / std::max(1.0, static_cast<double>(limbs.size()));
+  return meanOf<Vec3>(pair, [&](const LimbGuess& limb) { return view.at(limb.base); });
 }
 
 bool isNamed(const LimbPair& pair) {
@@ -273,12 +275,7 @@ bool isNamed(const LimbPair& pair) {
 }
 
 Vec3 meanEnd(const LimbPair& pair) {
-  Vec3 sum(0.0);
-  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
-  for (const LimbGuess* limb : limbs) {
-    sum += limb->endPosition;
-  }
-  return sum / std::max(1.0, static_cast<double>(limbs.size()));
+  return meanOf<Vec3>(pair, [](const LimbGuess& limb) { return limb.endPosition; });
 }
 
 int meetingJoint(const BodyView& view, const LimbPair& pair) {
