@@ -194,13 +194,26 @@ SequenceMetrics distancesOf(const MeshSequence& reference, const MeshSequence& o
     total.spread += frame.spread;
     total.largest = std::max(total.largest, frame.largest);
   }
-  const double diagonal = boxDiagonal(reference.frame(0));
+  const SequenceExtent extent = extentOf(reference);
+  // Without any extent there is nothing to be a part of: what is off is off by all of it.
+  const auto percentOf = [](double distance, double whole) {
+    return whole > 0.0 ? 100.0 * distance / whole : distance > 0.0 ? 100.0 : 0.0;
+  };
   SequenceMetrics metrics;
   metrics.mse = total.squared / static_cast<double>(reference.positions.size());
-  metrics.rmsePercent = diagonal > 0.0 ? 100.0 * std::sqrt(metrics.mse) / diagonal : 0.0;
-  metrics.largestPercent = diagonal > 0.0 ? 100.0 * total.largest / diagonal : 0.0;
-  metrics.kgError = total.spread > 0.0 ? 100.0 * std::sqrt(total.squared / total.spread) : 0.0;
+  metrics.rmsePercent = percentOf(std::sqrt(metrics.mse), extent.diagonal);
+  metrics.largestPercent = percentOf(total.largest, extent.diagonal);
+  metrics.kgError =
+      total.spread > 0.0 ? 100.0 * std::sqrt(total.squared / total.spread) : percentOf(total.squared, 0.0);
   return metrics;
+}
+
+std::string frameOfErrors(const MeshSequence& reference) {
+  const std::size_t frame = extentOf(reference).frame;
+  return frame == 0 ? std::string()
+                    : fmt::format("errors are parts of the diagonal of frame {}: before it the body has no "
+                                  "extent, or less than a hundredth of its largest",
+                                  frame);
 }
 
 Result<SequenceMetrics> compareSequences(const MeshSequence& reference, const MeshSequence& other,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
 
@@ -19,7 +21,8 @@ struct StedSettings {
 /// How far an animated mesh is from a reference with the same topology and number of frames.
 struct SequenceMetrics {
   double mse = 0.0; ///< Mean over frames and vertices of the squared distance, squared units of the sequence.
-  double rmsePercent = 0.0;    ///< Its root in percent of the diagonal of the reference's first frame.
+  double rmsePercent = 0.0;    ///< Its root in percent of the diagonal of the reference (extentOf); 100 where
+                               ///< that has no extent. 0 for equal ones alone.
   double largestPercent = 0.0; ///< The largest distance, in percent of the same diagonal.
   double kgError = 0.0;        ///< Karni and Gotsman: 100 ||A - B|| / ||A - mean(A)||, mean(A) = each frame's
                                ///< centroid.
@@ -31,6 +34,9 @@ struct SequenceMetrics {
 
 /// The distances alone, without STED; both must have the same vertices and frames, at least one of each.
 [[nodiscard]] SequenceMetrics distancesOf(const MeshSequence& reference, const MeshSequence& other);
+
+/// Says which frame's diagonal errors are parts of; empty where it is the first.
+[[nodiscard]] std::string frameOfErrors(const MeshSequence& reference);
 
 /// An error when vertices, triangles or frames differ in number.
 [[nodiscard]] Result<SequenceMetrics>

@@ -141,6 +141,9 @@ Status runCompare(const CompareArguments& arguments) {
   }
   gltf::Json report = metricsJson(*metrics);
   report["warnings"] = warningsOf(*sides, *reference, *other);
+  if (const std::string frame = skinning::frameOfErrors(*reference); !frame.empty()) {
+    report["warnings"].push_back(frame);
+  }
   if (arguments.flattening) {
     if (Status done = addFlattening(arguments, *reference, *other, report); !done) {
       return done;

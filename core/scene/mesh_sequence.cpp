@@ -20,6 +20,21 @@ double boxDiagonal(std::span<const glm::vec3> positions) {
   return glm::length(Vec3(high) - Vec3(low));
 }
 
+SequenceExtent extentOf(const MeshSequence& sequence) {
+  constexpr double leastShare = 0.01;
+  std::vector<double> diagonals;
+  diagonals.reserve(sequence.frameCount());
+  for (std::size_t k = 0; k < sequence.frameCount(); ++k) {
+    diagonals.push_back(boxDiagonal(sequence.frame(k)));
+  }
+  if (diagonals.empty()) {
+    return {};
+  }
+  const double enough = leastShare * *std::ranges::max_element(diagonals);
+  const auto first = std::ranges::find_if(diagonals, [&](double diagonal) { return diagonal >= enough; });
+  return {*first, static_cast<std::size_t>(first - diagonals.begin())};
+}
+
 MeshSequence withoutFirstFrames(const MeshSequence& sequence, std::size_t firstFrame) {
   const std::size_t frames = sequence.frameCount();
   const auto first = static_cast<std::ptrdiff_t>(std::min(firstFrame, frames == 0 ? 0 : frames - 1));

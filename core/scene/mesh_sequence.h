@@ -47,6 +47,13 @@ struct MeshSequence {
 /// Length of the diagonal of the box around the positions; 0 for none.
 [[nodiscard]] double boxDiagonal(std::span<const glm::vec3> positions);
 
+/// What errors of a sequence are told in parts of.
+struct SequenceExtent {
+  double diagonal = 0.0; ///< Of the box around `frame`; 0 where no frame has an extent.
+  std::size_t frame = 0; ///< The first one whose diagonal is at least a hundredth of the largest.
+};
+[[nodiscard]] SequenceExtent extentOf(const MeshSequence& sequence);
+
 /// The sequence from `firstFrame` on (settling frames left out). At least one frame is kept.
 [[nodiscard]] MeshSequence withoutFirstFrames(const MeshSequence& sequence, std::size_t firstFrame);
 

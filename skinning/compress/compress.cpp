@@ -19,6 +19,9 @@ Status addMetrics(const MeshSequence& sequence, CompressedSequence& result) {
     return all.error();
   }
   result.metrics = *all;
+  if (const std::string frame = frameOfErrors(sequence); !frame.empty()) {
+    result.warnings.push_back(frame);
+  }
   if (result.firstFittedFrame > 0) {
     const auto fitted = compareSequences(withoutFirstFrames(sequence, result.firstFittedFrame),
                                          withoutFirstFrames(shown, result.firstFittedFrame));
@@ -135,6 +138,9 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
     giveBackVertices(usable, sequence, result.value().skinned);
     std::vector<std::string>& warnings = result.value().warnings;
     warnings.insert(warnings.begin(), usable.warnings.begin(), usable.warnings.end());
+    if (sequence.frameCount() == 1) {
+      warnings.emplace_back("there is one frame: nothing moves, and the file has no clip");
+    }
   }
   return result;
 }

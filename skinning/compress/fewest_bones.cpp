@@ -30,7 +30,7 @@ public:
       best_.fitted.warnings.push_back(
           fmt::format("{:g} % of the diagonal is not met: {} bones are off by {:.2g} %, and more, up to {}, "
                       "do not help",
-                      *settings_.tolerancePercent, best_.bones, best_.percent, most_));
+                      *settings_.tolerancePercent, best_.fitted.skinned.bones.size(), best_.percent, most_));
       return std::move(best_.fitted);
     }
     if (const Status narrowed = narrow(); !narrowed) {

@@ -59,3 +59,20 @@ TEST_CASE("Settling frames are left out from the front with their names, and one
   CHECK(withoutFirstFrames(moving(4, {"a"}), 2).frameNames.empty());
   CHECK(withoutFirstFrames(MeshSequence{}, 3).frameCount() == 0);
 }
+
+TEST_CASE("The extent of a sequence is that of its first frame, or of the first that is no speck") {
+  MeshSequence growing;
+  growing.vertexCount = 2;
+  const auto extentWith = [&](const std::vector<float>& sizes) {
+    growing.positions.clear();
+    for (const float size : sizes) {
+      growing.positions.insert(growing.positions.end(), {{0, 0, 0}, {size, 0, 0}});
+    }
+    const SequenceExtent extent = extentOf(growing);
+    return std::pair(extent.frame, static_cast<float>(extent.diagonal));
+  };
+  CHECK(extentWith({2.0F, 100.0F, 1.0F}) == std::pair(std::size_t{0}, 2.0F));
+  CHECK(extentWith({0.0F, 0.5F, 3.0F, 100.0F}) == std::pair(std::size_t{2}, 3.0F));
+  CHECK(extentWith({0.0F, 0.0F}) == std::pair(std::size_t{0}, 0.0F));
+  CHECK(extentWith({}) == std::pair(std::size_t{0}, 0.0F));
+}

@@ -398,3 +398,29 @@ TEST_CASE("flattening is measured where the body has come to, with the length th
   CHECK(flattening->width == Approx(1.0 / 0.88).epsilon(0.01));
   CHECK(flattening->length == Approx(0.9).epsilon(0.01));
 }
+
+TEST_CASE("a tolerance is not met by what is off beside a first frame without an extent, and names the bones "
+          "that were made") {
+  MeshSequence sequence = skinAllFrames(test::wavingTube(8, 6));
+  std::ranges::fill(sequence.frame(0), glm::vec3(0.0F));
+  CompressSettings settings;
+  settings.stretch = StretchOption::measured;
+  settings.tolerancePercent = 0.01;
+  const auto result = compress(sequence, settings);
+  REQUIRE(result);
+  CHECK(result->metrics.rmsePercent > *settings.tolerancePercent);
+  const auto told = [&](const std::string& text) {
+    return std::ranges::any_of(result->warnings, [&](const std::string& warning) {
+      return warning.find(text) != std::string::npos;
+    });
+  };
+  CHECK(told("is not met: " + std::to_string(result->skinned.bones.size()) + " bones are off"));
+  CHECK(told("parts of the diagonal of frame 1"));
+}
+
+TEST_CASE("a sequence of one frame is told to make no clip") {
+  const MeshSequence still = test::still(test::tube(10.0, 0.5, 40, 10));
+  const auto result = compressed(still, 6, StretchOption::measured, WeightOption::fitted);
+  REQUIRE_FALSE(result.warnings.empty());
+  CHECK_THAT(result.warnings.back(), Catch::Contains("one frame") && Catch::Contains("no clip"));
+}

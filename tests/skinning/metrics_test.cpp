@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -288,4 +290,28 @@ TEST_CASE("sequences of other vertices, frames and triangles are refused, each w
   CHECK(refused(none, none) == place + "0 vertices against 0; compare sequences of one mesh");
   const MeshSequence frameless = triangleOver({});
   CHECK(refused(frameless, frameless) == place + "0 frames against 0; compare the same range of frames");
+}
+
+TEST_CASE(
+    "errors of a body that grows from a point are parts of the first frame that it is seen in, and told "
+    "so") {
+  MeshSequence growing = waving(3);
+  std::ranges::fill(growing.frame(0), glm::vec3(1.0F, 2.0F, 3.0F));
+  MeshSequence off = growing;
+  off.frame(2)[3].y += 0.5F;
+  const SequenceMetrics metrics = compared(growing, off);
+  CHECK(metrics.largestPercent == Approx(50.0 / boxDiagonal(std::as_const(growing).frame(1))).epsilon(1e-5));
+  CHECK_THAT(frameOfErrors(growing), Catch::Contains("of frame 1"));
+  CHECK(frameOfErrors(waving(3)).empty());
+}
+
+TEST_CASE("an error of nothing is told where two are equal alone, also where neither has an extent") {
+  MeshSequence point = waving(2);
+  std::ranges::fill(point.positions, glm::vec3(1.0F));
+  MeshSequence off = point;
+  CHECK(compared(point, off).rmsePercent == 0.0);
+  off.frame(1)[0].x += 1.0F;
+  const SequenceMetrics metrics = compared(point, off);
+  CHECK(metrics.rmsePercent == 100.0);
+  CHECK(metrics.largestPercent == 100.0);
 }

@@ -107,7 +107,7 @@ std::vector<glm::vec3> SequencePicture::resultAt(std::size_t frame) const {
 
 /// Three times the root of the mean squared error, so that one outlier does not grey everything else.
 double SequencePicture::largestError() const {
-  const double diagonal = boxDiagonal(std::as_const(*content_.original).frame(0));
+  const double diagonal = extentOf(*content_.original).diagonal;
   if (content_.result != nullptr) {
     return 0.03 * content_.result->compressed.metrics.rmsePercent * diagonal;
   }
@@ -167,7 +167,7 @@ std::optional<SequenceLegend> SequencePicture::makeLegend() const {
     return [scale](double share) { return rgba(valueColorHex(scale, share)); };
   };
   if (view_.look == SequenceLook::error) {
-    const double diagonal = boxDiagonal(std::as_const(*content_.original).frame(0));
+    const double diagonal = extentOf(*content_.original).diagonal;
     return SequenceLegend{"Distance to the original", "0",
                           fmt::format("{:.3g} units and more", largestShown_),
                           fmt::format("{:.3g} % of the diagonal", 100.0 * largestShown_ / diagonal),

@@ -182,8 +182,8 @@ void errorRows(PanelContext& context) {
   const skinning::SequenceMetrics& metrics = context.sequence().document().result->compressed.metrics;
   valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
            {"Root of the mean squared error",
-            "Over all frames and vertices, in percent of the first frame's "
-            "box diagonal.",
+            "Over all frames and vertices, in percent of the box diagonal of the first frame "
+            "that is no speck.",
             {}});
   valueRow(widgets, "MSE", fmt::format("{:.4g} units\xC2\xB2", metrics.mse),
            {"Mean squared error", "Over all frames and vertices, in squared units of the mesh.", {}});
