@@ -68,7 +68,10 @@ Json clipJson(const Clip& clip, const NewClip& brought) {
 }
 
 Json reportOf(const Document& document, const NewClips& brought) {
-  Json report{{"clips", Json::array()}, {"warnings", brought.warnings}};
+  Json report{{"clips", Json::array()}, {"warnings", document.body.warnings}};
+  for (const std::string& warning : brought.warnings) {
+    report["warnings"].push_back(warning);
+  }
   const std::size_t first = document.clips->size() - brought.clips.size();
   for (std::size_t i = 0; i < brought.clips.size(); ++i) {
     report["clips"].push_back(clipJson((*document.clips)[first + i], brought.clips[i]));

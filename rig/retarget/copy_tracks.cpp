@@ -17,38 +17,48 @@ namespace stretch::rig {
 
 namespace {
 
+// How many nodes the ways from the top to a node and to the hips share: more in the character that is meant
+// than in another one.
+int sharedWay(const Scene& scene, NodeIndex node, NodeIndex hips) {
+  const auto wayTo = [&](NodeIndex end) {
+    std::vector<NodeIndex> way;
+    for (; end.exists(); end = scene.nodes[at(end)].parent) {
+      way.push_back(end);
+    }
+    return way;
+  };
+  const std::vector<NodeIndex> own = wayTo(node);
+  const std::vector<NodeIndex> other = wayTo(hips);
+  const auto apart = std::mismatch(own.rbegin(), own.rend(), other.rbegin(), other.rend());
+  return static_cast<int>(apart.first - own.rbegin());
+}
+
 // Nodes of a scene by name; none for a name that says not which.
 class NodesByName {
 public:
-  explicit NodesByName(const Scene& scene) {
+  NodesByName(const Scene& scene, NodeIndex hips) {
     const std::set<NodeIndex> joints = skinJoints(scene);
-    std::map<std::string, int> counts;
-    for (const bool ofSkin : {true, false}) {
-      for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        const Node& node = scene.nodes[i];
-        const NodeIndex index(i);
-        if (joints.contains(index) != ofSkin || node.name.empty() || node.isBindLeaf) {
-          continue;
-        }
-        const bool isFirst = nodes_.emplace(node.name, index).second;
-        const bool repeats = !isFirst && joints.contains(nodes_[node.name]) == ofSkin;
-        counts[node.name] += repeats ? 1 : 0;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      const NodeIndex node(i);
+      const std::string& name = scene.nodes[i].name;
+      if (name.empty() || scene.nodes[i].isBindLeaf) {
+        continue;
       }
-    }
-    for (const auto& [name, repeated] : counts) {
-      if (repeated > 0) {
-        nodes_[name] = NodeIndex::none;
+      const std::pair rank(joints.contains(node), sharedWay(scene, node, hips));
+      const auto [known, isFirst] = nodes_.try_emplace(name, node, rank);
+      if (!isFirst && rank >= known->second.second) {
+        known->second = {rank > known->second.second ? node : NodeIndex::none, rank};
       }
     }
   }
 
   [[nodiscard]] NodeIndex find(const std::string& name) const {
     const auto found = nodes_.find(name);
-    return found == nodes_.end() ? NodeIndex::none : found->second;
+    return found == nodes_.end() ? NodeIndex::none : found->second.first;
   }
 
 private:
-  std::map<std::string, NodeIndex> nodes_;
+  std::map<std::string, std::pair<NodeIndex, std::pair<bool, int>>> nodes_; // With what speaks for each.
 };
 
 bool takesWeights(const Scene& scene, NodeIndex node, int targets) {
@@ -68,8 +78,8 @@ Vec3 offsetFromParent(const std::vector<Mat4>& worlds, NodeIndex parent, NodeInd
 
 } // namespace
 
-CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to) {
-  const NodesByName names(to);
+CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips) {
+  const NodesByName names(to, hips);
   CopiedTracks copied{clip, {}, 0};
   copied.clip.sourceIndex = -1;
   copied.clip.tracks.clear();
@@ -93,10 +103,10 @@ CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to) {
   return copied;
 }
 
-bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to) {
+bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips) {
   constexpr double alikeShare = 0.05; // of the bone's length
   constexpr double mostlyShare = 0.9;
-  const NodesByName names(to);
+  const NodesByName names(to, hips);
   const std::vector<Mat4> sourceBind = bindPoseWorlds(from);
   const std::vector<Mat4> bind = bindPoseWorlds(to);
   std::set<NodeIndex> seen;

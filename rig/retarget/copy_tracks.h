@@ -15,12 +15,15 @@ struct CopiedTracks {
   std::size_t joints = 0;           ///< Animated nodes that it has.
 };
 
-/// A name that several nodes have is that of the one that is a skin's joint. Morph weights go where the mesh
-/// has as many targets.
-[[nodiscard]] CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to);
+/// A name that several nodes have is that of the one that is a skin's joint, of several of these the one that
+/// hangs together with `hips` most closely. Morph weights go where the mesh has as many targets.
+[[nodiscard]] CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to,
+                                      NodeIndex hips = NodeIndex::none);
 
 /// Whether the joints that the clip moves stand at the same places of their parents in both scenes, those
-/// that have the same names: then its keys mean the same in both. True where no two can be compared.
-[[nodiscard]] bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to);
+/// that have the same names, see copyTracks: then its keys mean the same in both. True where no two can be
+/// compared.
+[[nodiscard]] bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to,
+                                 NodeIndex hips = NodeIndex::none);
 
 } // namespace stretch::rig

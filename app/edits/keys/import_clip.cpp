@@ -104,7 +104,8 @@ std::size_t animatedNodes(const rig::CopiedTracks& copied) {
 bool isCopied(const Donor& donor, const Clip& clip, const rig::CopiedTracks& copied, const Document& document,
               bool canRetarget) {
   const bool hasMost = copied.joints > 0 && copied.joints * 2 >= animatedNodes(copied);
-  return hasMost && (!canRetarget || rig::haveSameBones(*donor.document.scene, clip, *document.scene));
+  return hasMost && (!canRetarget ||
+                     rig::haveSameBones(*donor.document.scene, clip, *document.scene, document.body.hips));
 }
 
 Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Document& document,
@@ -130,7 +131,8 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   const std::string file = request.file.string();
   const Clip& clip = clipOf(donor.document, index);
   const std::string title = titleOfClip(donor.document, index);
-  rig::CopiedTracks copied = rig::copyTracks(*donor.document.scene, clip, *document.scene);
+  rig::CopiedTracks copied =
+      rig::copyTracks(*donor.document.scene, clip, *document.scene, document.body.hips);
   const bool canRetarget = donor.skeleton && own && movesJoints(clip);
   if (isCopied(donor, clip, copied, document, canRetarget)) {
     return NewClip{std::move(copied.clip), title, false, std::move(copied.missing)};

@@ -337,3 +337,26 @@ TEST_CASE(
   REQUIRE(sinks != warnings.end());
   CHECK(sinks->starts_with("punch: what follows \"flail\" gets "));
 }
+
+TEST_CASE(
+    "A clip is copied to the character that was found where another one has the same names, which is told") {
+  const TemporaryFolder folder;
+  test::SyntheticBiped two = test::namedBody();
+  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
+  test::MovingBiped both = test::still(two);
+  std::map<std::string, std::string> names;
+  for (const auto& [key, node] : both.node) {
+    if (key.starts_with("other ")) {
+      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
+    }
+  }
+  const std::string file = written(folder, "both.glb", both, {});
+  const test::VerbAnswer answer = test::runVerb(
+      {"import-clip", file, "-o", (folder / "out.glb").string(), "--from", punchFile(folder), "--json"});
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == 0);
+  const Json report = Json::parse(answer.output);
+  CHECK(report["clips"][0]["way"] == "copied");
+  CHECK(report["clips"][0]["left_out"].empty());
+  CHECK_THAT(report["warnings"].dump(), Catch::Contains("at least 2 characters in the file"));
+}
