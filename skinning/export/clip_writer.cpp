@@ -67,6 +67,16 @@ void ClipWriter::setProperty(std::size_t node, Channel channel, const Course& co
   file_.addChannel(clip_, stored.sampler, node, channel);
 }
 
+void ClipWriter::holdPlace(std::size_t node, const Course& places) {
+  const std::vector<std::size_t> keys{0, places.size() / 3 - 1};
+  const std::size_t input = timesOf(keys);
+  file_.addChannel(clip_, file_.addSampler(clip_, input, valuesOf(places, 3, {0, 0})), node,
+                   Channel::translation);
+  ++samplers_;
+  keys_ += keys.size();
+  file_.setRate(clip_, encoding_.framesPerSecond); // Two keys would tell another one.
+}
+
 const ClipWriter::StoredCourse& ClipWriter::storedFor(const Course& course, std::size_t width,
                                                       double tolerance) {
   for (const StoredCourse& stored : stored_) {

@@ -30,6 +30,9 @@ public:
   /// differ by less than `tolerance` are alike.
   void setProperty(std::size_t node, Channel channel, const Course& course, double tolerance);
 
+  /// Two keys of a place, at the first and the last frame: a clip that moves nothing lasts by them.
+  void holdPlace(std::size_t node, const Course& places);
+
   [[nodiscard]] const std::vector<std::size_t>& accessors() const { return accessors_; }
   [[nodiscard]] std::size_t samplers() const { return samplers_; }
   [[nodiscard]] std::size_t keys() const { return keys_; }

@@ -182,6 +182,9 @@ private:
       clip_.setProperty(joints[b], Channel::rotation, rotationCourse(b), settings_.tolerance);
       bound_[b] = scales.any ? addStretch(b, joints[b], scales) : joints[b];
     }
+    if (clip_.samplers() == 0 && frames_ > 1 && count > 0) {
+      clip_.holdPlace(joints[0], placeCourse(0));
+    }
   }
 
   /// Bones, parents before what hangs on them.
@@ -378,7 +381,8 @@ EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& se
 std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings,
                                       const Proceed& proceed) {
   EncodedClip every = Encoder(sequence, settings).encode();
-  if (!(settings.keyTolerancePercent > 0.0)) {
+  constexpr std::size_t fewestKeys = 2; // A clip lasts by them.
+  if (!(settings.keyTolerancePercent > 0.0) || every.keys <= fewestKeys) {
     return every;
   }
   std::optional<FewerKeys> fewer = fewerKeys(sequence, settings, proceed);

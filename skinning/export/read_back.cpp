@@ -40,10 +40,18 @@ Result<SequenceMetrics> errorOfFile(const std::filesystem::path& path, const Enc
         fmt::format("{} vertices were written and {} are read", clip.places.size(), shown.vertexCount),
         path.string(), "report this"};
   }
-  MeshSequence inOrder = source; // What the file does not draw stays as it is.
+  std::vector<bool> isDrawn(source.vertexCount, false);
+  for (const Triangle& triangle : source.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      isDrawn[corner] = true;
+    }
+  }
+  MeshSequence inOrder = source; // What no triangle draws stays as it is.
   for (std::size_t k = 0; k < source.frameCount(); ++k) {
     for (std::size_t v = 0; v < clip.places.size(); ++v) {
-      inOrder.frame(k)[clip.places[v]] = shown.frame(k)[v];
+      if (isDrawn[clip.places[v]]) {
+        inOrder.frame(k)[clip.places[v]] = shown.frame(k)[v];
+      }
     }
   }
   return distancesOf(source, inOrder);

@@ -34,6 +34,8 @@ struct WrittenClip {
   EncodedClip clip;
   double largestPercent = 0.0; ///< Of the file, against what was encoded.
   std::size_t fileBytes = 0;
+  double seconds = 0.0;
+  double framesPerSecond = 0.0;
 };
 
 WrittenClip written(const SkinnedSequence& skinned, const EncodeSettings& settings) {
@@ -42,7 +44,11 @@ WrittenClip written(const SkinnedSequence& skinned, const EncodeSettings& settin
   WrittenClip result;
   result.clip = encodeGltf(skinned, settings);
   REQUIRE(gltf::save(result.clip.source, path));
-  REQUIRE(gltf::load(path));
+  const auto loaded = gltf::load(path);
+  REQUIRE(loaded);
+  REQUIRE(loaded->clips.size() == 1);
+  result.seconds = loaded->clips.front().endSeconds;
+  result.framesPerSecond = loaded->clips.front().framesPerSecond;
   const auto error = errorOfFile(path, result.clip, skinAllFrames(skinned));
   REQUIRE(error);
   result.largestPercent = error->largestPercent;
@@ -83,7 +89,7 @@ TEST_CASE("smooth turns keep less than a third of their keys") {
   CHECK(3 * reduced.clip.keys < every.clip.keys);
 }
 
-TEST_CASE("a body that never moves has no keys, whatever their tolerance") {
+TEST_CASE("a body that never moves has two equal keys, by which the clip lasts, whatever their tolerance") {
   SkinnedSequence still = test::armedBody(6);
   for (std::size_t k = 1; k < still.frameCount(); ++k) {
     for (std::size_t b = 0; b < still.bones.size(); ++b) {
@@ -94,8 +100,10 @@ TEST_CASE("a body that never moves has no keys, whatever their tolerance") {
     EncodeSettings settings;
     settings.keyTolerancePercent = tolerance;
     const WrittenClip clip = written(still, settings);
-    CHECK(clip.clip.keys == 0);
-    CHECK(clip.clip.samplers == 0);
+    CHECK(clip.clip.keys == 2);
+    CHECK(clip.clip.samplers == 1);
+    CHECK(clip.framesPerSecond == still.framesPerSecond);
+    CHECK(clip.seconds == Approx(5.0 / still.framesPerSecond));
     CHECK(clip.largestPercent < 1e-3);
   }
 }
@@ -204,4 +212,24 @@ TEST_CASE("the bytes that are told are those of the file") {
     CHECK(static_cast<double>(result.fileBytes) - told >= headers - 0.5);
     CHECK(static_cast<double>(result.fileBytes) - told < headers + 3.5);
   }
+}
+
+TEST_CASE("what a file is off by leaves out vertices that no triangle draws, as every error does") {
+  const SkinnedSequence body = test::armedBody(4);
+  MeshSequence source = skinAllFrames(body);
+  SkinnedSequence loose = body;
+  loose.bindPositions.emplace_back(0.0F, 50.0F, 0.0F);
+  Influences first;
+  first.weights[0] = 1.0F;
+  loose.influences.push_back(first);
+  source = skinAllFrames(loose);
+  for (std::size_t k = 0; k < source.frameCount(); ++k) {
+    source.frame(k).back().y += 10.0F * static_cast<float>(k);
+  }
+  const test::TemporaryFolder folder;
+  const EncodedClip clip = encodeGltf(loose);
+  REQUIRE(gltf::save(clip.source, folder / "loose.glb"));
+  const auto error = errorOfFile(folder / "loose.glb", clip, source);
+  REQUIRE(error);
+  CHECK(error->largestPercent < 1e-3);
 }
