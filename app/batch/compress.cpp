@@ -293,7 +293,8 @@ Status runCompress(const CompressArguments& arguments) {
   if (Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
     return set;
   }
-  Result<MeshSequence> sequence = readSequenceWords(arguments.sequence, arguments.clip);
+  const Result<MeshSequence> sequence =
+      readSequenceWords(arguments.sequence, arguments.clip, arguments.framesPerSecond);
   if (!sequence) {
     return sequence.error();
   }
@@ -301,9 +302,6 @@ Status runCompress(const CompressArguments& arguments) {
     return Error{fmt::format("{} frames are skipped, and the sequence has {}",
                              settings->body.firstFittedFrame, sequence->frameCount()),
                  "--skip", fmt::format("give at most {}", sequence->frameCount() - 1)};
-  }
-  if (arguments.framesPerSecond > 0.0) {
-    sequence->framesPerSecond = arguments.framesPerSecond;
   }
   return arguments.append.empty() ? compressSequence(arguments, *settings, encoding, *sequence)
                                   : appendToStream(arguments, *settings, encoding, *sequence);

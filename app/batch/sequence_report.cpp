@@ -215,16 +215,19 @@ void printCompression(const Json& report) {
   printMetrics(report);
   const double bytes = report["bytes_per_frame"].get<double>();
   const double source = report["bytes_per_frame_source"].get<double>();
-  fmt::print("{} joints, {:.5g} bytes per frame instead of {:.0f}, 1 : {:.3g}; {} bytes once\n",
-             report["joints"].get<std::size_t>(), bytes, source, bytes > 0.0 ? source / bytes : 0.0,
+  const auto ratioTo = [&](double less) { // Nothing has no ratio.
+    return less > 0.0 ? fmt::format(", 1 : {:.3g}", source / less) : std::string();
+  };
+  fmt::print("{} joints, {:.5g} bytes per frame instead of {:.0f}{}; {} bytes once\n",
+             report["joints"].get<std::size_t>(), bytes, source, ratioTo(bytes),
              report["bytes_once"].get<std::size_t>());
   printFile(report);
   printWeights(report["weights"]);
   if (report.contains("stream")) {
     const double streamed = report["stream"]["bytes_per_frame"].get<double>();
-    fmt::print("stream: {:.0f} bytes for each frame, 1 : {:.3g}; a base of {} bytes (frames of what changes "
+    fmt::print("stream: {:.0f} bytes for each frame{}; a base of {} bytes (frames of what changes "
                "{}, open ones {} bytes)\n",
-               streamed, source / streamed, report["stream"]["base_bytes"].get<std::size_t>(),
+               streamed, ratioTo(streamed), report["stream"]["base_bytes"].get<std::size_t>(),
                report["stream"]["changing_bytes_per_frame"].get<std::size_t>(),
                report["stream"]["open_bytes_per_frame"].get<std::size_t>());
   }
@@ -253,8 +256,10 @@ std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStr
   return table;
 }
 
-Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words, const std::string& clip) {
-  return skinning::readSequence(std::vector<std::filesystem::path>(words.begin(), words.end()), {}, clip);
+Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words, const std::string& clip,
+                                       double framesPerSecond) {
+  return skinning::readSequence(std::vector<std::filesystem::path>(words.begin(), words.end()), {}, clip,
+                                framesPerSecond);
 }
 
 } // namespace stretch::app

@@ -33,8 +33,9 @@ void printCompression(const gltf::Json& report);
 [[nodiscard]] std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStretch& model);
 
 /// A mesh sequence by the words of a command line: one path, or a base mesh and its cache. `clip`: of a glTF,
-/// by name or #index; empty: the first.
+/// by name or #index; empty: the first. `framesPerSecond`: see readSequence.
 [[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words,
-                                                     const std::string& clip = {});
+                                                     const std::string& clip = {},
+                                                     double framesPerSecond = 0.0);
 
 } // namespace stretch::app

@@ -50,12 +50,15 @@ Result<CacheHeader> readPc2(std::ifstream& stream, const std::string& place) {
   }
   const auto version = numberAt<std::int32_t>(bytes, 12, false);
   const auto points = numberAt<std::int32_t>(bytes, 16, false);
+  const auto framesBetween = static_cast<double>(numberAt<float>(bytes, 24, false));
   const auto samples = numberAt<std::int32_t>(bytes, 28, false);
   if (version != 1 || points <= 0 || samples <= 0) {
     return senseless(place, fmt::format("version {}, {} points, {} samples", version, points, samples));
   }
-  return CacheHeader{
-      static_cast<std::uint64_t>(points), static_cast<std::uint64_t>(samples), bytes.size(), false, {}};
+  CacheHeader header{static_cast<std::uint64_t>(points), static_cast<std::uint64_t>(samples), bytes.size()};
+  // Some writers leave it out.
+  header.framesBetween = std::isfinite(framesBetween) && framesBetween > 0.0 ? framesBetween : 1.0;
+  return header;
 }
 
 /// Samples, points, and the time of each sample in seconds; big endian.
@@ -70,8 +73,8 @@ Result<CacheHeader> readMdd(std::ifstream& stream, const std::string& place, std
   if (points <= 0 || samples <= 0) {
     return senseless(place, fmt::format("{} points, {} samples", points, samples));
   }
-  CacheHeader header{
-      static_cast<std::uint64_t>(points), static_cast<std::uint64_t>(samples), bytes.size(), true, {}};
+  CacheHeader header{static_cast<std::uint64_t>(points), static_cast<std::uint64_t>(samples), bytes.size(),
+                     true};
   header.bytes += static_cast<std::size_t>(samples) * sizeof(float);
   if (fileBytes < header.bytes) {
     return cutShort(place, fileBytes, header);

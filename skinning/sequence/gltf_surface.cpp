@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/core.h>
+
 #include "core/gltf/import/material_library.h"
 #include "core/gltf/import/texture_sets.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/fields.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::skinning {
@@ -70,10 +74,47 @@ private:
   std::size_t vertexCount_ = 0;
 };
 
+/// "1 primitive of points, 2 cameras": what the file holds beside the triangles that it shows.
+std::string leftOut(const gltf::Loaded& loaded) {
+  constexpr int points = 0;
+  constexpr int triangles = 4;
+  const gltf::Json& json = *loaded.source->json;
+  const std::vector<NodeIndex> drawn = drawnMeshNodes(*loaded.scene);
+  std::size_t ofPoints = 0;
+  std::size_t ofLines = 0;
+  for (const NodeIndex node : drawn) {
+    const gltf::Json& mesh =
+        gltf::element(json, "meshes", static_cast<std::size_t>(loaded.scene->nodes[at(node)].mesh));
+    for (std::size_t p = 0; p < gltf::sizeOf(mesh, "primitives"); ++p) {
+      const auto mode = gltf::wholeOr(gltf::element(mesh, "primitives", p), "mode", triangles);
+      ofPoints += mode == points ? 1 : 0;
+      ofLines += mode > points && mode < triangles ? 1 : 0;
+    }
+  }
+  const auto withMesh =
+      std::ranges::count_if(loaded.scene->nodes, [](const Node& node) { return node.mesh >= 0; });
+  const gltf::Json* const lights = gltf::findPath(json, {"extensions", "KHR_lights_punctual", "lights"});
+  std::string list;
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) {
+      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, count == 1 ? one : many);
+    }
+  };
+  add(ofPoints, "primitive of points", "primitives of points");
+  add(ofLines, "primitive of lines", "primitives of lines");
+  add(static_cast<std::size_t>(withMesh) - drawn.size(), "mesh of another scene", "meshes of other scenes");
+  add(gltf::sizeOf(json, "cameras"), "camera", "cameras");
+  add(lights == nullptr ? 0 : lights->size(), "light", "lights");
+  return list;
+}
+
 } // namespace
 
 gltf::MeshSurface surfaceOf(const gltf::Loaded& loaded, const FrameState& first,
                             std::vector<std::string>& warnings) {
+  if (const std::string left = leftOut(loaded); !left.empty()) {
+    warnings.push_back("left out: " + left);
+  }
   MeshSurface surface = SurfaceMaker(loaded).make();
   const std::vector<Vec3> normals = skinnedNormals(*loaded.scene, first);
   surface.normals.assign(normals.begin(), normals.end());

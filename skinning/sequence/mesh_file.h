@@ -26,11 +26,21 @@ inline constexpr double largestCoordinate = 1e15;
   return std::abs(place.x) <= largest && std::abs(place.y) <= largest && std::abs(place.z) <= largest;
 }
 
-/// Positions and triangles of one mesh file; polygons are cut into fans. Everything is checked: indices are
-/// in range, numbers are finite, there is at least one triangle.
+/// Polygons of a mesh, one after the other.
+struct Polygons {
+  std::vector<std::uint32_t> corners; ///< Vertices.
+  std::vector<std::size_t> ends;      ///< Of each polygon, three or more behind the end before it.
+
+  friend bool operator==(const Polygons&, const Polygons&) = default;
+};
+
+/// Positions and triangles of one mesh file. Everything is checked: indices are in range, numbers are finite,
+/// there is at least one triangle.
 struct MeshFile {
   std::vector<glm::vec3> positions;
-  std::vector<Triangle> triangles;
+  Polygons polygons;
+  std::vector<Triangle> cuts;      ///< What the polygons were cut into, as places among their corners.
+  std::vector<Triangle> triangles; ///< The same as vertices.
   // Normals of a PLY, one for each vertex, empty where the file has none (an OBJ's: see surfaceOfObj).
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> texCoords; ///< Counted as in the file: v upwards.
@@ -44,6 +54,11 @@ struct MeshFile {
 /// Stanford PLY, ascii or binary (either byte order): elements `vertex` (x, y, z) and `face` (a list of
 /// indices); other elements and properties are stepped over.
 [[nodiscard]] Result<MeshFile> parsePly(std::string_view bytes, std::string_view name);
+
+/// Cuts each polygon that was read into two triangles fewer than it has corners: a fan around the first
+/// corner where that covers the polygon, as it does a convex one; else ears are cut off, so that notches stay
+/// open.
+void cutIntoTriangles(MeshFile& mesh);
 
 /// Whether the extension is .obj or .ply.
 [[nodiscard]] bool isMeshFile(const std::filesystem::path& path);

@@ -23,11 +23,11 @@ Result<glm::vec3> parsePosition(std::string_view words, const std::string& place
   return position;
 }
 
-/// Adds the triangles of one `f` line. Indices are left unchecked against vertices that come later in the
+/// Adds the polygon of one `f` line. Indices are left unchecked against vertices that come later in the
 /// file.
 Status parseFace(std::string_view words, const std::string& place, std::size_t vertexCount,
-                 std::vector<Triangle>& triangles) {
-  std::vector<std::uint32_t> corners;
+                 Polygons& polygons) {
+  std::vector<std::uint32_t>& corners = polygons.corners;
   for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words)) {
     const auto index = parseNumber<long long>(word.substr(0, word.find('/')));
     const auto count = static_cast<long long>(vertexCount);
@@ -37,12 +37,10 @@ Status parseFace(std::string_view words, const std::string& place, std::size_t v
     }
     corners.push_back(static_cast<std::uint32_t>(vertex));
   }
-  if (corners.size() < 3) {
+  if (corners.size() < 3 + (polygons.ends.empty() ? 0 : polygons.ends.back())) {
     return Error{"a face has fewer than three corners", place, "export the frame again"};
   }
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    triangles.push_back({corners[0], corners[i - 1], corners[i]});
-  }
+  polygons.ends.push_back(corners.size());
   return Success{};
 }
 
@@ -60,24 +58,23 @@ Result<MeshFile> parseObj(std::string_view text, std::string_view name) {
       }
       mesh.positions.push_back(*position);
     } else if (keyword == "f") {
-      const auto added = parseFace(line, placeOf(name, number), mesh.positions.size(), mesh.triangles);
+      const auto added = parseFace(line, placeOf(name, number), mesh.positions.size(), mesh.polygons);
       if (!added) {
         return added.error();
       }
     }
   }
-  if (mesh.triangles.empty()) {
+  if (mesh.polygons.ends.empty()) {
     return Error{"the file holds no faces", std::string(name), "give a mesh with triangles or polygons"};
   }
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      if (corner >= mesh.positions.size()) {
-        return Error{"a face names vertex " + std::to_string(corner + 1) + " of " +
-                         std::to_string(mesh.positions.size()),
-                     std::string(name), "export the frame again"};
-      }
+  for (const std::uint32_t corner : mesh.polygons.corners) {
+    if (corner >= mesh.positions.size()) {
+      return Error{"a face names vertex " + std::to_string(corner + 1) + " of " +
+                       std::to_string(mesh.positions.size()),
+                   std::string(name), "export the frame again"};
     }
   }
+  cutIntoTriangles(mesh);
   return mesh;
 }
 

@@ -76,7 +76,7 @@ public:
   [[nodiscard]] std::optional<MeshSurface> surface(const MeshFile& mesh) const {
     const bool isWhole =
         std::ranges::all_of(corners_, [](const ObjCorner& corner) { return corner.position >= 0; });
-    if (corners_.size() != 3 * mesh.triangles.size() || positions_ != mesh.positions.size() || !isWhole) {
+    if (corners_.size() != mesh.polygons.corners.size() || positions_ != mesh.positions.size() || !isWhole) {
       return std::nullopt;
     }
     const std::vector<ObjCorner> vertices = verticesOf(mesh.positions.size());
@@ -85,9 +85,9 @@ public:
     for (const ObjCorner& vertex : vertices) {
       surface.places.push_back(static_cast<std::uint32_t>(vertex.position));
     }
-    for (std::size_t i = 0; i < corners_.size(); i += 3) {
-      surface.triangles.push_back({numberOf(vertices, corners_[i]), numberOf(vertices, corners_[i + 1]),
-                                   numberOf(vertices, corners_[i + 2])});
+    for (const Triangle& cut : mesh.cuts) {
+      surface.triangles.push_back({numberOf(vertices, corners_[cut[0]]), numberOf(vertices, corners_[cut[1]]),
+                                   numberOf(vertices, corners_[cut[2]])});
     }
     addTexCoords(vertices, surface);
     addNormals(vertices, surface);
@@ -145,14 +145,12 @@ private:
   }
 
   void readFace(std::string_view words) {
-    std::vector<ObjCorner> face;
+    std::size_t count = 0;
     for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words)) {
-      face.push_back(cornerOf(word));
+      corners_.push_back(cornerOf(word));
+      ++count;
     }
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      corners_.insert(corners_.end(), {face[0], face[i - 1], face[i]});
-      countTriangle();
-    }
+    countTriangles(std::max<std::size_t>(count, 2) - 2);
   }
 
   /// "7", "7/2", "7//5" or "7/2/5".
@@ -167,11 +165,12 @@ private:
             indexOf(indices[2], normals_.size())};
   }
 
-  void countTriangle() {
+  void countTriangles(std::size_t count) {
     if (parts_.empty() || parts_.back().material != material_ || parts_.back().name != name_) {
-      parts_.push_back({name_, material_, corners_.size() / 3 - 1, 0});
+      parts_.push_back({name_, material_, triangles_, 0});
     }
-    ++parts_.back().triangleCount;
+    parts_.back().triangleCount += count;
+    triangles_ += count;
   }
 
   /// Each corner once, by place; a vertex that no face has stands alone, so that none is lost.
@@ -228,7 +227,8 @@ private:
   std::vector<glm::vec4> colors_; ///< Of the places that have one.
   std::vector<glm::vec2> texCoords_;
   std::vector<glm::vec3> normals_;
-  std::vector<ObjCorner> corners_;
+  std::vector<ObjCorner> corners_; ///< Of all faces, one after the other.
+  std::size_t triangles_ = 0;
   std::vector<gltf::SurfacePart> parts_;
   std::vector<std::string> names_;
   std::map<std::string, int> numbers_; ///< Of the names, their places.

@@ -290,12 +290,9 @@ bool addFace(const Element& element, const std::vector<std::vector<double>>& row
       if (!(corner >= 0.0 && corner < static_cast<double>(mesh.positions.size()))) {
         return false;
       }
+      mesh.polygons.corners.push_back(static_cast<std::uint32_t>(corner));
     }
-    for (std::size_t c = 2; c < row[i].size(); ++c) {
-      mesh.triangles.push_back({static_cast<std::uint32_t>(row[i][0]),
-                                static_cast<std::uint32_t>(row[i][c - 1]),
-                                static_cast<std::uint32_t>(row[i][c])});
-    }
+    mesh.polygons.ends.push_back(mesh.polygons.corners.size());
     return row[i].size() >= 3;
   }
   return false;
@@ -347,9 +344,10 @@ Result<MeshFile> parsePly(std::string_view bytes, std::string_view name) {
       return done.error();
     }
   }
-  if (mesh.triangles.empty()) {
+  if (mesh.polygons.ends.empty()) {
     return Error{"the file holds no faces", std::string(name), "give a mesh with triangles or polygons"};
   }
+  cutIntoTriangles(mesh);
   return mesh;
 }
 

@@ -86,16 +86,26 @@ Status readSamples(std::ifstream& stream, const std::string& place, const CacheH
   return Success{};
 }
 
-/// The rate that the times of the samples make; a clip plays them evenly.
-void takeRate(const std::vector<double>& times, MeshSequence& sequence) {
+/// Tells where a PC2 does not hold every frame of the program that wrote it: it names no rate itself.
+void tellSparse(const CacheHeader& header, MeshSequence& sequence) {
+  if (header.framesBetween != 1.0) {
+    sequence.warnings.push_back(
+        fmt::format("the cache was sampled every {:g} frames of the program that wrote it, and plays them at "
+                    "{:g} frames per second: give --fps, that program's rate over {:g}",
+                    header.framesBetween, sequence.framesPerSecond, header.framesBetween));
+  }
+}
+
+/// The rate that the times of the samples make; a clip plays them evenly. Answers whether they make one.
+bool takeRate(const std::vector<double>& times, MeshSequence& sequence) {
   if (times.size() < 2) {
-    return;
+    return false;
   }
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   constexpr double fastest = 10000.0; // frames per second
   if (!(step > 1.0 / fastest)) {
     sequence.warnings.emplace_back("the times of the cache do not move on: 30 frames per second are taken");
-    return;
+    return false;
   }
   double worst = 0.0;
   for (std::size_t s = 0; s < times.size(); ++s) {
@@ -113,6 +123,20 @@ void takeRate(const std::vector<double>& times, MeshSequence& sequence) {
                     "second, its mean",
                     sequence.framesPerSecond));
   }
+  return true;
+}
+
+/// The rate that was asked for in place of the one of the times.
+void takeOtherRate(double framesPerSecond, bool hasOwn, MeshSequence& sequence) {
+  constexpr double alike = 1e-3;
+  const double share = framesPerSecond / sequence.framesPerSecond;
+  if (hasOwn && std::abs(share - 1.0) > alike) {
+    sequence.warnings.push_back(fmt::format(
+        "by the times of the cache it has {:g} frames per second: at {:g} it plays {:.4g} times as "
+        "fast as it was made",
+        sequence.framesPerSecond, framesPerSecond, share));
+  }
+  sequence.framesPerSecond = framesPerSecond;
 }
 
 } // namespace
@@ -136,7 +160,7 @@ Result<std::size_t> verticesOfBase(const std::filesystem::path& path) {
 }
 
 Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std::filesystem::path& cache,
-                                    const Progress& progress) {
+                                    const Progress& progress, double framesPerSecond) {
   if (!isBaseMesh(base)) {
     return Error{"is not a mesh that a cache could move", base.string(), "give an OBJ, PLY or glTF file"};
   }
@@ -156,7 +180,12 @@ Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std
                  place, "give the mesh that the cache was made of"};
   }
   sequence->name = cache.stem().string();
-  takeRate(header->timeSeconds, *sequence);
+  const bool hasOwnRate = takeRate(header->timeSeconds, *sequence);
+  if (framesPerSecond > 0.0) {
+    takeOtherRate(framesPerSecond, hasOwnRate, *sequence);
+  } else {
+    tellSparse(*header, *sequence);
+  }
   if (const Status read = readSamples(stream, place, *header, *sequence, progress); !read) {
     return read.error();
   }

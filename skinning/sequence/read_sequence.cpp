@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "skinning/sequence/frame_names.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/topology.h"
 
@@ -33,11 +34,11 @@ Error aloneError(const std::filesystem::path& path) {
 }
 
 Result<MeshSequence> readTwo(const std::filesystem::path& base, const std::filesystem::path& cache,
-                             const Progress& progress) {
+                             const Progress& progress, double framesPerSecond) {
   if (!isPointCache(cache)) {
     return Error{"is not a point cache", cache.string(), "name a base mesh and its .pc2 or .mdd cache"};
   }
-  auto sequence = readPointCache(base, cache, progress);
+  auto sequence = readPointCache(base, cache, progress, framesPerSecond);
   if (sequence && isGltfFile(base)) {
     joinSplit(*sequence);
   }
@@ -45,19 +46,22 @@ Result<MeshSequence> readTwo(const std::filesystem::path& base, const std::files
 }
 
 Result<MeshSequence> readOne(const std::filesystem::path& path, const std::string& clip,
-                             const Progress& progress) {
+                             const Progress& progress, double framesPerSecond) {
   std::error_code problem;
   if (std::filesystem::is_directory(path, problem)) {
     const bool simulated = std::filesystem::exists(path / "membranes_buffer.txt", problem);
-    return simulated ? readSibernetic(path, progress) : readFrameFolder(path, progress);
+    return simulated ? readSibernetic(path, progress) : readFrames(path, progress);
   }
   if (!std::filesystem::exists(path, problem)) {
     return Error{"there is no such file or folder", path.string(), "check the path"};
   }
+  if (isMeshFile(path) && seriesOf(path).size() > 1) {
+    return readFrames(path, progress);
+  }
   if (!isGltfFile(path)) {
     return aloneError(path);
   }
-  auto sequence = readAnimatedGltf(path, clip, progress);
+  auto sequence = readAnimatedGltf(path, clip, progress, framesPerSecond);
   if (sequence) {
     joinSplit(*sequence);
   }
@@ -67,7 +71,7 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const std::strin
 } // namespace
 
 Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named, const Progress& progress,
-                                  const std::string& clip) {
+                                  const std::string& clip, double framesPerSecond) {
   const std::vector<std::filesystem::path> paths = sequencePaths(named);
   if (paths.empty() || paths.size() > 2) {
     return Error{"a sequence is one folder or file, or a base mesh and its cache", "",
@@ -76,10 +80,13 @@ Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& name
   if (!clip.empty() && (paths.size() != 1 || !isGltfFile(paths[0]))) {
     return Error{"only a glTF has clips to choose from", fmt::format("clip '{}'", clip), "leave it out"};
   }
-  auto sequence =
-      paths.size() == 1 ? readOne(paths[0], clip, progress) : readTwo(paths[0], paths[1], progress);
+  auto sequence = paths.size() == 1 ? readOne(paths[0], clip, progress, framesPerSecond)
+                                    : readTwo(paths[0], paths[1], progress, framesPerSecond);
   if (!sequence) {
     return sequence;
+  }
+  if (framesPerSecond > 0.0) {
+    sequence->framesPerSecond = framesPerSecond;
   }
   const TopologyReport report = inspectTopology(sequence->frame(0), sequence->triangles);
   for (std::string& warning : report.warnings()) {

@@ -226,3 +226,34 @@ TEST_CASE("Two sequences are joined where that makes their vertices agree, and e
   joinUntilAlike(e, f);
   CHECK(e.vertexCount == 3); // they agree as they are
 }
+
+TEST_CASE("What a glTF shows beside triangles, and what it does not show, is left out and told") {
+  GlbBuilder glb = test::twoSheets();
+  const Json sheet = glb.json["meshes"][0]["primitives"][0];
+  for (const int mode : {0, 1, 3}) {
+    Json other = sheet;
+    other["mode"] = mode;
+    glb.json["meshes"][0]["primitives"].push_back(other);
+  }
+  glb.json["nodes"].push_back({{"mesh", 0}});
+  glb.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
+  glb.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  glb.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}, {{"type", "point"}}};
+  const Sheets sheets(glb);
+  const auto sequence = sheets.read();
+  REQUIRE(sequence);
+  CHECK(sequence->vertexCount == Sheets().read()->vertexCount);
+  REQUIRE_FALSE(sequence->warnings.empty());
+  CHECK(sequence->warnings.front() ==
+        "left out: 1 primitive of points, 2 primitives of lines, 1 mesh of another "
+        "scene, 1 camera, 2 lights");
+  CHECK(Sheets().read()->warnings.empty());
+}
+
+TEST_CASE("A rate that is asked for changes how many frames of a glTF are read, not how long it lasts") {
+  const Sheets sheets;
+  const auto sequence = readSequence({sheets.path}, {}, {}, 4.0);
+  REQUIRE(sequence);
+  CHECK(sequence->framesPerSecond == 4.0);
+  CHECK(sequence->frameCount() == 5); // a second
+}

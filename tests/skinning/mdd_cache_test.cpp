@@ -141,6 +141,26 @@ TEST_CASE("times that do not move on, or unevenly, are told") {
   CHECK_THAT(sequence->warnings.at(0), Contains("uneven") && Contains("12.5"));
 }
 
+TEST_CASE(
+    "a rate that is asked for in place of the one of the times is told, of times that make none it is not") {
+  const test::TemporaryFolder folder;
+  const auto base = folder.write("base.obj", oneTriangle);
+  const auto at = [&](const MddFile& file, double framesPerSecond) {
+    const auto sequence =
+        readSequence({base, folder.write("run.mdd", file.bytes())}, {}, {}, framesPerSecond);
+    REQUIRE(sequence);
+    CHECK(sequence->framesPerSecond == framesPerSecond);
+    return std::ranges::any_of(sequence->warnings, [](const std::string& warning) {
+      return warning.find("times as fast as it was made") != std::string::npos;
+    });
+  };
+  CHECK(at({}, 50.0));
+  CHECK_FALSE(at({}, 25.0));
+  MddFile standing;
+  standing.times = {0.0F, 0.0F};
+  CHECK_FALSE(at(standing, 50.0));
+}
+
 TEST_CASE("a cache of counts that no file can hold is refused") {
   const test::TemporaryFolder folder;
   const auto base = folder.write("base.obj", oneTriangle);
@@ -175,22 +195,22 @@ TEST_CASE("numbers that are missing between frames are told, a step that all kee
 }
 
 TEST_CASE("frames whose names differ in more than a number have no numbers of which some are missing") {
-  const auto toldOf = [](const std::vector<std::string>& names) {
+  const auto toldOf = [](const std::vector<std::string>& names, std::size_t played) {
     const test::TemporaryFolder folder;
     for (const std::string& name : names) {
       folder.write(name, oneTriangle);
     }
     const auto sequence = readSequence({folder.path()});
     REQUIRE(sequence);
-    CHECK(sequence->frameCount() == names.size());
+    CHECK(sequence->frameCount() == played);
     return std::ranges::any_of(sequence->warnings, [](const std::string& warning) {
-      return warning.find("number") != std::string::npos;
+      return warning.find("has the number") != std::string::npos;
     });
   };
-  CHECK(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_9.obj"}));
-  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "sleeve_9.obj"}));
-  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_last.obj"}));
-  CHECK_FALSE(toldOf({"first.obj", "second.obj", "third.obj"}));
+  CHECK(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_9.obj"}, 3));
+  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "sleeve_9.obj"}, 2));
+  CHECK_FALSE(toldOf({"cloth_1.obj", "cloth_2.obj", "cloth_last.obj"}, 2));
+  CHECK_FALSE(toldOf({"first.obj", "second.obj", "third.obj"}, 3));
 }
 
 TEST_CASE("a cache of a glTF mesh comes with what that says of its surface, one of an OBJ without") {

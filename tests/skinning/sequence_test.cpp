@@ -45,12 +45,13 @@ void put(std::string& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
-std::string pointCache(std::int32_t points, std::int32_t samples, std::size_t numbers, float value = 0.5F) {
+std::string pointCache(std::int32_t points, std::int32_t samples, std::size_t numbers, float value = 0.5F,
+                       float framesBetween = 1.0F) {
   std::string bytes("POINTCACHE2\0", 12);
   put<std::int32_t>(bytes, 1);
   put(bytes, points);
   put(bytes, 0.0F);
-  put(bytes, 1.0F);
+  put(bytes, framesBetween);
   put(bytes, samples);
   for (std::size_t i = 0; i < numbers; ++i) {
     put(bytes, value + static_cast<float>(i));
@@ -280,6 +281,23 @@ TEST_CASE("a point cache moves the vertices of its base mesh") {
   CHECK(sequence->name == "run");
   CHECK(sequence->triangles == std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
   CHECK(sequence->frameNames == std::vector<std::string>{"sample 0", "sample 1", "sample 2"});
+}
+
+TEST_CASE("a point cache of every second frame is told, unless its rate is given") {
+  const test::TemporaryFolder folder;
+  const auto base = folder.write("base.obj", tetrahedron(0.0));
+  const auto toldAt = [&](float framesBetween, double framesPerSecond) {
+    const auto sequence = readSequence(
+        {base, folder.write("run.pc2", pointCache(4, 3, 36, 0.5F, framesBetween))}, {}, {}, framesPerSecond);
+    REQUIRE(sequence);
+    CHECK(sequence->framesPerSecond == (framesPerSecond > 0.0 ? framesPerSecond : 30.0));
+    return sequence->warnings.empty() ? std::string() : sequence->warnings.front();
+  };
+  CHECK_THAT(toldAt(2.0F, 0.0), Contains("sampled every 2 frames") && Contains("give --fps"));
+  CHECK_THAT(toldAt(0.5F, 0.0), Contains("every 0.5 frames"));
+  CHECK(toldAt(2.0F, 12.0).empty());
+  CHECK(toldAt(1.0F, 0.0).empty());
+  CHECK(toldAt(0.0F, 0.0).empty());
 }
 
 TEST_CASE("a point cache moves the triangles and looks of a PLY and of a glTF as of an OBJ") {

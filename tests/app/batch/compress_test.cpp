@@ -338,6 +338,30 @@ TEST_CASE("compress --fps sets how long the clip lasts, not how many frames it h
   CHECK(slow.tracks.front()->times.size() == clipAt({}).tracks.front()->times.size());
 }
 
+TEST_CASE("compress --fps samples a glTF at the rate, and its clip lasts as long as it did") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "sheets.glb").string();
+  test::twoSheets().write(folder / "two.glb");
+  const auto answer = test::runVerb({"compress", (folder / "two.glb").string(), "-o", output, "--bones", "2",
+                                     "--stretch", "measured", "--fps", "12", "--json"});
+  REQUIRE(answer.exitCode == 0);
+  CHECK(gltf::Json::parse(answer.output)["frames"] == 13);
+  CHECK(gltf::load(output)->clips.front().endSeconds == Approx(1.0));
+}
+
+TEST_CASE("a body that stands still becomes a clip of its frames, and one frame alone has no ratio to it") {
+  const BendingTube tube(1);
+  const auto compress = [&](const std::string& output) {
+    return test::runVerb({"compress", tube.frames(), "-o", output, "--bones", "3"});
+  };
+  const test::VerbAnswer one = compress(tube.file("one.glb"));
+  REQUIRE(one.exitCode == 0);
+  CHECK(one.output.find("1 :") == std::string::npos);
+  fs::copy(fs::path(tube.frames()) / "tube-1.obj", fs::path(tube.frames()) / "tube-2.obj");
+  REQUIRE(compress(tube.file("still.glb")).exitCode == 0);
+  CHECK(test::runVerb({"compare", tube.frames(), tube.file("still.glb")}).exitCode == 0);
+}
+
 TEST_CASE("compress takes the clip that is asked for, tells when it took the first of several, and knows no "
           "other") {
   test::MovingBiped moving = test::punchingBiped();

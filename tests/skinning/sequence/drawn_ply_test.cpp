@@ -20,6 +20,7 @@
 using namespace stretch;
 using skinning::MeshFile;
 using skinning::parsePly;
+using skinning::Polygons;
 using test::Row;
 
 namespace {
@@ -260,11 +261,11 @@ Drawn drawnFile(std::uint32_t seed, Written how) {
       corner = row.below(static_cast<std::uint32_t>(vertices));
     }
     writeLists(data, faceHead, corners, 4, how);
-    for (std::size_t c = 1; c + 1 < corners.size(); ++c) {
-      drawn.mesh.triangles.push_back({static_cast<std::uint32_t>(corners[0]),
-                                      static_cast<std::uint32_t>(corners[c]),
-                                      static_cast<std::uint32_t>(corners[c + 1])});
+    Polygons& polygons = drawn.mesh.polygons;
+    for (const double corner : corners) {
+      polygons.corners.push_back(static_cast<std::uint32_t>(corner));
     }
+    polygons.ends.push_back(polygons.corners.size());
   }
   const char* const format = how == Written::ascii    ? "ascii"
                              : how == Written::little ? "binary_little_endian"
@@ -305,7 +306,7 @@ TEST_CASE("A PLY of any columns is read by their names, in every encoding", "[dr
     checkAlmost(mesh->normals, drawn.mesh.normals);
     checkAlmost(mesh->texCoords, drawn.mesh.texCoords);
     checkAlmost(mesh->colors, drawn.mesh.colors);
-    CHECK(mesh->triangles == drawn.mesh.triangles);
+    CHECK(mesh->polygons == drawn.mesh.polygons);
   }
 }
 
