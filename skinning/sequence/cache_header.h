@@ -17,7 +17,7 @@ struct CacheHeader {
   std::uint64_t samples = 0;
   std::size_t bytes = 0; ///< Bytes of the header.
   bool bigEndian = false;
-  double framesBetween = 1.0;           ///< Of the program that wrote it, from sample to sample (PC2).
+  double framesBetween = 1.0;           ///< Frames of the writing program from sample to sample (PC2).
   std::vector<double> timeSeconds = {}; ///< Times of the samples, ascending; empty where the file gives none.
 
   [[nodiscard]] std::size_t sampleBytes() const { return static_cast<std::size_t>(points) * 12; }

@@ -29,7 +29,8 @@ inline constexpr double largestCoordinate = 1e15;
 /// Polygons of a mesh, one after the other.
 struct Polygons {
   std::vector<std::uint32_t> corners; ///< Vertices.
-  std::vector<std::size_t> ends;      ///< Of each polygon, three or more behind the end before it.
+  std::vector<std::size_t> ends;      ///< Behind the last corner of each polygon, three or more after the end
+                                      ///< before it.
 
   friend bool operator==(const Polygons&, const Polygons&) = default;
 };
@@ -39,7 +40,7 @@ struct Polygons {
 struct MeshFile {
   std::vector<glm::vec3> positions;
   Polygons polygons;
-  std::vector<Triangle> cuts;      ///< What the polygons were cut into, as places among their corners.
+  std::vector<Triangle> cuts; ///< Triangles that the polygons were cut into, as places among their corners.
   std::vector<Triangle> triangles; ///< The same as vertices.
   // Normals of a PLY, one for each vertex, empty where the file has none (an OBJ's: see surfaceOfObj).
   std::vector<glm::vec3> normals;
