@@ -18,6 +18,7 @@
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/naming_schemes.h"
+#include "tests/support/rig/synthetic_biped.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -344,7 +345,6 @@ TEST_CASE(
   test::SyntheticBiped two = test::namedBody();
   test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
   test::MovingBiped both = test::still(two);
-  std::map<std::string, std::string> names;
   for (const auto& [key, node] : both.node) {
     if (key.starts_with("other ")) {
       both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
