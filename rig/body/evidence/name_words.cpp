@@ -203,6 +203,7 @@ constexpr std::array entries = std::to_array<Entry>({
     {"shoulderpad", Word::accessory}, {"patella", Word::accessory},
     {"heel", Word::accessory}, {"sleeve", Word::accessory},
     {"pocket", Word::accessory}, {"dress", Word::accessory}, {"collider", Word::accessory},
+    {"robe", Word::accessory}, {"gown", Word::accessory}, {"hem", Word::accessory},
     {"glute", Word::accessory}, {"gluteus", Word::accessory}, {"penis", Word::accessory},
     {"genital", Word::accessory}, {"holster", Word::accessory}, {"quiver", Word::accessory},
     {"scabbard", Word::accessory}, {"sheath", Word::accessory}, {"bow", Word::accessory},

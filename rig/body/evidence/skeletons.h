@@ -11,4 +11,8 @@ namespace stretch::rig::body {
 /// order of the file.
 [[nodiscard]] std::vector<NodeIndex> skeletonsApart(const Scene& scene);
 
+/// Joints that hang side by side below a topmost one, where the file puts several characters under one root:
+/// those that carry, themselves counted, at least ten.
+[[nodiscard]] std::vector<NodeIndex> skeletonsUnder(const Scene& scene, NodeIndex top);
+
 } // namespace stretch::rig::body

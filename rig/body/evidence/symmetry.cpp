@@ -269,15 +269,17 @@ Images imagesIn(const BodyView& view, const MirrorPlane& plane) {
   return {outside, outside > 0.0 ? met / outside : 0.0, isHeadOff};
 }
 
-// A limb at rest out of symmetry tilts a mean by a few degrees; characters are made along the axes.
+// A limb at rest out of symmetry tilts a mean by a few degrees; characters are made along the axes, or stand
+// upright at least: a plane that leans has both feet on one side.
 Vec3 straightened(const Vec3& axis) {
   constexpr double nearAxis = 0.99;
+  constexpr double upright = 0.14; // sine
   for (const Vec3& world : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
     if (std::abs(glm::dot(axis, world)) > nearAxis) {
       return glm::dot(axis, world) > 0.0 ? world : -world;
     }
   }
-  return axis;
+  return std::abs(axis.y) < upright ? glm::normalize(Vec3(axis.x, 0.0, axis.z)) : axis;
 }
 
 Vec3 bestAxis(const std::vector<Pair>& pairs, const BodyView& view) {

@@ -253,6 +253,7 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
   if (fits) {
     const bool lies = mayLie(scene, bindPose, *reading);
     const bool isPerson = mayBePerson(scene, *reading);
+    const bool isRow = mayBeNoSerpent(scene, bindPose, *reading);
     takeReading(std::move(*reading), finding);
     if (lies) {
       doubt(result,
@@ -262,6 +263,8 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
       doubt(result,
             "its arms are called so, and nothing is called a tail: if it is a person who lies or bows, "
             "choose the plan biped");
+    } else if (isRow) {
+      doubt(result, "a row of joints, and no name tells of what: if it is no serpent, choose another plan");
     }
   }
 }
@@ -301,7 +304,9 @@ bool addsEnds(const Body& together, const Body& alone) {
 // Nothing where none is a body by itself. `plan`: that alone; empty: any.
 std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose,
                                         const std::string& plan = {}) {
-  const std::vector<NodeIndex> skeletons = skeletonsApart(scene);
+  std::vector<NodeIndex> skeletons = skeletonsApart(scene);
+  const bool hasOneRoot = skeletons.size() == 1;
+  skeletons = hasOneRoot ? skeletonsUnder(scene, skeletons.front()) : std::move(skeletons);
   std::vector<Finding> bodies;
   for (const NodeIndex top : skeletons.size() < 2 ? std::vector<NodeIndex>{} : skeletons) {
     Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
@@ -326,6 +331,10 @@ std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bind
         })) {
       apart.push_back(&finding);
     }
+  }
+  // What hangs from one root is one body, but for where two stand side by side.
+  if (hasOneRoot && apart.size() < 2) {
+    return std::nullopt;
   }
   Finding together = findWith(scene, bindPose, Candidates::skinJoints);
   takeFittingPlan(scene, bindPose, together);
@@ -418,6 +427,18 @@ void tellDoubts(const Scene& scene, const BindPose& bindPose, Finding& finding) 
   }
 }
 
+// A limb that is hardly likelier than not is never left without a word.
+void tellGuesses(Body& result) {
+  constexpr double guessed = 0.5;
+  std::string limbs;
+  for (const Limb& limb : result.limbs) {
+    limbs += limb.confidence < guessed ? (limbs.empty() ? "" : ", ") + limb.id : "";
+  }
+  if (result.warnings.empty() && !limbs.empty()) {
+    result.warnings.push_back("guessed, and not sure: " + limbs);
+  }
+}
+
 void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Finding& finding) {
   Body& result = finding.result;
   BodyParts parts{result.hips, {}, finding.bodyUp};
@@ -458,6 +479,7 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   if (table.limbs.empty()) {
     body::tellDoubts(scene, bindPose, finding);
   }
+  body::tellGuesses(finding.result);
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }

@@ -70,6 +70,27 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   return reading.plan->legs == 2 && hasArms && !hasTail;
 }
 
+bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {
+  constexpr double steep = 0.7; // sine
+  const Limb* const row = limbAt(reading.limbs, biped::spine);
+  if (reading.plan->legs > 0 || row == nullptr) {
+    return false;
+  }
+  const std::vector<std::string> names = ownNames(scene);
+  std::size_t joints = 0;
+  for (const Limb& limb : reading.limbs) {
+    joints += limb.joints.size();
+  }
+  const bool isNamed = std::ranges::any_of(names, [](const std::string& name) {
+    const std::set<PartWord> words = partWords(name);
+    return words.contains(PartWord::head) || words.contains(PartWord::tail) || words.contains(PartWord::fin);
+  });
+  const std::vector<Vec3> points = limbPoints(*row, bindPose.worlds);
+  const Vec3 along = points.back() - points.front();
+  const bool stands = std::abs(along.y) > steep * glm::length(along);
+  return !isNamed && (stands || 2 * joints < skinJoints(scene).size());
+}
+
 bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp) {
   constexpr double flattest = 0.5;  // sine, of a trunk that does not lie
   constexpr double leastDrop = 0.6; // of the limb

@@ -20,6 +20,10 @@ void doubt(Body& result, const std::string& why);
 /// tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
+/// Whether what was read as a serpent may be something else: its row of joints stands upright, or is less
+/// than half of the body, and no name tells of a head, a tail or fins.
+[[nodiscard]] bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
+
 /// Whether a biped's trunk lies while its arms and legs go down, as those of a beast do.
 [[nodiscard]] bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp);
 

@@ -203,6 +203,7 @@ Sides fromNames(const NameVotes& names, const Hints& hints) {
   sides.contradicted = hints.speakingFor(-names.side()) > 0;
   sides.certainty = sides.contradicted ? 0.5 : 1.0;
   sides.reason = "sides: from the joint names";
+  sides.areNamesAlone = hints.speakingFor(names.side()) == 0 && !sides.contradicted;
   if (hints.speakingFor(names.side()) > 0 && !sides.contradicted) {
     sides.reason = "sides: names and feet agree";
   } else if (sides.contradicted) {

@@ -11,6 +11,7 @@ namespace stretch::rig::body {
 struct Sides {
   bool leftIsPositive = true;
   double certainty = 0.0;            ///< 0..1.
+  bool areNamesAlone = false;        ///< Nothing but the joint names tells them.
   bool contradicted = false;         ///< Names and geometry say different things.
   std::vector<std::string> warnings; ///< Names against geometry, names on one side only, and the like.
   std::string reason;

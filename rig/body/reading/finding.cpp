@@ -4,6 +4,7 @@
 #include <array>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "rig/body/reading/biped_reading.h"
 #include "rig/body/reading/biped_tail.h"
@@ -66,6 +67,20 @@ void doubtPairs(const BipedReading& reading, Body& result) {
   }
 }
 
+// A negative scale swaps left and right of what is shown, and names keep what they were.
+void doubtMirrored(const BindPose& bindPose, const BodyView& view, const BipedReading& reading,
+                   Sides& sides) {
+  const std::optional<LimbPair>& pair = reading.legs ? reading.legs : reading.arms;
+  const LimbGuess& limb = pair->negative ? *pair->negative : *pair->positive;
+  const NodeIndex joint = view.nodes[static_cast<std::size_t>(limb.base)];
+  if (sides.areNamesAlone && glm::determinant(Mat3(bindPose.worlds[stretch::at(joint)])) < 0.0) {
+    sides.contradicted = true;
+    sides.warnings.emplace_back(
+        "a negative scale mirrors the skeleton, and nothing but names tells left from "
+        "right: are the sides right?");
+  }
+}
+
 // A second pair of arms has no place in a biped.
 void tellOtherArms(const BipedReading& reading, Body& result) {
   if (reading.hasOtherArms) {
@@ -124,7 +139,8 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   if (!reading.arms && !reading.legs) {
     return finding;
   }
-  const Sides sides = findSides(view, plane, reading);
+  Sides sides = findSides(view, plane, reading);
+  doubtMirrored(bindPose, view, reading, sides);
   const Trunk trunk = readTrunk(view, plane, reading);
   Body& result = finding.result;
   result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);

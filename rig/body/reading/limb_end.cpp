@@ -79,6 +79,18 @@ bool toesFollow(const Extremity& leg, std::size_t joint, const Vec3& up, double 
   return -glm::dot(on, up) < flattest * glm::length(on) && std::ranges::none_of(leg.points, below);
 }
 
+// Whether a leg's last joint is a knee: well above the ground, which its mesh reaches.
+bool standsOnMesh(const BodyView& view, const Extremity& leg, const Vec3& up, double floor) {
+  constexpr double wellAbove = 0.3; // of the height of its base
+  constexpr double reached = 0.1;
+  const double height = glm::dot(leg.points.front(), up) - floor;
+  const bool isLast = leg.points.size() == leg.path.size();
+  return isLast && glm::dot(leg.points.back(), up) - floor > wellAbove * height &&
+         std::ranges::any_of(view.points[static_cast<std::size_t>(leg.path.back())], [&](const Vec3& point) {
+           return glm::dot(point, up) - floor < reached * height;
+         });
+}
+
 } // namespace
 
 bool isFan(const BodyView& view, int candidate) {
@@ -109,7 +121,7 @@ std::size_t endOfLeg(const BodyView& view, const Extremity& leg, const Vec3& up,
       return i;
     }
   }
-  return last;
+  return last + (standsOnMesh(view, leg, up, floor) ? 1 : 0);
 }
 
 } // namespace stretch::rig::body

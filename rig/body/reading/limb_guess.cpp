@@ -136,7 +136,12 @@ private:
         keep({.base = base, .end = end, .endPosition = view_.at(end)});
       }
     }
-    const bool alone = std::ranges::none_of(below, [&](int joint) { return canBend(joint); });
+    // What lies over the one bone in the same place, as a sleeve does, is no next joint; a collar bone is no
+    // arm.
+    const bool alone =
+        std::ranges::none_of(
+            below, [&](int joint) { return canBend(joint) && isBone(view_.at(base), view_.at(joint)); }) &&
+        view_.name(base).role(Role::clavicle) <= view_.name(base).role(Role::upperArm);
     const std::optional<EstimatedEnd> end = alone ? endOf(base) : std::nullopt;
     if (end) {
       keep({.base = base, .endPosition = end->position});

@@ -165,6 +165,7 @@ private:
     arms_ = armsIndex();
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       namesHead_ = namesHead_ || std::max(role(i, Role::neck), role(i, Role::head)) >= clearName;
+      namesNeck_ = namesNeck_ || role(i, Role::neck) >= clearName;
     }
     head_ = headIndex();
   }
@@ -264,9 +265,9 @@ private:
   [[nodiscard]] double role(std::size_t index, Role which) const {
     return view_.name(chain_[index]).role(which);
   }
-  // Where neck and head are called spine like the rest, the word says nothing above the arms.
+  // Where the neck is called spine like the rest, the word says nothing above the arms.
   [[nodiscard]] double spineRole(std::size_t index) const {
-    if (!namesHead_ && index > arms_) {
+    if (index > arms_ && (!namesHead_ || (!namesNeck_ && chain_[arms_] == attachment_.armJoint))) {
       return 0.0;
     }
     return std::max(role(index, Role::spine), role(index, Role::chest));
@@ -345,10 +346,11 @@ private:
   const BipedReading& reading_;
   Attachment attachment_;
   std::vector<int> chain_;
-  std::size_t hips_ = 0; // index into the chain of the joint that the legs hang from
-  std::size_t arms_ = 0; // of the joint that the arms hang from
-  std::size_t head_ = 0; // of the head as its bulk tells
-  bool namesHead_ = false;
+  std::size_t hips_ = 0;   // index into the chain of the joint that the legs hang from
+  std::size_t arms_ = 0;   // of the joint that the arms hang from
+  std::size_t head_ = 0;   // of the head as its bulk tells
+  bool namesHead_ = false; // or the neck
+  bool namesNeck_ = false;
 };
 
 } // namespace

@@ -1,0 +1,158 @@
+// Rigs as programs export them: several characters under one root, parts of one bone, limbs in other poses.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "rig/body/reading/detection.h"
+#include "tests/support/rig/creatures.h"
+#include "tests/support/rig/described_limbs.h"
+#include "tests/support/rig/families/family_rig.h"
+#include "tests/support/rig/naming_schemes.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+void add(SyntheticBiped& body, const std::string& key, const std::string& parent, const Vec3& place) {
+  body.joints.push_back({key, parent, place});
+  body.names[key] = key;
+}
+
+void addPair(SyntheticBiped& body, const std::string& key, const std::string& parent, const Vec3& place) {
+  for (const auto& [side, sign] : sides) {
+    add(body, key + side, parent, {sign * place.x, place.y, place.z});
+  }
+}
+
+/// A body of one bone for each limb, as games of blocks have them.
+SyntheticBiped ofBlocks() {
+  SyntheticBiped body;
+  body.tubes = true;
+  add(body, "body", "", {0.0, 0.9, 0.0});
+  add(body, "head", "body", {0.0, 1.5, 0.0});
+  addPair(body, "arm", "body", {0.35, 1.4, 0.0});
+  addPair(body, "leg", "body", {0.12, 0.85, 0.0});
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "arm" + side).flesh = {0.0, -0.6, 0.0};
+    jointOf(body, "leg" + side).flesh = {0.0, -0.84, 0.0};
+  }
+  jointOf(body, "head").flesh = {0.0, 0.3, 0.0};
+  return body;
+}
+
+/// A row of nameless joints, each `step` from the one before.
+SyntheticBiped rowOf(const Vec3& step) {
+  SyntheticBiped body;
+  std::string above;
+  for (int i = 0; i < 8; ++i) {
+    const std::string key = "link" + std::to_string(i);
+    add(body, key, above, Vec3(0.0, 0.1, 0.0) + static_cast<double>(i) * step);
+    above = key;
+  }
+  return body;
+}
+
+} // namespace
+
+TEST_CASE("Of two persons under one root each limb belongs to one, and the other is told") {
+  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
+  addOther(body, makeNamedBody("Mixamo", {.fingers = false}), {1.3, 0.0, 0.2});
+  body.joints.insert(body.joints.begin(), {"world", "", Vec3(0.0), true, false});
+  jointOf(body, "root").parent = "world";
+  jointOf(body, "other root").parent = "world";
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.isBiped);
+  CHECK(warnsOf(read, "characters in the file"));
+  const bool isOther = keyOf(built, read.hips).starts_with("other ");
+  for (const Limb& limb : read.limbs) {
+    CAPTURE(limb.id);
+    CHECK(keyOf(built, limb.joints.front()).starts_with("other ") == isOther);
+  }
+}
+
+TEST_CASE("A beast's leg whose last joint is the knee ends where its mesh meets the ground") {
+  SyntheticBiped body = makeHorse();
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return std::ranges::any_of(
+        std::array{"frontKnee", "frontPastern", "frontHoof", "hock", "pastern", "hoof"},
+        [&](const char* stem) { return joint.key.starts_with(stem); });
+  });
+  body.tubes = true;
+  for (const std::string& side : bothSides) {
+    jointOf(body, "calf" + side).flesh = {0.0, -0.8, 0.0};
+    jointOf(body, "forearmLeg" + side).flesh = {0.0, -0.95, 0.0};
+  }
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "quadruped");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) == "scapula.l forearmLeg.l -> estimated");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 2}) == "thigh.r calf.r -> estimated");
+}
+
+TEST_CASE("A collar bone by itself is no arm") {
+  SyntheticBiped body = ofBlocks();
+  for (const std::string& side : bothSides) {
+    body.names["arm" + side] = (side == ".l" ? "Left" : "Right") + std::string("Shoulder");
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftArm) == "none");
+  CHECK(warnsOf(read, "no left-arm found"));
+}
+
+TEST_CASE("What is worn over a limb of one bone is no next joint of it") {
+  SyntheticBiped body = ofBlocks();
+  addPair(body, "trousers", "leg", jointOf(body, "leg.l").position);
+  for (const std::string& side : bothSides) {
+    jointOf(body, "trousers" + side).parent = "leg" + side;
+    jointOf(body, "trousers" + side).flesh = {0.0, -0.8, 0.0};
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg) == "leg.l -> estimated");
+  CHECK(describe(built, read, biped::rightLeg) == "leg.r -> estimated");
+}
+
+TEST_CASE(
+    "What leads from the joint that carries the arms to the head is the neck, though it is called spine") {
+  SyntheticBiped body = makeNamedBody("Unreal");
+  body.names["neck0"] = "spine_09";
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, read, biped::neck) == "neck0 -> head");
+}
+
+TEST_CASE("A body in a pose that is not the same on both sides has a foot on either side of its plane") {
+  SyntheticBiped body = makeBody();
+  turnBelow(body, "upperArm.l", glm::angleAxis(0.9, glm::normalize(Vec3(0.3, 0.2, 1.0))));
+  body.turn = glm::angleAxis(0.8, Vec3(0.0, 1.0, 0.0));
+  body.tubes = true;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
+}
+
+TEST_CASE("A row of joints that stands upright is doubted as a serpent, one that lies is none") {
+  CHECK(warnsOf(detectBody(build(rowOf({0.0, 0.2, 0.02})).scene), "if it is no serpent"));
+  CHECK_FALSE(warnsOf(detectBody(build(rowOf({0.0, 0.01, 0.2})).scene), "if it is no serpent"));
+}
+
+TEST_CASE("Sides that names alone tell are asked where a negative scale mirrors the skeleton") {
+  SyntheticBiped body = makeNamedBody("Unreal", {.toes = false, .fingers = false});
+  body.withMesh = false;
+  for (SyntheticJoint& joint : body.joints) {
+    joint.position.z = 0.0;
+  }
+  CHECK_FALSE(warnsOf(detectBody(build(body).scene), "negative scale"));
+  body.armatureScale = -1.0;
+  CHECK(warnsOf(detectBody(build(body).scene), "negative scale"));
+}
