@@ -121,7 +121,7 @@ private:
   /// Red, green and blue from 0 to 1 behind the place, encoded as sRGB.
   void readColor(std::string_view words) {
     for (int axis = 0; axis < 3; ++axis) {
-      nextWord(words);
+      static_cast<void>(nextWord(words));
     }
     glm::vec4 color(1.0F);
     for (glm::length_t i = 0; i < 3; ++i) {
