@@ -200,7 +200,7 @@ TEST_CASE("Fins are no legs") {
   }
   const Body read = detectBody(build(body).scene);
   CHECK_FALSE(read.isBiped);
-  CHECK(std::ranges::none_of(read.limbs, isLeg));
+  CHECK(std::ranges::none_of(read.limbs, [](const Limb& limb) { return isLeg(limb); }));
 }
 
 TEST_CASE(
