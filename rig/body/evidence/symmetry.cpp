@@ -82,8 +82,13 @@ void addSiblings(std::vector<Pair>& pairs, const BodyView& view, const std::vect
   const Subtree& ofA = trees[static_cast<std::size_t>(a)];
   const Subtree& ofB = trees[static_cast<std::size_t>(b)];
   const double weight = ofA.length + ofB.length + 1e-2 * view.size;
-  const double apart = glm::distance(view.at(a), view.at(b));
-  if (apart > 0.02 * view.size) {
+  // On two that begin at one place, as collar bones do, the first joints that stand apart.
+  const auto areApart = [&] { return glm::distance(view.at(a), view.at(b)) > 0.02 * view.size; };
+  while (!areApart() && view.childrenOf(a).size() == 1 && view.childrenOf(b).size() == 1) {
+    a = view.childrenOf(a).front();
+    b = view.childrenOf(b).front();
+  }
+  if (areApart()) {
     addPair(pairs, view.at(a), view.at(b), weight, view.size);
   } else {
     addPair(pairs, ofA.centre(), ofB.centre(), weight, view.size);

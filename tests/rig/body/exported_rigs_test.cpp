@@ -130,9 +130,18 @@ TEST_CASE(
   CHECK(describe(built, read, biped::neck) == "neck0 -> head");
 }
 
-TEST_CASE("A body in a pose that is not the same on both sides has a foot on either side of its plane") {
-  SyntheticBiped body = makeBody();
-  turnBelow(body, "upperArm.l", glm::angleAxis(0.9, glm::normalize(Vec3(0.3, 0.2, 1.0))));
+TEST_CASE("A person with one arm raised has a foot on either side, though collar bones begin in one place") {
+  const std::string scheme = GENERATE("no names", "Unreal");
+  const double angle = GENERATE(0.3, 0.9); // a plane that leans little is set upright, one that leans more is
+                                           // not
+  SyntheticBiped body = makeNamedBody(scheme);
+  for (const auto& [side, sign] : sides) {
+    jointOf(body, "clavicle" + side).position.x = sign * 0.012;
+    for (const std::string stem : {"thigh", "shin", "foot", "toe"}) {
+      jointOf(body, stem + side).position.x = sign * 0.045;
+    }
+  }
+  turnBelow(body, "upperArm.l", glm::angleAxis(angle, glm::normalize(Vec3(0.3, 0.2, 1.0))));
   body.turn = glm::angleAxis(0.8, Vec3(0.0, 1.0, 0.0));
   body.tubes = true;
   const BuiltBiped built = build(body);
