@@ -17,20 +17,28 @@ namespace stretch::rig {
 
 namespace {
 
-// How many nodes the ways from the top to a node and to the hips share: more in the character that is meant
-// than in another one.
-int sharedWay(const Scene& scene, NodeIndex node, NodeIndex hips) {
-  const auto wayTo = [&](NodeIndex end) {
+// Of each node, how many nodes the ways from the top to it and to the hips share: more in the character that
+// is meant than in another one.
+std::vector<int> sharedWays(const Scene& scene, NodeIndex hips) {
+  const auto climb = [&](NodeIndex node, const std::vector<int>& until) {
     std::vector<NodeIndex> way;
-    for (; end.exists(); end = scene.nodes[at(end)].parent) {
-      way.push_back(end);
+    for (; node.exists() && until[at(node)] < 0; node = scene.nodes[at(node)].parent) {
+      way.push_back(node);
     }
-    return way;
+    return std::pair(way, node);
   };
-  const std::vector<NodeIndex> own = wayTo(node);
-  const std::vector<NodeIndex> other = wayTo(hips);
-  const auto apart = std::mismatch(own.rbegin(), own.rend(), other.rbegin(), other.rend());
-  return static_cast<int>(apart.first - own.rbegin());
+  std::vector<int> shared(scene.nodes.size(), -1);
+  std::vector<NodeIndex> toHips = climb(hips, shared).first;
+  for (int length = 1; !toHips.empty(); ++length, toHips.pop_back()) {
+    shared[at(toHips.back())] = length;
+  }
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const auto [way, known] = climb(NodeIndex(i), shared);
+    for (const NodeIndex node : way) {
+      shared[at(node)] = known.exists() ? shared[at(known)] : 0;
+    }
+  }
+  return shared;
 }
 
 // Nodes of a scene by name; none for a name that says not which.
@@ -38,13 +46,14 @@ class NodesByName {
 public:
   NodesByName(const Scene& scene, NodeIndex hips) {
     const std::set<NodeIndex> joints = skinJoints(scene);
+    const std::vector<int> shared = sharedWays(scene, hips);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
       const NodeIndex node(i);
       const std::string& name = scene.nodes[i].name;
       if (name.empty() || scene.nodes[i].isBindLeaf) {
         continue;
       }
-      const std::pair rank(joints.contains(node), sharedWay(scene, node, hips));
+      const std::pair rank(joints.contains(node), shared[i]);
       const auto [known, isFirst] = nodes_.try_emplace(name, node, rank);
       if (!isFirst && rank >= known->second.second) {
         known->second = {rank > known->second.second ? node : NodeIndex::none, rank};

@@ -183,7 +183,7 @@ void errorRows(PanelContext& context) {
   valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
            {"Root of the mean squared error",
             "Over all frames and vertices, in percent of the box diagonal of the first frame "
-            "that is no speck.",
+            "that has an extent.",
             {}});
   valueRow(widgets, "MSE", fmt::format("{:.4g} units\xC2\xB2", metrics.mse),
            {"Mean squared error", "Over all frames and vertices, in squared units of the mesh.", {}});
