@@ -76,7 +76,8 @@ private:
   [[nodiscard]] bool isEar(const std::vector<std::uint32_t>& ring, std::size_t i) const {
     const auto [before, after] = beside(ring, i);
     const std::uint32_t tip = ring[i];
-    return turn(before, tip, after) > flat_ && std::ranges::none_of(ring, [&](std::uint32_t other) {
+    return turn(before, tip, after) > flat_ &&
+           std::ranges::none_of(ring, [&, before = before, after = after](std::uint32_t other) {
              return turn(before, tip, other) > flat_ && turn(tip, after, other) > flat_ &&
                     turn(after, before, other) > flat_;
            });

@@ -33,7 +33,7 @@ struct Frames {
 Names playedOf(const Names& names) {
   const auto sequence = Frames(names).read();
   REQUIRE(sequence);
-  CHECK(sequence->warnings == Names());
+  CHECK(sequence->warnings.empty());
   return sequence->frameNames;
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("what is not named like the frames of a folder is left out and told") 
   REQUIRE(sequence);
   CHECK(sequence->frameNames == Names{"f_0001.obj", "f_0002.obj"});
   CHECK(sequence->warnings == Names{"left out what is not named like f_0001.obj: base.obj, rest.obj"});
-  CHECK(frames.read("f_0002.obj")->warnings == Names());
+  CHECK(frames.read("f_0002.obj")->warnings.empty());
 }
 
 TEST_CASE("of several series in a folder the one that is named is played, and without a name none") {

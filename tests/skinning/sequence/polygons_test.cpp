@@ -41,6 +41,7 @@ MeshFile meshOf(const Outline& outline) {
 /// Signed areas of the triangles as they are wound.
 std::vector<float> areasOf(const std::vector<glm::vec3>& places, const std::vector<Triangle>& triangles) {
   std::vector<float> areas;
+  areas.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
     areas.push_back(0.5F * glm::cross(places[b] - places[a], places[c] - places[a]).z);
   }
