@@ -140,7 +140,7 @@ TEST_CASE("The original side of a playblast shows no pin") {
     int count = 0;
     for (int y = 0; y < a.height; ++y) {
       for (int x = right ? a.width / 2 : 0; x < (right ? a.width : a.width / 2); ++x) {
-        const auto at = static_cast<std::size_t>(4 * (y * a.width + x));
+        const auto at = 4 * static_cast<std::size_t>(y * a.width + x);
         count += std::equal(a.rgba.begin() + static_cast<std::ptrdiff_t>(at),
                             a.rgba.begin() + static_cast<std::ptrdiff_t>(at + 4),
                             b.rgba.begin() + static_cast<std::ptrdiff_t>(at))
