@@ -239,7 +239,7 @@ class Check:
         sequences = {"wolf": ([meshes / "wolf"], lambda: obj_frames(meshes / "wolf")),
                      "dem-bones": ([meshes / "dem-bones" / "frames"], lambda: obj_frames(meshes / "dem-bones" / "frames"))}
         morph = meshes / "morph" / "MorphStressTest.gltf"
-        sequences["morph"] = ([morph], lambda: morph_frames(morph, 0, 24.0))
+        sequences["morph"] = ([morph], lambda: morph_frames(morph, 0, FPS))  # a glTF keeps its times, whatever --fps
         for cache in sorted(worm.glob("*.pc2")):
             base = worm / ("worm_half_swim_base.obj" if "half" in cache.name else "worm_base.obj")
             sequences[cache.stem] = ([base, cache], lambda cache=cache: cache_frames(cache))
