@@ -10,17 +10,6 @@
 namespace stretch::skinning {
 namespace {
 
-/// Vertices of triangles, ascending.
-std::vector<std::uint32_t> usedVertices(const std::vector<Triangle>& triangles) {
-  std::vector<std::uint32_t> used;
-  for (const Triangle& triangle : triangles) {
-    used.insert(used.end(), triangle.begin(), triangle.end());
-  }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  return used;
-}
-
 /// The mesh and motion of some of the vertices alone.
 MeshSequence withVertices(const MeshSequence& sequence, const std::vector<std::uint32_t>& vertices) {
   MeshSequence part;

@@ -1,5 +1,8 @@
 #include "skinning/export/read_back.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -7,6 +10,7 @@
 #include "core/anim/sampling.h"
 #include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
+#include "skinning/sequence/topology.h"
 
 namespace stretch::skinning {
 
@@ -40,18 +44,13 @@ Result<SequenceMetrics> errorOfFile(const std::filesystem::path& path, const Enc
         fmt::format("{} vertices were written and {} are read", clip.places.size(), shown.vertexCount),
         path.string(), "report this"};
   }
-  std::vector<bool> isDrawn(source.vertexCount, false);
-  for (const Triangle& triangle : source.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      isDrawn[corner] = true;
-    }
-  }
+  const std::vector<std::uint32_t> used = usedVertices(source.triangles);
   MeshSequence inOrder = source; // What no triangle draws stays as it is.
-  for (std::size_t k = 0; k < source.frameCount(); ++k) {
-    for (std::size_t v = 0; v < clip.places.size(); ++v) {
-      if (isDrawn[clip.places[v]]) {
-        inOrder.frame(k)[clip.places[v]] = shown.frame(k)[v];
-      }
+  for (std::size_t v = 0; v < clip.places.size(); ++v) {
+    const std::uint32_t place = clip.places[v];
+    const bool isDrawn = std::ranges::binary_search(used, place);
+    for (std::size_t k = 0; isDrawn && k < source.frameCount(); ++k) {
+      inOrder.frame(k)[place] = shown.frame(k)[v];
     }
   }
   return distancesOf(source, inOrder);

@@ -144,6 +144,16 @@ std::vector<std::string> TopologyReport::warnings() const {
   return lines;
 }
 
+std::vector<std::uint32_t> usedVertices(const std::vector<Triangle>& triangles) {
+  std::vector<std::uint32_t> used;
+  for (const Triangle& triangle : triangles) {
+    used.insert(used.end(), triangle.begin(), triangle.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
 TopologyReport inspectTopology(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
   TopologyReport report;
   const std::vector<Side> sides = sortedSides(triangles);

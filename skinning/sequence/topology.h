@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct TopologyReport {
 
 [[nodiscard]] TopologyReport inspectTopology(std::span<const glm::vec3> positions,
                                              const std::vector<Triangle>& triangles);
+
+/// Vertices of triangles, ascending.
+[[nodiscard]] std::vector<std::uint32_t> usedVertices(const std::vector<Triangle>& triangles);
 
 /// Winds all triangles of each connected part alike (over edges of exactly two triangles), and outwards: the
 /// volume that the part encloses is made positive (an open part counts against the middle of the whole).

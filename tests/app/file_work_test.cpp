@@ -34,6 +34,15 @@ gltf::Json ofGoneProcess(const fs::path& autosave) {
   return kept;
 }
 
+/// The end of the program, asked for with a change that is not saved.
+void quitUnsaved(Desk& desk, FileWork& work) {
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  desk.news();
+  work.quit(desk);
+  REQUIRE(work.question().kind == Kind::unsaved);
+}
+
 } // namespace
 
 TEST_CASE("A file is opened beside the caller, one that cannot be read leaves what is open", "[jobs]") {
@@ -99,11 +108,7 @@ TEST_CASE("Unsaved work is asked for before another file is opened") {
 TEST_CASE("While a question is open no other file is opened, and the answer goes on with what was asked") {
   Desk desk;
   FileWork work;
-  desk.openNow(work, "a.glb");
-  desk.edit();
-  desk.news();
-  work.quit(desk);
-  REQUIRE(work.question().kind == Kind::unsaved);
+  quitUnsaved(desk, work);
   work.openFile(desk, {desk.file("b.glb")});
   CHECK(desk.told.back() == std::pair(Tone::info, std::string("Answer the question first")));
   CHECK(work.question().kind == Kind::unsaved);
@@ -115,11 +120,7 @@ TEST_CASE("While a question is open no other file is opened, and the answer goes
 TEST_CASE("A name that is not given forgets what waited for it") {
   Desk desk;
   FileWork work;
-  desk.openNow(work, "a.glb");
-  desk.edit();
-  desk.news();
-  work.quit(desk);
-  REQUIRE(work.question().kind == Kind::unsaved);
+  quitUnsaved(desk, work);
   work.answer(desk, FileAnswer::save);
   REQUIRE(work.question().kind == Kind::name);
   work.answer(desk, FileAnswer::cancel);
