@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <glm/geometric.hpp>
 
@@ -15,12 +16,26 @@ namespace {
 
 const Quat noTurn(1.0, 0.0, 0.0, 0.0);
 
-bool acts(const OffsetCurves& curves, double timeSeconds) {
-  return std::ranges::any_of(curves, [&](const auto& named) {
-    const Offset offset = offsetAt(curves, named.first, timeSeconds);
-    const bool drives = named.first.ends_with(".curl") || named.first.ends_with(".roll");
-    return offset.move != Vec3(0.0) || offset.turn != Vec3(0.0) || (drives && offset.value != 0.0);
-  });
+struct NamedOffset {
+  std::string_view id; // of the controller or attribute
+  Offset offset;
+};
+
+// Of all that is keyed at the time: asked once for each, not by its name at every turn.
+std::vector<NamedOffset> offsetsAt(const OffsetCurves& curves, double timeSeconds) {
+  std::vector<NamedOffset> offsets;
+  for (const auto& [id, ofId] : curves) {
+    if (std::ranges::any_of(ofId, [&](const OffsetCurve& curve) { return curve.covers(timeSeconds); })) {
+      offsets.push_back({id, offsetAt(curves, id, timeSeconds)});
+    }
+  }
+  return offsets;
+}
+
+bool movesAnything(const NamedOffset& named) {
+  const bool drives = named.id.ends_with(".curl") || named.id.ends_with(".roll");
+  const Offset& offset = named.offset;
+  return offset.move != Vec3(0.0) || offset.turn != Vec3(0.0) || (drives && offset.value != 0.0);
 }
 
 // How a carrier took along what it carries, as one piece.
@@ -47,7 +62,10 @@ class Adjuster {
 public:
   Adjuster(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame)
       : scene_(scene), adjustments_(adjustments), body_(*adjustments.body), frame_(frame),
-        done_(adjustments.joints.size(), false) {}
+        offsets_(offsetsAt(adjustments.curves, frame.timeSeconds)), done_(adjustments.joints.size(), false) {}
+
+  /// Whether anything is to be done at the frame's time.
+  [[nodiscard]] bool acts() const { return std::ranges::any_of(offsets_, movesAnything); }
 
   /// `spaces`: where to note how offsets count; null: nowhere.
   /// `source`: what the frame is a copy of; null: not at hand.
@@ -84,10 +102,11 @@ private:
   [[nodiscard]] bool concerns(const AdjustedLimb& adjusted) const {
     return spaces_ != nullptr || adjustments_.moves(adjusted.limb);
   }
-  [[nodiscard]] Offset offset(const std::string& id, double standard = 0.0) const {
-    return offsetAt(adjustments_.curves, id, frame_.timeSeconds, standard);
+  [[nodiscard]] Offset offset(std::string_view id, double standard = 0.0) const {
+    const auto found = std::ranges::find(offsets_, id, &NamedOffset::id);
+    return found == offsets_.end() ? Offset{Vec3(0.0), Vec3(0.0), standard} : found->offset;
   }
-  [[nodiscard]] double attribute(const std::string& id, double standard, double low, double high) const {
+  [[nodiscard]] double attribute(std::string_view id, double standard, double low, double high) const {
     return std::clamp(offset(id, standard).value, low, high);
   }
   [[nodiscard]] Quat rotation(NodeIndex node) const { return rotationOf(frame_.worlds[at(node)]); }
@@ -348,27 +367,31 @@ private:
   const FrameState* source_ = nullptr; // as the body's controller carries it; its pose does not count
   FrameState carried_;
   Quat bodyTurn_{1.0, 0.0, 0.0, 0.0};
+  std::vector<NamedOffset> offsets_;
   std::vector<bool> done_; // of the joints
   std::vector<AskedPlace> asked_;
   std::vector<ControllerSpace>* spaces_ = nullptr;
 };
 
+std::vector<AskedPlace> adjusted(const Scene& scene, const SolvedAdjustments& adjustments,
+                                 const FrameState* source, FrameState& frame) {
+  if (adjustments.empty()) {
+    return {};
+  }
+  Adjuster adjuster(scene, adjustments, frame);
+  return adjuster.acts() ? adjuster.run(source) : std::vector<AskedPlace>{};
+}
+
 } // namespace
 
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          FrameState& frame) {
-  if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
-    return {};
-  }
-  return Adjuster(scene, adjustments, frame).run(nullptr);
+  return adjusted(scene, adjustments, nullptr, frame);
 }
 
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          const FrameState& source, FrameState& frame) {
-  if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
-    return {};
-  }
-  return Adjuster(scene, adjustments, frame).run(&source);
+  return adjusted(scene, adjustments, &source, frame);
 }
 
 std::vector<ControllerSpace> controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments,

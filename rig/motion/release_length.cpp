@@ -20,15 +20,14 @@ bool isForwards(const SolvedTrail& solved) {
 
 // Over how long a time the speed of a stroke is told: half a frame and more, and where more frames are
 // counted than the keys have, one of these.
-double strokeSeconds(const Clip& clip, const Limb& limb) {
+double strokeSeconds(double keysPerSecond, double framesPerSecond) {
   constexpr double nearlyAll = 0.999;
-  const double keysPerSecond = keyRate(clip, jointsAndEnd(limb));
-  return keysPerSecond < clip.framesPerSecond ? nearlyAll / keysPerSecond : 0.5 / clip.framesPerSecond;
+  return keysPerSecond < framesPerSecond ? nearlyAll / keysPerSecond : 0.5 / framesPerSecond;
 }
 
 // Of the limb's end on its exaggerated path, seen from its base: units per second.
 double fastestStroke(const SolvedTrail& solved, const Clip& clip) {
-  const double leastSeconds = strokeSeconds(clip, solved.limb);
+  const double leastSeconds = strokeSeconds(solved.keys.keysPerSecond, clip.framesPerSecond);
   double fastest = 0.0;
   double lastSeconds = 0.0;
   std::optional<Vec3> last;
@@ -75,21 +74,21 @@ double roomFor(const MotionInput& input, const SolvedTrail& solved) {
 } // namespace
 
 std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
-                                       const std::vector<NodeIndex>& nodes) {
-  if (isDenselyKeyed(clip, nodes)) {
+                                       const std::vector<NodeIndex>& nodes, const KeySpacing& keys) {
+  if (keys.isDense) {
     return std::nullopt;
   }
   constexpr double later = 1e-5;
   const bool isForwards = key.pivot == Pivot::start;
   const double tipSeconds = (isForwards ? key.endFrame : key.startFrame) / clip.framesPerSecond;
-  const std::vector<double> keys = keyTimesOf(clip, nodes, isForwards ? tipSeconds : clip.startSeconds,
-                                              isForwards ? clip.endSeconds : tipSeconds);
-  const auto next = std::upper_bound(keys.begin(), keys.end(), tipSeconds + later);
-  const auto before = std::lower_bound(keys.begin(), keys.end(), tipSeconds - later);
+  const std::vector<double> times = keyTimesOf(clip, nodes, isForwards ? tipSeconds : clip.startSeconds,
+                                               isForwards ? clip.endSeconds : tipSeconds);
+  const auto next = std::upper_bound(times.begin(), times.end(), tipSeconds + later);
+  const auto before = std::lower_bound(times.begin(), times.end(), tipSeconds - later);
   if (isForwards) {
-    return next == keys.end() ? std::nullopt : std::optional(*next - tipSeconds);
+    return next == times.end() ? std::nullopt : std::optional(*next - tipSeconds);
   }
-  return before == keys.begin() ? std::nullopt : std::optional(tipSeconds - *(before - 1));
+  return before == times.begin() ? std::nullopt : std::optional(tipSeconds - *(before - 1));
 }
 
 ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved) {

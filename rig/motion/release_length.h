@@ -26,8 +26,9 @@ struct ReleaseLength {
 [[nodiscard]] double firstSeconds(const MotionState& motion, const SolvedTrail& solved);
 
 /// From the tip to the next key of the nodes on the release's way; nothing on a densely keyed clip, or where
-/// no key follows.
+/// no key follows. `keys`: keySpacing of the nodes.
 [[nodiscard]] std::optional<double> secondsToNextKey(const Clip& clip, const PathKey& key,
-                                                     const std::vector<NodeIndex>& nodes);
+                                                     const std::vector<NodeIndex>& nodes,
+                                                     const KeySpacing& keys);
 
 } // namespace stretch::rig

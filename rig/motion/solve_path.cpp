@@ -78,7 +78,8 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
   LimbPath& path = original.path;
   path.axes = key.axes;
   original.keyTimes = keyTimesOf(*input.clip, jointsAndEnd(limb), start, end);
-  original.nextKeySeconds = secondsToNextKey(*input.clip, key, jointsAndEnd(limb));
+  original.keys = keySpacing(*input.clip, jointsAndEnd(limb));
+  original.nextKeySeconds = secondsToNextKey(*input.clip, key, jointsAndEnd(limb), original.keys);
   std::vector<Vec3> points;
   const std::vector<double> times = sampleTimes(start, end, fps, original.keyTimes);
   for (const double time : times) {
@@ -97,7 +98,7 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
     path.between.push_back(limbSample(limb, key.space, input.hips, frames.at(time)));
   }
   original.chosenFrames =
-      chooseControlFrames(path, original.keyTimes, fps, keyRate(*input.clip, jointsAndEnd(limb)),
+      chooseControlFrames(path, original.keyTimes, fps, original.keys.keysPerSecond,
                           controlTolerance * limb.restLength);
   return original;
 }

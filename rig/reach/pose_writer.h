@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include <glm/matrix.hpp>
@@ -25,7 +27,7 @@ namespace stretch::rig {
 class PoseWriter {
 public:
   PoseWriter(const Scene& scene, FrameState& frame)
-      : scene_(scene), frame_(frame), marks_(scene.nodes.size()) {
+      : scene_(scene), frame_(frame), marks_(scene.nodes.size(), &memory_) {
     kept_.reserve(8); // as many as most limbs have
   }
 
@@ -103,8 +105,11 @@ private:
 
   const Scene& scene_;
   FrameState& frame_;
-  std::vector<Mark> marks_; // of each node
-  std::vector<Mat4> kept_;  // world matrices of what was written, as they were
+  // One is made for each limb at each time: that of a body of usual size takes none from the heap.
+  std::array<std::byte, 4096> firstMemory_;
+  std::pmr::monotonic_buffer_resource memory_{firstMemory_.data(), firstMemory_.size()};
+  std::pmr::vector<Mark> marks_;         // of each node
+  std::pmr::vector<Mat4> kept_{&memory_}; // world matrices of what was written, as they were
   std::uint32_t refreshes_ = 0;
 };
 

@@ -357,13 +357,10 @@ bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds
   return static_cast<double>(keyCount) - 1.0 > densest * frames && keyCount > 4;
 }
 
-double keyRate(const Clip& clip, const std::vector<NodeIndex>& nodes) {
-  return keyRateOf(clip, keyCountOf(clip, nodes));
-}
-
-bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes) {
+KeySpacing keySpacing(const Clip& clip, const std::vector<NodeIndex>& nodes) {
   const std::size_t keyCount = keyCountOf(clip, nodes);
-  return isDenseAt(clip, keyCount, keyRateOf(clip, keyCount));
+  const double keysPerSecond = keyRateOf(clip, keyCount);
+  return {keysPerSecond, isDenseAt(clip, keyCount, keysPerSecond)};
 }
 
 std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,

@@ -89,12 +89,15 @@ struct LimbPath {
 /// about poses.
 [[nodiscard]] bool isDenselyKeyed(std::size_t keyCount, double startSeconds, double endSeconds,
                                   double framesPerSecond);
-/// Whether those of the nodes are over the whole clip (keyTimesOf), at the rate of its keys.
-[[nodiscard]] bool isDenselyKeyed(const Clip& clip, const std::vector<NodeIndex>& nodes);
+/// How the keys of some nodes lie over a whole clip.
+struct KeySpacing {
+  double keysPerSecond = 0.0; ///< Rate by which they are counted.
+  bool isDense = false;       ///< isDenselyKeyed, at that rate.
+};
 
-/// Rate by which keys of the nodes are counted: the clip's own, or that on which its keys lie where they are
-/// too few for the own one and this one is lower. A clip that is shown at more frames per second than it was
-/// made at is keyed no less densely.
-[[nodiscard]] double keyRate(const Clip& clip, const std::vector<NodeIndex>& nodes);
+/// Of the nodes' keys (keyTimesOf). They are counted at the clip's own rate, or at that on which its keys lie
+/// where they are too few for the own one and this one is lower: a clip that is shown at more frames per
+/// second than it was made at is keyed no less densely.
+[[nodiscard]] KeySpacing keySpacing(const Clip& clip, const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig

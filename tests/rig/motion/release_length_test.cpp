@@ -37,6 +37,7 @@ SolvedTrail solvedTrail(const StraightWay& way) {
   solved.settings.pivot = way.pivot;
   solved.settings.startFrame = way.startFrame;
   solved.settings.endFrame = way.endFrame;
+  solved.keys.keysPerSecond = releaseRate;
   solved.startSeconds = way.startFrame / releaseRate;
   solved.endSeconds = way.endFrame / releaseRate;
   const bool forwards = way.pivot == Pivot::start;
@@ -281,7 +282,8 @@ double framesToKey(const Clip& clip, double startFrame, double endFrame, Pivot p
   key.startFrame = startFrame;
   key.endFrame = endFrame;
   key.pivot = pivot;
-  const std::optional<double> seconds = secondsToNextKey(clip, key, {NodeIndex(1), NodeIndex(2)});
+  const std::vector<NodeIndex> nodes{NodeIndex(1), NodeIndex(2)};
+  const std::optional<double> seconds = secondsToNextKey(clip, key, nodes, keySpacing(clip, nodes));
   return seconds ? *seconds * releaseRate : -1.0;
 }
 

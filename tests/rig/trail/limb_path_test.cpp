@@ -203,7 +203,7 @@ TEST_CASE("a limb is densely keyed by one of its tracks, or by all of them toget
     for (Track& one : tracks) {
       clip.tracks.emplace_back(std::move(one));
     }
-    return isDenselyKeyed(clip, limb);
+    return keySpacing(clip, limb).isDense;
   };
   CHECK(isDense({track(NodeIndex(2), each)}));
   CHECK(isDense({track(NodeIndex(1), even), track(NodeIndex(2), odd)}));
@@ -232,8 +232,9 @@ TEST_CASE(
   for (const double rate : {24.0, 30.0, 48.0, 60.0}) {
     CAPTURE(keys, rate);
     clip.framesPerSecond = rate;
-    CHECK(isDenselyKeyed(clip, {NodeIndex(1)}) == (keys == 25));
-    CHECK(keyRate(clip, {NodeIndex(1)}) == (keys == 25 && rate == 30.0 ? 30.0 : 24.0));
+    const KeySpacing spacing = keySpacing(clip, {NodeIndex(1)});
+    CHECK(spacing.isDense == (keys == 25));
+    CHECK(spacing.keysPerSecond == (keys == 25 && rate == 30.0 ? 30.0 : 24.0));
   }
 }
 
