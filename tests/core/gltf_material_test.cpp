@@ -1,4 +1,6 @@
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -177,6 +179,23 @@ TEST_CASE("A texture is turned as viewers turn it: scaled first, moved last") {
   const glm::vec2 alongV = transform * glm::vec3(0.0F, 1.0F, 1.0F);
   CHECK(glm::distance(alongU, {0.5F, 0.25F - 2.0F}) < 1e-5F);
   CHECK(glm::distance(alongV, {0.5F + 3.0F, 0.25F}) < 1e-5F);
+}
+
+TEST_CASE("Texture coordinates may be whole numbers where these stand for 0 to 1") {
+  GlbBuilder glb = texturedArm(picture);
+  const std::vector<std::uint16_t> numbers{0, 0, 65535, 0, 0, 65535, 65535, 65535, 0, 13107, 65535, 26214};
+  const int coordinates = glb.accessor(numbers, 5123, "VEC2", 2);
+  Json& accessor = glb.json["accessors"][coordinates];
+  accessor["normalized"] = true;
+  glb.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = coordinates;
+  const gltf::Loaded file = loaded(glb);
+  CHECK(file.warnings.empty());
+  CHECK(file.scene->meshes[0].primitives[0].texCoords[1] == glm::vec2(1.0F, 0.0F));
+  CHECK(glm::distance(file.scene->meshes[0].primitives[0].texCoords[5], {1.0F, 0.4F}) < 1e-6F);
+  accessor.erase("normalized");
+  const auto counted = test::loadBytes(glb.bytes());
+  REQUIRE_FALSE(counted.ok());
+  CHECK(counted.error().what == "its accessor has a type that TEXCOORD_1 cannot have");
 }
 
 TEST_CASE("A sampler says how a texture goes on beyond its edges") {

@@ -199,6 +199,10 @@ TEST_CASE("a joint that sticks out of a body is brought into it, nothing else ch
     INFO(truth.bones[b].name);
     CHECK(out.bones[b].pivot == truth.bones[b].pivot);
   }
+  const std::vector<std::optional<Vec3>> middles = middlesOfChildren(out.bones);
+  for (std::size_t b = 0; b < middles.size(); ++b) { // Bones go on to where what hangs on them was brought.
+    CHECK((!middles[b] || glm::length(out.bones[b].end - *middles[b]) < 1e-9));
+  }
   moveJoint(out, 3, Vec3(0.0, 4.0, 0.0));
   const SkinnedSequence open = [&] { // a mesh that encloses nothing has no inside
     SkinnedSequence points = out;
