@@ -174,6 +174,21 @@ TEST_CASE("A view that judges a trail has a kind, a place and two directions, or
   }
 }
 
+TEST_CASE("The axes of a view are three vectors, no fewer and no more") {
+  rig::TrailSettings settings;
+  const auto read = [&](const char* axes) {
+    return trailFromJson(Json{{"view_axes", Json::parse(axes)}}, 1.0, {}, settings);
+  };
+  REQUIRE(read("[[0, 0, 1], [0, 1, 0], [-1, 0, 0]]"));
+  CHECK(settings.viewAxes == Mat3(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0)));
+  for (const char* const wrong :
+       {"3", "[[0, 0, 1], [0, 1, 0]]", "[[0, 0, 1], [0, 1, 0], [-1, 0, 0], [1, 0, 0]]"}) {
+    const Status refused = read(wrong);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().what == Json::parse(wrong).dump() + " is not a set of axes");
+  }
+}
+
 TEST_CASE("A wrong value is told in plain words") {
   rig::TrailSettings settings;
   const Setting<rig::TrailSettings>* const blend = findSetting(trailSchema(), "blend");

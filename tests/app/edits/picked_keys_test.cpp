@@ -95,6 +95,14 @@ TEST_CASE("Each side of a tangent of the clip's keys is drawn alone, of the angl
   }
 }
 
+TEST_CASE("A picked key that is no longer there is left out, on either side of its row", "[keys]") {
+  const Document start = test::boxer();
+  const int key = GENERATE(-1, 4, 1 << 24); // The punch has four.
+  const EditedKeys moved = made(moveKeys(start, 0, {{punchRow, {{1, ~0U}, {key, ~0U}}}}, {1.0, 0.0}));
+  CHECK(moved.picked == keyOf(punchRow, 1));
+  CHECK(readRow(moved.document, 0, punchRow).keys[1].frame == Approx(6.0));
+}
+
 TEST_CASE("What was edited stays picked wherever it stands now, and what is new is picked", "[keys]") {
   const Document start = test::boxer();
   const std::vector<KeyRow> rows{punchRow};
