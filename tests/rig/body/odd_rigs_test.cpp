@@ -262,6 +262,22 @@ TEST_CASE("without a neck the head sits on the chest and there is no neck limb")
   CHECK(biped.head == built.node.at("head"));
 }
 
+TEST_CASE("a neck without a head ends where its mesh does, and that is told of it alone") {
+  const auto tellsMissingHead = [](const SyntheticBiped& body) {
+    const Body read = detectBody(build(body).scene);
+    const Limb* const neck = findLimb(read, biped::neck);
+    REQUIRE(neck != nullptr);
+    return std::ranges::count(neck->reasons, "no head joint: estimated from the vertices of the last bone") ==
+           1;
+  };
+  SyntheticBiped body = makeNamedBody("Unreal");
+  body.tubes = true;
+  CHECK_FALSE(tellsMissingHead(body));
+  std::erase_if(body.joints, [](const SyntheticJoint& each) { return each.key == "head"; });
+  jointOf(body, "neck0").flesh = Vec3(0.0, 0.25, 0.0);
+  CHECK(tellsMissingHead(body));
+}
+
 TEST_CASE(
     "a spine of one joint ends at the base of the neck, a body without one starts its spine at the hips") {
   const BuiltBiped one = build(makeNamedBody("Unreal", {.spineJoints = 1}));

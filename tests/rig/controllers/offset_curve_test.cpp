@@ -183,6 +183,14 @@ TEST_CASE("a stepped key holds until the next one, however that one is come to")
   CHECK(valueAt(curve, 6.0) == 3.0);
 }
 
+TEST_CASE("a stepped key counts from its frame on, at the time that a file has for it as well") {
+  for (double frame = 1.0; frame < 24.0; frame += 1.0) {
+    const OffsetCurve curve(adjustmentWith({{0, 1.0, 0.0, inSteps}, {frame, 3.0, 0.0, inSteps}}), 0.0, 24.0);
+    CAPTURE(frame);
+    CHECK(curve.at(static_cast<double>(static_cast<float>(frame / 24.0))).value == 3.0);
+  }
+}
+
 TEST_CASE("a curve jumps at the key after a stepped one of another value, in whatever number that is") {
   const auto seconds = [](const std::vector<KeyNumbers>& keys, std::size_t which) {
     return OffsetCurve(adjustmentWith(keys, which), 0.0, 24.0).jumpSeconds();

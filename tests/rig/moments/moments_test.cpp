@@ -158,6 +158,15 @@ TEST_CASE("A moment is the same at any frame rate") {
   }
 }
 
+TEST_CASE("A stroke that its clip breaks off between two frames ends where the clip does") {
+  MovingBiped cut = stillBiped();
+  turn(cut, "upperArm.l", up, {{0, 30}, {10, 30}, {13.5, -66}});
+  const std::vector<Moment> moments = momentsOf(cut);
+  REQUIRE_FALSE(moments.empty());
+  CHECK(moments.front().limb == "left-arm");
+  CHECK(moments.front().tipFrame == Approx(13.5));
+}
+
 TEST_CASE("What trembles between the frames of a dense capture does not part a stroke") {
   MovingBiped dense = stillBiped();
   std::vector<Turn> turns;

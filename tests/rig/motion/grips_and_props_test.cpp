@@ -263,6 +263,16 @@ TEST_CASE("a prop stands between the hands by their firmness, and each hand stay
   }
 }
 
+TEST_CASE("no hand holds a prop more than firmly, and none less than not at all") {
+  const MovingBiped moving = bipedWithBat();
+  const auto heldAs = [&](double left, double right) {
+    const Prop prop = propOf({firmHand("left-arm", left), firmHand("right-arm", right)});
+    return atFrame(moving, held(moving, onlyProp(prop)), 12);
+  };
+  CHECK(largestMatrixMiss(heldAs(1.7, 1.0), heldAs(1.0, 1.0)) < unseen);
+  CHECK(largestMatrixMiss(heldAs(-0.5, 1.0), heldAs(0.0, 1.0)) < unseen);
+}
+
 TEST_CASE("a hand holds a prop until three frames before it lets it go") {
   const MovingBiped moving = bipedWithBat();
   PropHand hand = firmHand("right-arm", 1.0);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/rig/held_biped.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
 using namespace stretch;
@@ -158,4 +159,33 @@ TEST_CASE("the drawn paths are where the carried hand goes") {
                         place(moving, atFrame(moving, spineOnly, drawn.frames[k]), "hand.l")) < 1e-4);
     }
   }
+}
+
+TEST_CASE("a trail that the character does not follow carries the path of no other one") {
+  const MovingBiped moving = punchingBiped();
+  std::vector<Trail> trails = spineAndArm(1.6, 2.0, false);
+  trails[1].connected = false;
+  const MotionState motion = solved(moving, trails);
+  const std::vector<double> frames{4.0, 12.0};
+  const DrawnTrail beside = pathsAt(moving.scene, moving.clip, motion, 1, frames);
+  const DrawnTrail alone = pathsAt(moving.scene, moving.clip, solved(moving, {trails[0]}), 0, frames);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    CHECK(glm::length(beside.original[k] - alone.original[k]) < 1e-9);
+    CHECK(glm::length(beside.exaggerated[k] - alone.exaggerated[k]) < 1e-9);
+  }
+}
+
+TEST_CASE("a hold keeps the path that the character follows, and none of the same hand that it does not") {
+  const MovingBiped moving = punchingBiped();
+  Trail next = connectedTrail("left-arm", 12, 18, 0.8);
+  next.id = 2;
+  next.connected = false;
+  Holds holds;
+  holds.pins = {pinAt("left-arm", heldOver(0, 24), 6)};
+  const MotionState motion = held(motionInput(moving, {connectedTrail("left-arm", 0, 12, 2.0), next}), holds);
+  const std::vector<double> frames{12.0};
+  const std::vector<DrawnTrail> both =
+      pathsAt(moving.scene, moving.clip, motion, {PathRequest{0, frames}, PathRequest{1, frames}});
+  CHECK(glm::length(both[0].exaggerated[0] - place(moving, sourceAtFrame(moving, 6), "hand.l")) < 1e-6);
+  CHECK(both[1] == pathsAt(moving.scene, moving.clip, motion, 1, frames));
 }

@@ -8,6 +8,7 @@
 #include "rig/limb.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/adjusted_biped.h"
+#include "tests/support/rig/held_biped.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -112,6 +113,22 @@ TEST_CASE("an arm beside a stretched spine turns with it under a trail of its ow
     CHECK(glm::length(placeOf(moving, atFrame(moving, motion, 6), "hand.l") -
                       placeOf(moving, atFrame(moving, spineAlone, 6), "hand.l")) < 1e-6);
     CHECK(worstMiss(moving, rekeyedOf(moving, both), 0, 24) < 1e-4 * moving.body.height);
+  }
+}
+
+TEST_CASE("the path of a pinned arm beside a stretched spine is drawn where its hand comes to be") {
+  for (const MovingBiped& moving : besideTheSpine()) {
+    Trail arm = connectedTrail("left-arm", 6, 12, 2.0);
+    arm.id = 2;
+    Holds holds;
+    holds.pins = {pinAt("left-arm", heldOver(12, 14, 8, 0), 12)};
+    const MotionState motion = held(motionInput(moving, {connectedTrail("spine", 0, 12, 1.6), arm}), holds);
+    for (const double frame : {7.0, 9.0, 12.0}) {
+      CAPTURE(frame);
+      const DrawnTrail drawn = pathsAt(moving.scene, moving.clip, motion, 1, {frame});
+      CHECK(glm::distance(drawn.exaggerated.front(),
+                          placeOf(moving, atFrame(moving, motion, frame), "hand.l")) < 1e-4);
+    }
   }
 }
 

@@ -5,6 +5,10 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
+#include "rig/reach/limb_reach.h"
+#include "rig/reach/limb_weight.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/held_biped.h"
 
 using namespace stretch;
@@ -44,4 +48,46 @@ TEST_CASE("a limb that never bends folds its elbow backwards and its knee forwar
   const double forward = facesBackwards ? -1.0 : 1.0;
   const double ahead = forward * (limbPoints(moving.limb(limb), folded.worlds)[1].z - points[1].z);
   CHECK((limb.ends_with("leg") ? ahead : -ahead) > 0.05);
+}
+
+TEST_CASE("a straight leg whose foot is put elsewhere on its line is scaled as a whole and stays straight") {
+  const double share = GENERATE(0.7, 0.9, 1.3);
+  const MovingBiped moving = straightBiped(false);
+  const Limb& leg = moving.limb("left-leg");
+  FrameState frame = sourceAtFrame(moving, 0);
+  const std::vector<Vec3> before = limbPoints(leg, frame.worlds);
+  const LimbTopology topology = limbTopology(moving.scene, leg, moving.body.limbs, bindPlaces(moving.scene));
+  bendBack(moving.scene, leg, topology, before[0] + share * (before[2] - before[0]), frame);
+  const std::vector<Vec3> after = limbPoints(leg, frame.worlds);
+  CAPTURE(share);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(glm::length(after[i] - before[0] - share * (before[i] - before[0])) < 1e-6);
+  }
+}
+
+TEST_CASE("a limb bends at the joint that does, be it in the first or in the last frame of a clip alone") {
+  const bool isFirst = GENERATE(true, false);
+  CAPTURE(isFirst);
+  Scene scene;
+  Limb rope;
+  rope.kind = LimbKind::chain;
+  rope.id = "rope";
+  rope.restLength = 4.0;
+  for (int i = 0; i < 5; ++i) {
+    rope.joints.push_back(addNode(scene, "joint", i == 0 ? NodeIndex::none : rope.joints.back(),
+                                  Vec3(i == 0 ? 0.0 : 1.0, 0, 0)));
+  }
+  rope.endNode = rope.joints.back();
+  rope.joints.pop_back();
+  const Quat straight(1.0, 0.0, 0.0, 0.0);
+  const Quat bent = axisAngle(Vec3(0, 0, 1), 0.5);
+  Clip clip;
+  clip.framesPerSecond = 24.0;
+  clip.tracks.emplace_back(rotationTrack(
+      rope.joints[3], Interpolation::step,
+      {{0.0, isFirst ? bent : straight}, {0.5 / 24.0, straight}, {1.0, isFirst ? straight : bent}}));
+  setEndsFromKeys(clip);
+  const std::vector<Limb> limbs{rope};
+  const BindPlaces places = bindPlaces(scene);
+  CHECK(reachingLimb({scene, clip, limbs, places}, rope).bendPoint == 3); // else in the middle, at the second
 }

@@ -38,6 +38,20 @@ TEST_CASE("A foot stands that is low and still for three frames") {
   CHECK(standingIn({}, rate, height).empty());
 }
 
+TEST_CASE("A foot that is set down slowly stands from where it is low") {
+  std::vector<Vec3> places;
+  for (const double up : {0.0215, 0.0195, 0.0175, 0.0155}) { // low is what lies less than 0.02 up
+    places.emplace_back(0.0, up, 0.0);
+  }
+  for (std::size_t i = 1; i < 6; ++i) {
+    places.emplace_back(0.1 * static_cast<double>(i), 0.0, 0.0);
+  }
+  const std::vector<Stand> stands = standingIn(places, rate, height);
+  REQUIRE(stands.size() == 1);
+  CHECK(stands.front().first == 1);
+  CHECK(stands.front().last == 3);
+}
+
 TEST_CASE("A foot that goes faster than a twentieth of the height in each second does not stand") {
   const auto going = [](double speed) {
     std::vector<Vec3> places;

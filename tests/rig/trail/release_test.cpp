@@ -68,3 +68,9 @@ TEST_CASE("a release lingers no longer than it lasts") {
   CHECK(release.at(0.5 + 1e-9) == 0.0);
   CHECK(Release(0.5, 0.0, -1.0).at(0.25) == Approx(0.5));
 }
+
+TEST_CASE("a release swings past the original by no more than the whole way") {
+  for (int i = 0; i <= 20; ++i) {
+    CHECK(Release(1.0, 3.0).at(i / 20.0) == Release(1.0, 1.0).at(i / 20.0));
+  }
+}

@@ -90,6 +90,21 @@ TEST_CASE("no tip gets farther from the base than five times its length, and the
   CHECK(glm::length(solved.tip) == Approx(5.0));
 }
 
+TEST_CASE("the farthest tip, one at its pivot and the nearest look are reached, each at its edge") {
+  const SeenTip farthest = solveSeenTip(acrossTheView(CameraKind::orthographic, farthestSeen));
+  CHECK(farthest.reached);
+  CHECK(farthest.walk == 4.0);
+  SeenProblem problem = acrossTheView(CameraKind::orthographic, 0.5);
+  problem.pivotDistance = 0.5;
+  CHECK(solveSeenTip(problem).reached);
+  problem.scale = 0.8; // of 5: as near as the line comes to the base
+  problem.tip = Vec3(3.0, 4.0, 0.0);
+  problem.pivotDistance = 6.0;
+  const SeenTip nearest = solveSeenTip(problem);
+  CHECK(nearest.reached);
+  CHECK(nearest.tip == Vec3(0.0, 4.0, 0.0));
+}
+
 TEST_CASE("inwards the walk ends at the pivot") {
   SeenProblem problem = acrossTheView(CameraKind::orthographic, 0.1);
   problem.pivotDistance = 0.5;

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/anim/frames.h"
+
 using namespace stretch;
 using namespace stretch::rig;
 
@@ -98,6 +100,13 @@ TEST_CASE(
   for (const double frame : controls) {
     CHECK(glm::length(offsets.at(frame)) == Approx(frame == 12.0 ? glm::length(Vec3(0.3, -0.1, 0.2)) : 0.0));
   }
+}
+
+TEST_CASE("a sphere that is pulled a hair behind a control frame has its tangent there") {
+  const Vec3 tangent(0.0, 0.4, -0.1);
+  const SphereOffsets offsets(controls, {{12.0 + 0.5 * frameTolerance, Vec3(0.3, -0.1, 0.2), tangent}});
+  CHECK(offsets.at(12.0) == Vec3(0.3, -0.1, 0.2));
+  CHECK(glm::length(offsets.slopeAt(12.0) - tangent) < 1e-12);
 }
 
 TEST_CASE("a tangent bends the path between the neighbours of its sphere and nowhere else") {
