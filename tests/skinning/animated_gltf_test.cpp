@@ -119,6 +119,20 @@ TEST_CASE("Looks of a glTF's meshes lie side by side, filled up where one has no
   CHECK((*looks.materials->json)["materials"].size() == 2);
 }
 
+TEST_CASE("Looks that the last mesh of a glTF lacks are filled up as those that an earlier one does") {
+  GlbBuilder glb = test::twoSheets();
+  std::swap(glb.json["nodes"][0]["mesh"], glb.json["nodes"][1]["mesh"]);
+  const auto sequence = Sheets(glb).read();
+  REQUIRE(sequence);
+  const gltf::MeshSurface& looks = *sequence->surface;
+  REQUIRE(looks.colors.size() == 8);
+  CHECK(looks.colors[1] == glm::vec4(0, 1, 0, 1));
+  CHECK(looks.colors[5] == glm::vec4(1.0F));
+  REQUIRE(looks.texCoords.size() == 2);
+  CHECK(looks.texCoords[1][1] == glm::vec2(0.0F));
+  CHECK(looks.texCoords[1][6] == glm::vec2(0.75F, 0.5F));
+}
+
 TEST_CASE(
     "A clip is chosen by its name or its number, and one that is not there is refused with those that are") {
   const Sheets sheets(withClips({"rest", "", "flutter"}));

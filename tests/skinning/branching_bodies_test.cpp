@@ -440,6 +440,11 @@ TEST_CASE("a small piece that moves by itself has a bone of its own") {
   }
 }
 
+TEST_CASE("parts are told by the last frame where it is said to begin behind it") {
+  const MeshSequence tube = test::shorteningTube(6, 1.5, 0.0, 0.0);
+  CHECK(clustersOfMotion(tube, 3, 99).influences == clustersOfMotion(tube, 3, 5).influences);
+}
+
 TEST_CASE("where fewer bones follow the mesh exactly, no more are made, and that is told") {
   const auto result = compress(skinAllFrames(test::armedBody(1)), measuredWith(20));
   REQUIRE(result);

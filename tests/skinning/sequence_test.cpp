@@ -283,6 +283,18 @@ TEST_CASE("a point cache moves the vertices of its base mesh") {
   CHECK(sequence->frameNames == std::vector<std::string>{"sample 0", "sample 1", "sample 2"});
 }
 
+TEST_CASE("vertices of an OBJ that lie together in every sample of its cache stay apart") {
+  const test::TemporaryFolder folder;
+  std::string bytes = pointCache(4, 1, 0);
+  for (int number = 0; number < 12; ++number) { // The first two at the origin.
+    put(bytes, number == 7 || number == 11 ? 1.0F : 0.0F);
+  }
+  const auto sequence =
+      readSequence({folder.write("base.obj", tetrahedron(0.0)), folder.write("run.pc2", bytes)});
+  REQUIRE(sequence);
+  CHECK(sequence->vertexCount == 4);
+}
+
 TEST_CASE("a point cache of every second frame is told, unless its rate is given") {
   const test::TemporaryFolder folder;
   const auto base = folder.write("base.obj", tetrahedron(0.0));
@@ -331,6 +343,8 @@ TEST_CASE("a cache alone finds the mesh beside it that it was made of, by vertic
   const test::TemporaryFolder folder;
   const auto cache = folder.write("run_fast.pc2", pointCache(4, 3, 36));
   CHECK(sequencePaths({cache}) == std::vector{cache});
+  CHECK_THAT(readSequence({cache}).error().line(),
+             Contains("no OBJ or PLY beside the cache has its 4 points"));
   folder.write("run_fast_other.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
   const auto far = folder.write("a.obj", tetrahedron(0.0));
   CHECK(sequencePaths({cache}) == std::vector{far, cache});

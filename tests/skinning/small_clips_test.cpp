@@ -11,6 +11,7 @@
 #include "core/gltf/source/source.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"
+#include "skinning/export/key_plan.h"
 #include "skinning/export/read_back.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
@@ -232,4 +233,21 @@ TEST_CASE("what a file is off by leaves out vertices that no triangle draws, as 
   const auto error = errorOfFile(folder / "loose.glb", clip, source);
   REQUIRE(error);
   CHECK(error->largestPercent < 1e-3);
+}
+
+TEST_CASE("of two bones that could each stand still only one does where both would move the mesh too far") {
+  SkinnedSequence jerk = test::armedBody(60);
+  constexpr double by = 0.07;
+  for (std::size_t k = 0; k < jerk.frameCount(); ++k) {
+    for (std::size_t b = 0; b < jerk.bones.size(); ++b) { // The trunk carries all, the head goes as far
+                                                          // again.
+      const double away = k != 30 ? 0.0 : b == 1 ? 2.0 * by : by;
+      jerk.pose(k, b) = {jerk.bones[b].pivot + Vec3(away, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), Vec3(1.0),
+                         Quat(1.0, 0.0, 0.0, 0.0)};
+    }
+  }
+  const auto plan = planKeys(encodeGltf(jerk).source, jerk.frameCount(), by / 0.7, {}, {});
+  REQUIRE(plan);
+  REQUIRE(plan->size() == 2);
+  CHECK(std::ranges::count_if(*plan, [](const auto& keys) { return keys.size() == 1; }) == 1);
 }

@@ -1,8 +1,12 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
+#include "core/gltf/import/import.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/edits.h"
 #include "skinning/export/append_frames.h"
+#include "skinning/export/encode_gltf.h"
 #include "skinning/export/frame_stream.h"
 #include "tests/support/refusal.h"
 #include "tests/support/skinning/bodies.h"
@@ -123,4 +127,35 @@ TEST_CASE("Frames of another mesh are refused with both counts, and frames that 
   CHECK(other.find(std::to_string(base.later.triangles.size() + 1) + " triangles, the sequence") !=
         std::string::npos);
   CHECK(other.find("and " + std::to_string(base.later.triangles.size())) != std::string::npos);
+}
+
+TEST_CASE("A second skin that another program left in the base of a stream changes no frame") {
+  const Base base;
+  const auto plain = base.appended(unchanged);
+  const auto beside = base.appended([](Json& json) {
+    Json joints = json["skins"][0]["joints"];
+    std::reverse(joints.begin(), joints.end());
+    json["skins"].push_back({{"joints", joints}});
+  });
+  REQUIRE(plain);
+  REQUIRE(beside);
+  CHECK(beside->bytes == plain->bytes);
+}
+
+TEST_CASE("The base of a stream has all triangles of its mesh, however many bytes they take") {
+  SkinnedSequence tube = test::wavingTube(3, 4);
+  tube.triangles.pop_back(); // Of an odd number of triangles the bytes do not end at a multiple of four.
+  REQUIRE(tube.triangles.size() % 2 == 1);
+  const auto indicesOf = [](const gltf::Source& source) {
+    gltf::Problems problems;
+    const Scene scene = gltf::importScene(source, problems, gltf::Pictures::headers);
+    return scene.meshes.at(0).primitives.at(0).indices;
+  };
+  CHECK(indicesOf(streamOf(tube, false, StreamCourses::all).base) == indicesOf(encodeGltf(tube).source));
+}
+
+TEST_CASE("A frame of a stream tells its number in four bytes, the lowest first") {
+  std::vector<std::uint8_t> bytes;
+  putStreamHeader(0x01020304, bytes);
+  CHECK(bytes == std::vector<std::uint8_t>{'S', 'F', streamVersion, 0, 4, 3, 2, 1});
 }

@@ -132,3 +132,21 @@ TEST_CASE(
   addBoxOn(lamp, NodeIndex(0), {0, 5.0, 0});
   CHECK(detectBody(lamp).height == Approx(bare));
 }
+
+TEST_CASE("A mesh that the file holds and its scene does not show counts into no height") {
+  const BuiltBiped built = build(makeNamedBody("Mixamo"));
+  Scene scene = built.scene;
+  Mesh unseen = scene.meshes.front();
+  for (glm::vec3& position : unseen.primitives.front().positions) {
+    position.y += 0.3F;
+  }
+  Node holder;
+  holder.name = "left over";
+  holder.mesh = static_cast<int>(scene.meshes.size());
+  holder.skin = 0;
+  scene.meshes.push_back(unseen);
+  scene.nodes.push_back(holder);
+  CHECK(detectBody(scene).height == Approx(detectBody(built.scene).height));
+  scene.roots.emplace_back(scene.nodes.size() - 1);
+  CHECK(detectBody(scene).height == Approx(detectBody(built.scene).height + 0.3));
+}

@@ -65,6 +65,27 @@ TEST_CASE("Locators are turned along their bones and look where the body faces",
   CHECK(glm::dot(axisOf(body, "leftLowerArm", x), axisOf(body, "rightLowerArm", x)) == Approx(-1.0));
 }
 
+TEST_CASE("A locator at the place of the next one is turned along no bone", "[locators]") {
+  Locators body = person();
+  const Quat before = axisAngle(z, 0.3);
+  findLocator(body, "leftLowerArm")->position = findLocator(body, "leftHand")->position;
+  findLocator(body, "leftLowerArm")->orientation = before;
+  CHECK(findLocator(alongBones(body), "leftLowerArm")->orientation == before);
+}
+
+TEST_CASE("Locators of a trunk alone look along the z of the scene", "[locators]") {
+  Locators trunk = person();
+  std::erase_if(trunk.list,
+                [](const Locator& locator) { return sideOfLocator(locator.name) != BodySide::centre; });
+  trunk = alongBones(trunk);
+  REQUIRE(trunk.list.size() == 3);
+  for (const Locator& locator : trunk.list) {
+    INFO(locator.name);
+    CHECK(glm::dot(locator.orientation * y, y) == Approx(1.0));
+    CHECK(glm::dot(locator.orientation * z, z) == Approx(1.0));
+  }
+}
+
 TEST_CASE("A turn made by hand stays on a bone whose joints are moved", "[locators]") {
   Locators body = alongBones(person());
   const Quat twist = axisAngle(y, 0.5);

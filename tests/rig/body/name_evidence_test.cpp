@@ -1,4 +1,5 @@
 #include "rig/body/evidence/name_evidence.h"
+#include "rig/body/evidence/name_text.h"
 
 #include <string>
 #include <vector>
@@ -170,4 +171,18 @@ TEST_CASE("the words of a name stay apart in what a mirrored pair shares") {
   CHECK(readName("back_fin.L").key != readName("back.L").key);
   CHECK(readName("a_bc.L").key != readName("ab_c.L").key);
   CHECK(readName("left_fin_a").key == readName("fin_right_a").key);
+}
+
+TEST_CASE("letters are folded and told large from small up to the first and the last of their alphabet") {
+  const auto partsOf = [](const char* name) {
+    const std::vector<NameChunk> chunks = nameChunks(name);
+    return chunks.size() == 1 ? chunks.front().parts : std::vector<std::string>();
+  };
+  using Parts = std::vector<std::string>;
+  CHECK(partsOf("brasÀile") == Parts{"bras", "aile"});
+  CHECK(partsOf("brasÞa") == Parts{"bras", "ta"}); // the last that is large
+  CHECK(partsOf("brasßa") == Parts{"brasssa"});
+  CHECK(partsOf("armeſ") == Parts{"armes"});
+  CHECK(partsOf("АркаЯма") == Parts{"арка", "яма"});
+  CHECK(partsOf("ногаЁлка") == Parts{"нога", "елка"});
 }

@@ -184,3 +184,20 @@ TEST_CASE("Settings that become a style and a trail again are the same") {
   CHECK(rig::styledSettings(plain, rig::styleOf({{LimbKind::arm, settings}}, "A"), LimbKind::arm, 1.0) ==
         settings);
 }
+
+TEST_CASE("A style that is taken from level trails is level, and from one of no length has no release") {
+  rig::StyledLimb one = limb(LimbKind::arm, 2.0);
+  one.settings.axes = {true, false, true};
+  one.settings.releaseFrames = 5.0;
+  CHECK(rig::styleOf({one}, "Level").axes == rig::AxesRule::level);
+  CHECK(rig::styleOf({one}, "Level").release == 0.5);
+  one.settings.startFrame = one.settings.endFrame;
+  CHECK_FALSE(rig::styleOf({one}, "Short").release);
+}
+
+TEST_CASE("A style that is taken from the trunk alone asks of limbs what it asks of the trunk") {
+  const rig::Style taken = rig::styleOf({limb(LimbKind::spine, 1.5)}, "Trunk");
+  for (const rig::ScaleRange& range : {taken.torso, taken.arm, taken.leg, taken.other}) {
+    CHECK(range == rig::ScaleRange{1.0, 1.5, 1.5});
+  }
+}

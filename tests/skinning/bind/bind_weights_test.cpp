@@ -259,6 +259,8 @@ TEST_CASE("What cannot be bound is said in one line") {
   const std::vector<BindJoint> tooMany(65536, tubeBones.front());
   CHECK(test::refusal(skinning::bindWeights(tube.positions, tube.triangles, tooMany)) ==
         "more joints than a skin can name; bind to fewer");
+  const std::vector<BindJoint> asManyAsFit(65535, tubeBones.front());
+  CHECK(test::refusal(skinning::bindWeights(tube.positions, {}, asManyAsFit)) == noFaces);
   const std::vector<glm::vec3> point(3, glm::vec3(1.0F));
   CHECK(test::refusal(skinning::bindWeights(point, {{0, 1, 2}}, tubeBones)) ==
         "the mesh has no extent; bind a mesh with a body");

@@ -99,3 +99,32 @@ TEST_CASE("Of a skeleton that is not the same on both sides nothing is shared") 
   skinning::mirrorWeights(places, joints, weights);
   CHECK(weights == std::vector<Influences>{all(1), all(0)});
 }
+
+TEST_CASE("The sides of a body lie along whichever axis of its space they do") {
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const auto along = [axis](double way) {
+      Vec3 place(0.0);
+      place[axis] = way;
+      return place;
+    };
+    const std::vector<glm::vec3> places{glm::vec3(along(1.0)), glm::vec3(along(-1.0))};
+    const std::vector<BindJoint> joints{{Vec3(0.0), -1}, {along(2.0), 0}, {along(-2.0), 0}};
+    std::vector<Influences> weights{all(1), all(0)};
+    skinning::mirrorWeights(places, joints, weights);
+    CAPTURE(axis);
+    CHECK(weightOf(weights[0], 1) == Approx(0.5));
+    CHECK(weightOf(weights[1], 2) == Approx(0.5));
+  }
+}
+
+TEST_CASE("Of two joints at one place the first goes with the first of the other side") {
+  const std::vector<glm::vec3> places{{1, 0, 0}, {-1, 0, 0}};
+  const std::vector<BindJoint> joints{
+      {Vec3(0, 0, 0), -1}, {Vec3(2, 0, 0), 0}, {Vec3(2, 0, 0), 1}, {Vec3(-2, 0, 0), 0}, {Vec3(-2, 0, 0), 3}};
+  std::vector<Influences> weights{all(2), all(3)};
+  skinning::mirrorWeights(places, joints, weights);
+  CHECK(weightOf(weights[0], 1) == Approx(0.5));
+  CHECK(weightOf(weights[0], 2) == Approx(0.5));
+  CHECK(weightOf(weights[1], 3) == Approx(0.5));
+  CHECK(weightOf(weights[1], 4) == Approx(0.5));
+}

@@ -129,6 +129,20 @@ TEST_CASE("A large patch is filled from its border inwards, with the mean of wha
   }
 }
 
+TEST_CASE("A corner of a single triangle gets the mean of what both others follow") {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    std::vector<Influences> weights(3, followsAlone(1));
+    weights[(corner + 1) % 3] = followsAlone(3);
+    weights[corner] = followsAlone(8);
+    takeInPatches({{0, 1, 2}}, unwelded(3), family, weights);
+    CAPTURE(corner);
+    CHECK(weights[corner].bones[0] == 1);
+    CHECK(weights[corner].bones[1] == 3);
+    CHECK(weights[corner].weights[0] == Approx(0.5F));
+    CHECK(weights[corner].weights[1] == Approx(0.5F));
+  }
+}
+
 TEST_CASE("Vertices at one place have what the first of them has, where a patch is taken in") {
   std::vector<Triangle> triangles = fan();
   triangles.push_back({7, 1, 2}); // 7 lies where 0 does

@@ -1,4 +1,5 @@
 // What is refused and what is taken, each at the edge.
+#include <algorithm>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -67,6 +68,27 @@ TEST_CASE("a mesh has at most one bone for every four vertices, and is told how 
   const MeshSequence large = test::still(test::sphere(4));
   CHECK_THAT(ofBones(large, 1001),
              Catch::EndsWith("ask for 1 to " + std::to_string(large.vertexCount / 4) + " bones"));
+}
+
+TEST_CASE("a mesh of three vertices is too few for a bone") {
+  const MeshSequence triangle = test::still({{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}}});
+  CHECK_THAT(ofBones(triangle, 1), Catch::Contains("3 vertices are too few for a bone") &&
+                                       Catch::EndsWith("give a mesh of at least 4 vertices"));
+}
+
+TEST_CASE("a sequence of one frame is told to move nothing, and one of two is not") {
+  const auto tells = [](int frames) {
+    CompressSettings settings;
+    settings.bones = 6;
+    settings.stretch = StretchOption::measured;
+    const auto result = compress(skinAllFrames(test::armedBody(frames)), settings);
+    REQUIRE(result);
+    return std::ranges::any_of(result->warnings, [](const std::string& warning) {
+      return warning.starts_with("there is one frame: nothing moves");
+    });
+  };
+  CHECK(tells(1));
+  CHECK_FALSE(tells(2));
 }
 
 TEST_CASE("a given skeleton is measured against the first frame of the mesh") {
