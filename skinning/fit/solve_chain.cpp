@@ -46,18 +46,19 @@ public:
 
   /// Squared error but for the constant sum of squared observations.
   [[nodiscard]] double energy(const Links& links) const {
-    double sum = 0.0;
+    double squaredError = 0.0;
     for (std::size_t b = 0; b < bones_; ++b) {
       BoneMatrix pushed = links.matrices[b] * bind_.own(b);
       for (const BindMoments::Neighbour& neighbour : bind_.neighbours(b)) {
         pushed += links.matrices[neighbour.bone] * neighbour.product;
       }
-      sum += links.matrices[b].cwiseProduct(pushed - 2.0 * observed_[b]).sum();
+      squaredError += links.matrices[b].cwiseProduct(pushed - 2.0 * observed_[b]).sum();
     }
     for (std::size_t b = 0; b < bones_; ++b) {
-      sum += 0.5 * hold(b) * (links.rotations[b] - chain_.rotations[frame_ * bones_ + b]).squaredNorm();
+      squaredError +=
+          0.5 * hold(b) * (links.rotations[b] - chain_.rotations[frame_ * bones_ + b]).squaredNorm();
     }
-    return sum;
+    return squaredError;
   }
 
   /// Gradient and Gauss-Newton matrix over (root, rotation of bone 0, 1, ...), every rotation a small turn in
