@@ -76,6 +76,21 @@ TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that en
 }
 
 TEST_CASE(
+    "of a humanoid table without a chest the spine ends at the neck, and all limbs are as sure as it is") {
+  BuiltBiped built = withTable();
+  for (const char* bone : {"chest", "upperChest"}) {
+    built.scene.humanoid.erase(bone);
+  }
+  const Body biped = detectBody(built.scene);
+  CHECK(describe(built, biped, biped::spine) == "spine0 -> neck0");
+  REQUIRE(biped.limbs.size() == 6);
+  for (const Limb& limb : biped.limbs) {
+    CHECK(limb.confidence > 0.95);
+    CHECK(limb.reasons == std::vector<std::string>{"the VRM humanoid table of the file"});
+  }
+}
+
+TEST_CASE(
     "an entry of the humanoid table that leads nowhere leaves the limb to the geometry, with a warning") {
   BuiltBiped built = withTable();
   built.scene.humanoid["leftHand"] = NodeIndex(9999);
