@@ -70,6 +70,53 @@ private:
   std::map<std::string, std::pair<NodeIndex, std::pair<bool, int>>> nodes_; // With what speaks for each.
 };
 
+// The nodes that a clip moves. Where several characters have nodes of one name it is taken as that of `hips`,
+// without one of the first that it moves; where it moves more nodes of another one, as that one's.
+class MovedNodes {
+public:
+  MovedNodes(const Scene& scene, const Clip& clip, NodeIndex hips)
+      : scene_(scene), character_(scene, hips.exists() ? hips : firstTop(scene, clip)) {
+    for (const CopyOnWrite<Track>& track : clip.tracks) {
+      moved_[scene.nodes[at(track->node)].name].insert(track->node);
+    }
+    int balance = 0;
+    NodeIndex other;
+    for (const auto& [name, nodes] : moved_) {
+      const NodeIndex own = character_.find(name);
+      const bool isOfOther = own.exists() && !nodes.contains(own);
+      balance += isOfOther ? -1 : (own.exists() ? 1 : 0);
+      other = isOfOther && !other.exists() ? *nodes.begin() : other;
+    }
+    if (balance < 0) {
+      character_ = NodesByName(scene, other);
+    }
+  }
+
+  [[nodiscard]] bool isOfOther(NodeIndex node) const {
+    const NodeIndex own = character_.find(scene_.nodes[at(node)].name);
+    return own.exists() && own != node;
+  }
+
+  // Whether its name says not which of several that are moved it is.
+  [[nodiscard]] bool isDoubtful(NodeIndex node) const {
+    const std::string& name = scene_.nodes[at(node)].name;
+    return !character_.find(name).exists() && moved_.at(name).size() > 1;
+  }
+
+private:
+  static NodeIndex firstTop(const Scene& scene, const Clip& clip) {
+    NodeIndex top = clip.tracks.empty() ? NodeIndex::none : clip.tracks.front()->node;
+    while (top.exists() && scene.nodes[at(top)].parent.exists()) {
+      top = scene.nodes[at(top)].parent;
+    }
+    return top;
+  }
+
+  const Scene& scene_;
+  NodesByName character_;
+  std::map<std::string, std::set<NodeIndex>> moved_;
+};
+
 bool takesWeights(const Scene& scene, NodeIndex node, int targets) {
   const int mesh = scene.nodes[at(node)].mesh;
   if (mesh < 0) {
@@ -87,9 +134,11 @@ Vec3 offsetFromParent(const std::vector<Mat4>& worlds, NodeIndex parent, NodeInd
 
 } // namespace
 
-CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips) {
+CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips,
+                        NodeIndex fromHips) {
   const NodesByName names(to, hips);
-  CopiedTracks copied{clip, {}, 0};
+  const MovedNodes moved(from, clip, fromHips);
+  CopiedTracks copied{clip, {}, {}, 0};
   copied.clip.sourceIndex = -1;
   copied.clip.tracks.clear();
   std::set<NodeIndex> told;
@@ -97,9 +146,14 @@ CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to, No
     const std::string& name = from.nodes[at(track->node)].name;
     const NodeIndex node = names.find(name);
     const bool isWeights = track->channel == Channel::weights;
-    const bool isTaken = node.exists() && (!isWeights || takesWeights(to, node, track->width));
+    const bool isTaken = node.exists() && !moved.isDoubtful(track->node) &&
+                         (!isWeights || takesWeights(to, node, track->width));
     const bool isFirst = told.insert(track->node).second;
-    if (isTaken) {
+    if (moved.isOfOther(track->node)) {
+      if (isFirst) {
+        copied.ofOthers.push_back(name);
+      }
+    } else if (isTaken) {
       Track taken = *track;
       taken.node = node;
       taken.sourceChannel = -1;
@@ -112,10 +166,11 @@ CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to, No
   return copied;
 }
 
-bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips) {
+bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to, NodeIndex hips, NodeIndex fromHips) {
   constexpr double alikeShare = 0.05; // of the bone's length
   constexpr double mostlyShare = 0.9;
   const NodesByName names(to, hips);
+  const MovedNodes moved(from, clip, fromHips);
   const std::vector<Mat4> sourceBind = bindPoseWorlds(from);
   const std::vector<Mat4> bind = bindPoseWorlds(to);
   std::set<NodeIndex> seen;
@@ -126,7 +181,8 @@ bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to, NodeInd
     const NodeIndex parent = from.nodes[at(node)].parent;
     const NodeIndex own = names.find(from.nodes[at(node)].name);
     const NodeIndex ownParent = own.exists() ? to.nodes[at(own)].parent : NodeIndex::none;
-    const bool isComparable = parent.exists() && ownParent.exists() && seen.insert(node).second &&
+    const bool isComparable = parent.exists() && ownParent.exists() && !moved.isOfOther(node) &&
+                              seen.insert(node).second &&
                               names.find(from.nodes[at(parent)].name) == ownParent;
     if (!isComparable) {
       continue;

@@ -1,6 +1,7 @@
 #include "app/edits/keys/import_clip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,8 +105,43 @@ std::size_t animatedNodes(const rig::CopiedTracks& copied) {
 bool isCopied(const Donor& donor, const Clip& clip, const rig::CopiedTracks& copied, const Document& document,
               bool canRetarget) {
   const bool hasMost = copied.joints > 0 && copied.joints * 2 >= animatedNodes(copied);
-  return hasMost && (!canRetarget ||
-                     rig::haveSameBones(*donor.document.scene, clip, *document.scene, document.body.hips));
+  return hasMost && (!canRetarget || rig::haveSameBones(*donor.document.scene, clip, *document.scene,
+                                                        document.body.hips, donor.document.body.hips));
+}
+
+// Whether no joint moves by more than numbers of files are off.
+bool isStill(const Clip& clip) {
+  const auto isAlike = [](float a, float b) { return std::abs(a - b) <= 1e-6F * std::abs(b) + 1e-9F; };
+  return std::ranges::none_of(clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    const std::vector<float>& values = track->values;
+    return track->channel != Channel::weights &&
+           !std::equal(values.begin() + track->width, values.end(), values.begin(), isAlike);
+  });
+}
+
+// What of a clip goes no way, neither copied nor retargeted.
+std::vector<std::string> notesOf(const Clip& clip, const NewClip& brought,
+                                 const std::vector<std::string>& ofOthers) {
+  std::vector<std::string> notes;
+  if (!ofOthers.empty()) {
+    const std::string names = brought.isRetargeted
+                                  ? std::string()
+                                  : fmt::format(": {} of them, {} first", ofOthers.size(), ofOthers.front());
+    notes.push_back("left out what moves another character of the file, which has nodes of the same names" +
+                    names);
+  }
+  const auto weights = std::ranges::count_if(
+      clip.tracks, [](const CopyOnWrite<Track>& track) { return track->channel == Channel::weights; });
+  if (brought.isRetargeted && weights > 0) {
+    notes.push_back(fmt::format("left out {} {} of morph weights: a clip of another skeleton moves joints "
+                                "alone",
+                                weights, weights == 1 ? "channel" : "channels"));
+  }
+  if (brought.isRetargeted && isStill(brought.clip) && !isStill(clip)) {
+    notes.push_back("nothing of it moves this character: it moves other nodes than the limbs that were found "
+                    "in the file");
+  }
+  return notes;
 }
 
 Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Document& document,
@@ -131,11 +167,13 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   const std::string file = request.file.string();
   const Clip& clip = clipOf(donor.document, index);
   const std::string title = titleOfClip(donor.document, index);
-  rig::CopiedTracks copied =
-      rig::copyTracks(*donor.document.scene, clip, *document.scene, document.body.hips);
+  rig::CopiedTracks copied = rig::copyTracks(*donor.document.scene, clip, *document.scene, document.body.hips,
+                                             donor.document.body.hips);
   const bool canRetarget = donor.skeleton && own && movesJoints(clip);
   if (isCopied(donor, clip, copied, document, canRetarget)) {
-    return NewClip{std::move(copied.clip), title, false, std::move(copied.missing)};
+    NewClip same{std::move(copied.clip), title, false, std::move(copied.missing)};
+    same.notes = notesOf(clip, same, copied.ofOthers);
+    return same;
   }
   if (!movesJoints(clip)) {
     return Error{fmt::format("the clip '{}' moves no joints", title), file,
@@ -157,7 +195,9 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   }
   RetargetReport report =
       retargetReport({*donor.skeleton, clip}, {*own, mapped->clip}, {*own, brought->clip});
-  return NewClip{std::move(brought->clip), title, true, std::move(brought->left), report};
+  NewClip other{std::move(brought->clip), title, true, std::move(brought->left), report};
+  other.notes = notesOf(clip, other, copied.ofOthers);
+  return other;
 }
 
 std::string freeClipName(const std::vector<Clip>& clips, const std::string& wanted) {
@@ -201,20 +241,22 @@ std::string leftText(const NewClip& clip) {
                                          clip.left.size() == 1 ? "joint" : "joints", names);
 }
 
-// One line for all clips that lack the same.
+// One line for all clips of which the same is told.
 std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
   std::vector<std::pair<std::string, std::vector<std::string>>> clipsOfText;
   for (const NewClip& clip : clips) {
-    const std::string text = leftText(clip);
-    if (text.empty()) {
-      continue;
+    std::vector<std::string> texts = clip.notes;
+    if (const std::string text = leftText(clip); !text.empty()) {
+      texts.insert(texts.begin(), text);
     }
-    auto known =
-        std::ranges::find(clipsOfText, text, [](const auto& one) -> const std::string& { return one.first; });
-    if (known == clipsOfText.end()) {
-      known = clipsOfText.insert(known, {text, {}});
+    for (const std::string& text : texts) {
+      auto known = std::ranges::find(clipsOfText, text,
+                                     [](const auto& one) -> const std::string& { return one.first; });
+      if (known == clipsOfText.end()) {
+        known = clipsOfText.insert(known, {text, {}});
+      }
+      known->second.push_back(clip.from);
     }
-    known->second.push_back(clip.from);
   }
   constexpr std::size_t mostClips = 3;
   std::vector<std::string> lines;

@@ -360,3 +360,62 @@ TEST_CASE(
   CHECK(report["clips"][0]["left_out"].empty());
   CHECK_THAT(report["warnings"].dump(), Catch::Contains("at least 2 characters in the file"));
 }
+
+TEST_CASE("What moves another character of the file by the same names is left out of the clip, and told") {
+  const TemporaryFolder folder;
+  test::SyntheticBiped two = test::namedBody();
+  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
+  test::MovingBiped both = test::still(two);
+  for (const auto& [key, node] : both.node) {
+    if (key.starts_with("other ")) {
+      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
+    }
+  }
+  for (const char* const key : {"upperArm.l", "other upperArm.l"}) {
+    both.clip.tracks.emplace_back(
+        test::rotationTrack(both.node.at(key), Interpolation::linear,
+                            {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, Quat(0.8, 0.0, 0.6, 0.0)}}));
+  }
+  const std::string from = written(folder, "both.glb", both, {both.clip});
+  const std::string file = written(folder, "one.glb", test::still(test::namedBody()), {});
+  const Result<NewClips> brought = clipsFromFile(openedFile(file), {from, {}, {}});
+  INFO((brought ? std::string() : brought.error().line()));
+  REQUIRE(brought);
+  CHECK_FALSE(brought->clips.front().isRetargeted);
+  CHECK(brought->clips.front().clip.tracks.size() == 1);
+  REQUIRE(brought->warnings.size() == 1);
+  CHECK_THAT(brought->warnings.front(), Catch::StartsWith("still: left out what moves another character") &&
+                                            Catch::Contains(": 1 of them"));
+}
+
+TEST_CASE("Morph weights that a retargeted clip leaves out are counted, and that nothing moves is told") {
+  const TemporaryFolder folder;
+  const auto told = [&](bool punches) {
+    test::MovingBiped moving = punches ? test::punchingBiped() : test::still(test::namedBody());
+    const NodeIndex beside = test::addNode(moving.scene, "Lamp", NodeIndex::none, Vec3(2.0, 0.0, 0.0));
+    moving.clip.tracks.emplace_back(test::vectorTrack(beside, Channel::translation, Interpolation::linear,
+                                                      {{0.0, Vec3(2.0)}, {1.0, Vec3(3.0)}}));
+    auto glb = test::characterFile(moving.scene, {moving.clip});
+    Json& primitive = glb.json["meshes"][0]["primitives"][0];
+    primitive["targets"] = Json::array({Json{{"POSITION", primitive["attributes"]["POSITION"]}}});
+    const int times = glb.floats({0.0F, 1.0F}, "SCALAR", 1);
+    glb.json["accessors"][at(times)]["min"] = {0.0};
+    glb.json["accessors"][at(times)]["max"] = {1.0};
+    Json& clip = glb.json["animations"][0];
+    clip["samplers"].push_back({{"input", times}, {"output", glb.floats({0.0F, 1.0F}, "SCALAR", 1)}});
+    const auto shown =
+        std::ranges::find_if(moving.scene.nodes, [](const Node& node) { return node.mesh == 0; });
+    clip["channels"].push_back(
+        {{"sampler", clip["samplers"].size() - 1},
+         {"target", {{"node", shown - moving.scene.nodes.begin()}, {"path", "weights"}}}});
+    glb.write(folder / "from.glb");
+    const Result<NewClips> brought =
+        clipsFromFile(openedFile(posedCharacter), {(folder / "from.glb").string(), {}, {}});
+    REQUIRE(brought);
+    CHECK(brought->clips.front().isRetargeted);
+    return Json(brought->warnings).dump();
+  };
+  CHECK_THAT(told(true), Catch::Contains("left out 1 channel of morph weights") &&
+                             !Catch::Contains("nothing of it moves"));
+  CHECK_THAT(told(false), Catch::Contains("nothing of it moves this character"));
+}

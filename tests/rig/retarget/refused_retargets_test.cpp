@@ -1,9 +1,13 @@
 // Clips that are not brought over: too long, stopped on the way, or to joints whose names say not which.
+#include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "core/math/rotation.h"
 #include "rig/retarget/copy_tracks.h"
 #include "rig/retarget/retarget.h"
 #include "tests/support/refusal.h"
@@ -62,4 +66,65 @@ TEST_CASE(
   const CopiedTracks once = copyTracks(moving.scene, moving.clip, beside.scene);
   CHECK(once.missing.empty());
   CHECK(findTrack(once.clip, beside.node.at("upperArm.l"), Channel::rotation) >= 0);
+}
+
+namespace {
+
+// Two persons with the same names. The clip moves the first one's left arm, and the other one likewise.
+MovingBiped twoOfOneName() {
+  test::SyntheticBiped two = test::namedBody();
+  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
+  MovingBiped both = test::still(two);
+  for (const auto& [key, node] : both.node) {
+    if (key.starts_with("other ")) {
+      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
+    }
+  }
+  for (const char* const key : {"upperArm.l", "foreArm.l", "other upperArm.l", "other foreArm.l"}) {
+    const double angle = std::string(key).starts_with("other") ? 0.3 : 0.6;
+    both.clip.tracks.emplace_back(
+        test::rotationTrack(both.node.at(key), Interpolation::linear,
+                            {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(0.0, 1.0, 0.0), angle)}}));
+  }
+  setEndsFromKeys(both.clip);
+  return both;
+}
+
+} // namespace
+
+TEST_CASE("Of two characters with the same names one gives its tracks, and the other one's nodes are named") {
+  MovingBiped both = twoOfOneName();
+  const MovingBiped to = test::still(test::namedBody());
+  const auto copied = [&](const char* hips) {
+    return copyTracks(both.scene, both.clip, to.scene, to.body.hips, both.node.at(hips));
+  };
+  for (const auto& [hips, source] : {std::pair("hips", 0), std::pair("other hips", 2)}) {
+    CAPTURE(hips);
+    const CopiedTracks one = copied(hips);
+    REQUIRE(one.clip.tracks.size() == 2);
+    CHECK(one.clip.tracks[0]->node == to.node.at("upperArm.l"));
+    CHECK(one.clip.tracks[1]->node == to.node.at("foreArm.l"));
+    CHECK(one.clip.tracks[0]->values == both.clip.tracks[at(source)]->values);
+    CHECK(one.joints == 2);
+    CHECK(one.missing.empty());
+    CHECK(one.ofOthers.size() == 2);
+  }
+  both.clip.tracks.erase(both.clip.tracks.begin(), both.clip.tracks.begin() + 2);
+  const CopiedTracks alone = copied("hips"); // who does not move
+  REQUIRE(alone.clip.tracks.size() == 2);
+  CHECK(alone.clip.tracks[0]->values == both.clip.tracks[0]->values);
+  CHECK(alone.ofOthers.empty());
+}
+
+TEST_CASE("Two nodes of one character that have one name and move give their tracks to no node") {
+  MovingBiped twice = test::punchingBiped();
+  const MovingBiped to = test::still(test::namedBody());
+  const std::string name = twice.scene.nodes[at(twice.node.at("upperArm.l"))].name;
+  twice.scene.nodes[at(twice.node.at("foreArm.l"))].name = name;
+  const CopiedTracks copied = copyTracks(twice.scene, twice.clip, to.scene, to.body.hips, twice.body.hips);
+  CHECK(std::ranges::count(copied.missing, name) == 2);
+  std::set<std::pair<NodeIndex, Channel>> taken;
+  for (const CopyOnWrite<Track>& track : copied.clip.tracks) {
+    CHECK(taken.emplace(track->node, track->channel).second);
+  }
 }
