@@ -351,7 +351,7 @@ std::optional<FewerKeys> fewerKeys(const SkinnedSequence& sequence, const Encode
   bare.surface = nullptr;
   const gltf::Source every = Encoder(bare, plain).encode().source;
   const MeshSequence whole = framesOf(every, bare);
-  const double length = 0.01 * settings.keyTolerancePercent * boxDiagonal(bare.bindPositions);
+  const double length = 0.01 * settings.keyTolerancePercent * extentOf(whole).diagonal;
   std::vector<std::size_t> also;
   double bound = 0.985 * length;
   for (int trial = 0; trial < trials; ++trial) {

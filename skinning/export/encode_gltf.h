@@ -22,7 +22,7 @@ struct EncodeSettings {
                              ///< (KHR_mesh_quantization).
   bool meshopt = false;      ///< All data but images compressed (EXT_meshopt_compression).
   /// Keys are left out as long as no vertex of any frame is moved farther than this, in percent of the
-  /// diagonal of the bind pose's box. 0, or where that would take more than it saves: every frame is a key.
+  /// diagonal of the clip (extentOf). 0, or where that would take more than it saves: every frame is a key.
   double keyTolerancePercent = 0.0;
 
   friend bool operator==(const EncodeSettings&, const EncodeSettings&) = default;

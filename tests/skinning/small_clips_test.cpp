@@ -22,6 +22,22 @@ using namespace stretch::skinning;
 
 namespace {
 
+// A body of bones that turn slowly to and fro about their beginnings.
+SkinnedSequence slowlyTurningBody() {
+  SkinnedSequence slow = test::armedBody(2);
+  constexpr std::size_t frames = 90;
+  slow.poses.clear();
+  for (std::size_t k = 0; k < frames; ++k) {
+    for (std::size_t b = 0; b < slow.bones.size(); ++b) {
+      const double angle = 0.15 * std::sin(2.0 * pi * static_cast<double>(k) / 60.0 + static_cast<double>(b));
+      slow.poses.push_back({slow.bones[b].pivot, glm::angleAxis(angle, Vec3(0.0, 0.0, 1.0)), Vec3(1.0),
+                            Quat(1.0, 0.0, 0.0, 0.0)});
+      slow.bones[b].parent = -1;
+    }
+  }
+  return slow;
+}
+
 SkinnedSequence measuredBody() {
   CompressSettings settings;
   settings.bones = 6;
@@ -70,24 +86,37 @@ bool isRequired(const EncodedClip& clip, const char* extension) {
 } // namespace
 
 TEST_CASE("smooth turns keep less than a third of their keys") {
-  SkinnedSequence slow = test::armedBody(2);
-  constexpr std::size_t frames = 90;
-  slow.poses.clear();
-  for (std::size_t k = 0; k < frames; ++k) {
-    for (std::size_t b = 0; b < slow.bones.size(); ++b) {
-      const double angle = 0.15 * std::sin(2.0 * pi * static_cast<double>(k) / 60.0 + static_cast<double>(b));
-      slow.poses.push_back({slow.bones[b].pivot, glm::angleAxis(angle, Vec3(0.0, 0.0, 1.0)), Vec3(1.0),
-                            Quat(1.0, 0.0, 0.0, 0.0)});
-      slow.bones[b].parent = -1;
-    }
-  }
+  const SkinnedSequence slow = slowlyTurningBody();
   const WrittenClip every = written(slow, {});
-  REQUIRE(every.clip.keys == frames * slow.bones.size());
+  REQUIRE(every.clip.keys == slow.frameCount() * slow.bones.size());
   EncodeSettings settings;
   settings.keyTolerancePercent = 0.2;
   const WrittenClip reduced = written(slow, settings);
   CHECK(reduced.largestPercent <= 0.202);
   CHECK(3 * reduced.clip.keys < every.clip.keys);
+}
+
+TEST_CASE("a body that grows from a point leaves out keys by the size that it comes to") {
+  SkinnedSequence grown = slowlyTurningBody();
+  constexpr double seed = 1e-5; // of its size, as it begins
+  for (glm::vec3& position : grown.bindPositions) {
+    position *= static_cast<float>(seed);
+  }
+  for (std::size_t i = 0; i < grown.poses.size(); ++i) {
+    const bool isFirst = i < grown.bones.size();
+    grown.poses[i].position *= isFirst ? seed : 1.0;
+    grown.poses[i].scale = Vec3(isFirst ? 1.0 : 1.0 / seed);
+  }
+  for (SkinBone& bone : grown.bones) {
+    bone.pivot *= seed;
+    bone.end *= seed;
+  }
+  const WrittenClip every = written(grown, {});
+  EncodeSettings settings;
+  settings.keyTolerancePercent = 0.2;
+  const WrittenClip reduced = written(grown, settings);
+  CHECK(reduced.largestPercent <= 0.21);
+  CHECK(2 * reduced.clip.keys < every.clip.keys);
 }
 
 TEST_CASE("a body that never moves has two equal keys, by which the clip lasts, whatever their tolerance") {
