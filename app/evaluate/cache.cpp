@@ -64,7 +64,8 @@ const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Mot
   for (const std::size_t i : activeWeights(weight)) {
     limbs.push_back(weight.weights[i].limb);
   }
-  return sampled_.of({held, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *held); });
+  return sampled_.of({held, std::move(limbs), upOf(weight)},
+                     [&](const auto*) { return sampleClip(weight, *held); });
 }
 
 const EvaluationCache::Weighted& EvaluationCache::weighted(const Document& document, int clip) {

@@ -86,6 +86,7 @@ private:
   struct SampleKey {
     Motion held;
     std::vector<std::string> limbs; ///< That give way: a drag of a limb's softness keeps the samples.
+    Vec3 up{0.0, 1.0, 0.0};
     friend bool operator==(const SampleKey&, const SampleKey&) = default;
   };
   struct WeightKey {

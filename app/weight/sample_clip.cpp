@@ -47,16 +47,16 @@ bool isSampled(const WeightInput& input, const rig::Limb& limb) {
 
 // Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.
 void addSample(const FrameState& frame, const std::vector<NodeIndex>& endNodes, double metresPerUnit,
-               SampledClip::OfLimb& one) {
+               const Vec3& up, SampledClip::OfLimb& one) {
   std::vector<Vec3> joints = rig::limbPoints(one.limb, frame);
   std::vector<Mat3> toJoint;
   for (const NodeIndex joint : one.limb.joints) {
     const Mat3 world(frame.worlds[at(joint)]);
     toJoint.push_back(glm::determinant(world) != 0.0 ? glm::inverse(world) : Mat3(1.0));
   }
-  double lowest = joints.back().y;
+  double lowest = glm::dot(joints.back(), up);
   for (const NodeIndex node : endNodes) {
-    lowest = std::min(lowest, positionOf(frame.worlds[at(node)]).y);
+    lowest = std::min(lowest, glm::dot(positionOf(frame.worlds[at(node)]), up));
   }
   for (Vec3& joint : joints) {
     joint *= metresPerUnit;
@@ -106,10 +106,11 @@ SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion)
       }
     }
   }
+  const Vec3 up = upOf(input);
   for (const double seconds : sampled.seconds) {
     const FrameState frame = rig::evaluateMotion(*input.scene, clip, motion, seconds);
     for (std::size_t i = 0; i < sampled.limbs.size(); ++i) {
-      addSample(frame, endNodes[i], input.metresPerUnit(), sampled.limbs[i]);
+      addSample(frame, endNodes[i], input.metresPerUnit(), up, sampled.limbs[i]);
     }
   }
   return sampled;

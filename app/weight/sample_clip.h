@@ -26,6 +26,10 @@ struct WeightInput {
 /// Places in WeightInput::weights of the limbs that give way: on, and there.
 [[nodiscard]] std::vector<std::size_t> activeWeights(const WeightInput& input);
 
+/// Against gravity, unit: of the first limb that gives way and has any; without one +Y. What stands, stands
+/// along it.
+[[nodiscard]] Vec3 upOf(const WeightInput& input);
+
 /// The limbs of a clip with its trails, sampled for the elastic model: where each joint is, metres of a
 /// character of characterSizeMetres, and how its space lies.
 struct SampledClip {
@@ -36,7 +40,7 @@ struct SampledClip {
     rig::Limb limb;
     std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.
     std::vector<std::vector<Mat3>> toJoint; ///< For each sample: world directions seen from each joint.
-    std::vector<double> lowest;             ///< Height along +Y of the lowest joint of hand or foot, metres.
+    std::vector<double> lowest; ///< Height along upOf of the lowest joint of hand or foot, metres.
   };
   std::vector<OfLimb> limbs; ///< Those with weight, and the legs.
 };

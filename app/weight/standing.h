@@ -21,9 +21,10 @@ struct Standing {
   }
 };
 
-/// A foot stands when its lowest joint is near the lowest place that any foot gets to along +Y and does not
-/// shoot up or down: on a clip that walks in place it slides, and at a landing the body brakes while the foot
-/// still comes down. It touches the ground wherever it is that low. Without a leg nothing stands.
+/// A foot stands when its lowest joint is near the lowest place that any foot gets to against gravity (upOf)
+/// and does not shoot up or down: on a clip that walks in place it slides, and at a landing the body brakes
+/// while the foot still comes down. It touches the ground wherever it is that low. Without a leg nothing
+/// stands.
 [[nodiscard]] Standing standingOf(const SampledClip& sampled, double metresPerUnit);
 
 } // namespace stretch::app

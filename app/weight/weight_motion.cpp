@@ -1,6 +1,7 @@
 #include "app/weight/weight_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -153,6 +154,12 @@ void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::
                               std::to_string(std::lround(weight.endSeconds)) +
                               " seconds only: the clip is longer than " + "is looked at");
   }
+  constexpr double sameWay = 0.9999; // cosine
+  const double size = glm::length(settings.gravity);
+  if (size > 0.0 && -glm::dot(settings.gravity, upOf(input.weight)) < sameWay * size) {
+    report.warnings.push_back(entry.limb + ": its gravity is not along that of the limbs before it, by which "
+                                           "feet stand; give all of them one direction");
+  }
   const skinning::LimbMotion physical =
       limbMotion(input.sampled, one, input.standing, settings.density * input.bodyVolume, input.room);
   const auto stretches =
@@ -237,6 +244,16 @@ WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled, 
   }
   addStiffLegs(shared, motion.weights);
   return motion;
+}
+
+Vec3 upOf(const WeightInput& input) {
+  for (const std::size_t i : activeWeights(input)) {
+    const Vec3& gravity = input.weights[i].settings.gravity;
+    if (const double size = glm::length(gravity); size > 0.0 && std::isfinite(size)) {
+      return -gravity / size;
+    }
+  }
+  return {0.0, 1.0, 0.0};
 }
 
 std::vector<std::size_t> activeWeights(const WeightInput& input) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <unistd.h>
 
@@ -24,8 +25,10 @@
 #include "app/recipe/replay.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json/json.h"
+#include "core/math/rotation.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/nodes.h"
 #include "tests/support/refusal.h"
 
 namespace fs = std::filesystem;
@@ -224,6 +227,42 @@ TEST_CASE("a leg without weight knows where its foot stands while the other one 
     CHECK(mostKept == Approx(1.0));
   }
   CHECK(prepareMotion(heavy({}, {"left-arm"}), 0).weights.size() == 1);
+}
+
+TEST_CASE("what stands, stands against the gravity that is given") {
+  const Document upright = heavy({}, {"left-leg"});
+  const Quat turn = axisAngle(Vec3(0.0, 0.0, 1.0), 0.5 * pi);
+  WeightSettings sideways;
+  sideways.gravity = turn * sideways.gravity;
+  Document lying = heavy(sideways, {"left-leg"});
+  Scene scene = *lying.scene;
+  const std::vector<NodeIndex> roots = std::exchange(scene.roots, {});
+  const NodeIndex top = test::addNode(scene, "turned", NodeIndex::none, Vec3(0.0));
+  scene.nodes[at(top)].rest.rotation = turn;
+  scene.nodes[at(top)].children = roots;
+  for (const NodeIndex root : roots) {
+    scene.nodes[at(root)].parent = top;
+  }
+  lying.scene = std::make_shared<const Scene>(std::move(scene));
+  const rig::MotionState wanted = prepareMotion(upright, 0);
+  const rig::MotionState motion = prepareMotion(lying, 0);
+  REQUIRE(motion.weights.size() == 2);
+  for (std::size_t leg = 0; leg < 2; ++leg) {
+    const std::vector<rig::WeightSample>& samples = motion.weights[leg].weight.samples;
+    REQUIRE(samples.size() == wanted.weights[leg].weight.samples.size());
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      CHECK(samples[k].kept == Approx(wanted.weights[leg].weight.samples[k].kept).margin(1e-4));
+      CHECK(samples[k].planted == Approx(wanted.weights[leg].weight.samples[k].planted).margin(1e-4));
+    }
+  }
+  Result<Document> both = setWeight(lying, {"right-leg", 0, true, {}});
+  REQUIRE(both);
+  const std::vector<WeightReport> reports = weightReports(*both, 0);
+  REQUIRE(reports.size() == 2);
+  CHECK(reports[0].warnings.empty());
+  CHECK(std::ranges::any_of(reports[1].warnings, [](const std::string& line) {
+    return line.starts_with("right-leg: its gravity is not along");
+  }));
 }
 
 TEST_CASE("a model that is too soft says at which frame it no longer holds") {
