@@ -95,6 +95,14 @@ private:
     if (const int mesh = indexOr(entry, "mesh"); mesh >= 0) {
       copy["mesh"] = take("meshes", mesh);
     }
+    if (const Json* const extensions = find(entry, "extensions")) {
+      for (const auto& [name, value] : extensions->items()) {
+        tell(
+            fmt::format("what its nodes have by '{}' is left out, its copies where those are instances; make "
+                        "it nodes and meshes",
+                        name.substr(0, 200)));
+      }
+    }
     for (const int child : indicesOf(entry, "children")) {
       const int taken = take("nodes", child);
       copy["children"].push_back(taken);

@@ -16,10 +16,10 @@ struct Thing {
   std::vector<std::string> warnings;    ///< One line each.
 };
 
-/// Reads the nodes of a file's scene with their meshes, materials and images. Animations, cameras and
-/// extensions of nodes stay behind, compressed parts are opened, textures whose picture cannot be read are
-/// left out with a warning. An error, which names the file, for one that cannot be read, holds no mesh or a
-/// skinned one.
+/// Reads the nodes of a file's scene with their meshes, materials and images. Animations and cameras stay
+/// behind, compressed parts are opened; extensions of nodes, as instances, and textures whose picture cannot
+/// be read are left out with a warning. An error, which names the file, for one that cannot be read, holds no
+/// mesh or a skinned one.
 [[nodiscard]] Result<Thing> readThing(const std::filesystem::path& path);
 
 /// Whether the file holds meshes and none of them is skinned, without reading more than has to be: what

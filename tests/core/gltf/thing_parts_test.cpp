@@ -247,3 +247,17 @@ TEST_CASE("Joints that a skin gets stand behind its own, each with its matrix") 
               .find("a joint that skin " + std::to_string(skinIndex) + " gets") != std::string::npos);
   }
 }
+
+TEST_CASE("Instances of a thing's mesh are left out, and told once for all of its nodes") {
+  GlbBuilder glb = test::twoSheets();
+  const Json instances{{"attributes", {{"TRANSLATION", glb.floats({0, 0, 0, 1, 0, 0, 2, 0, 0}, "VEC3", 3)}}}};
+  for (Json& node : glb.json["nodes"]) {
+    node["extensions"]["EXT_mesh_gpu_instancing"] = instances;
+  }
+  glb.json["extensionsUsed"].push_back("EXT_mesh_gpu_instancing");
+  gltf::Thing thing;
+  (void)withThing(glb, &thing);
+  REQUIRE(thing.warnings.size() == 1);
+  CHECK(thing.warnings[0].find("thing.glb: what its nodes have by 'EXT_mesh_gpu_instancing' is left out") !=
+        std::string::npos);
+}
