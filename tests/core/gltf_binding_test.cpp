@@ -317,3 +317,27 @@ TEST_CASE("What a file had beside a skeleton stays when that is taken out") {
   CHECK(json == gltf::Json::parse(R"({"nodes":[{"children":[1]},{}],"scenes":[{"nodes":[0]}],)"
                                   R"("skins":[{"joints":[1]}]})"));
 }
+
+TEST_CASE("Joints that hang on nothing stand in every scene that shows the mesh which they move") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = twoSleeves();
+  glb.json["nodes"].push_back({{"name", "lamp"}});
+  glb.json["scenes"] = gltf::Json::parse(R"([{"nodes":[0]},{"nodes":[4]},{"nodes":[4,0]}])");
+  const gltf::Loaded file = test::loaded(glb);
+  const std::vector<Mat4> worlds = frameOf(*file.scene, restPose(*file.scene), 0.0).worlds;
+  const std::vector<Mat4> joints = gltf::skeletonWorlds(*file.scene, column(), NodeIndex::none);
+  gltf::Edits edits;
+  edits.addedNodes = gltf::skeletonNodes(*file.scene, column(), NodeIndex::none);
+  gltf::AddedSkin skin;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    skin.joints.emplace_back(file.scene->nodes.size() + i);
+    skin.inverseBind.push_back(glm::inverse(joints[i]) * worlds[at(left)]);
+  }
+  edits.addedSkins = {skin};
+  edits.boundMeshes = {{NodeIndex(left), 0, influences()}};
+  const gltf::Loaded after = bound(folder, file, edits);
+  const gltf::Json& scenes = after.source->json->at("scenes");
+  CHECK(scenes[0]["nodes"] == gltf::Json::array({0, 5}));
+  CHECK(scenes[1]["nodes"] == gltf::Json::array({4}));
+  CHECK(scenes[2]["nodes"] == gltf::Json::array({4, 0, 5}));
+}

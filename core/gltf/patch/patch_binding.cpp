@@ -193,8 +193,12 @@ void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
   }
   const std::set<int> before = weightAccessors(journal.json());
   MeshBinding binding(edits.boundMeshes, journal, data);
+  const std::size_t skinsBefore = sizeOf(journal.json(), "skins") - edits.addedSkins.size();
   for (const BoundMesh& bound : edits.boundMeshes) {
     binding.bind(bound);
+    if (const auto skin = static_cast<std::size_t>(bound.skin); skin >= skinsBefore) {
+      showJoints(skin, bound.node, journal);
+    }
   }
   emptyUnusedWeights(before, journal);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "core/gltf/json/json.h"
@@ -144,6 +145,26 @@ void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal) {
       moveMesh(at(node.meshFrom), index, journal);
     }
     attach(node, index, journal);
+  }
+}
+
+void showJoints(std::size_t skin, NodeIndex node, Journal& journal) {
+  const std::size_t scenes = sizeOf(journal.json(), "scenes");
+  if (scenes < 2) {
+    return;
+  }
+  std::set<int> tops;
+  for (const int joint : indicesOf(element(journal.json(), "skins", skin), "joints")) {
+    tops.insert(static_cast<int>(topOf(journal.json(), at(NodeIndex(joint)))));
+  }
+  const auto top = static_cast<int>(topOf(journal.json(), at(node)));
+  for (std::size_t i = 0; i < scenes; ++i) {
+    const std::vector<int> shown = indicesOf(element(journal.json(), "scenes", i), "nodes");
+    for (const int other : tops) {
+      if (std::ranges::find(shown, top) != shown.end() && std::ranges::find(shown, other) == shown.end()) {
+        journal.append(Pointer("/scenes") / i / "nodes", other);
+      }
+    }
   }
 }
 

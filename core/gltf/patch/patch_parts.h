@@ -13,6 +13,9 @@ namespace stretch::gltf {
 /// Appends the nodes, moves meshes to them, extends the children of their parents.
 void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal);
 
+/// Adds what holds the joints of a skin to every scene that shows the node, which the skin moves.
+void showJoints(std::size_t skin, NodeIndex node, Journal& journal);
+
 /// Gives the nodes their new places.
 void moveNodes(const std::vector<MovedNode>& nodes, Journal& journal);
 
