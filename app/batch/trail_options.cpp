@@ -25,6 +25,10 @@ Status setSettings(const TrailRequest& request, rig::TrailSettings& settings) {
       }
     }
   }
+  if (settings.space == rig::TrailSpace::view) {
+    return Error{"counts along the axes of a view, and no option gives one", "--space view",
+                 "give world, root or base, or a recipe with \"view_axes\""};
+  }
   return Success{};
 }
 

@@ -195,3 +195,18 @@ TEST_CASE("trail tells where the limb's end and its base are, at the frames that
     CHECK(frame.get<double>() <= 20.0);
   }
 }
+
+TEST_CASE("The space of a view is refused where no view can be given, and taken from a recipe that has one") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const test::VerbAnswer words = test::runVerb({"exaggerate", character, "-o", output, "--limb", "left-arm",
+                                                "--scale", "2", "--range", "21:27", "--space", "view"});
+  CHECK(words.exitCode == 1);
+  CHECK_THAT(words.told, Catch::Contains("--space view") && Catch::Contains("view_axes"));
+  CHECK(folder.fileCount() == 0);
+  Json seen = punch(21, 27);
+  seen["space"] = "view";
+  seen["view_axes"] = Json::parse("[[0,0,-1],[0,1,0],[1,0,0]]");
+  const std::string recipe = folder.write("side.json", recipeWith(Json::array({seen})).dump()).string();
+  CHECK(test::runVerb({"exaggerate", character, "-o", output, "--recipe", recipe}).exitCode == 0);
+}
