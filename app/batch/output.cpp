@@ -7,6 +7,7 @@
 #include "app/evaluate/cache.h"
 #include "app/forecast/clip_changes.h"
 #include "app/schema/form_schema.h"
+#include "core/gltf/patch/edits.h"
 
 namespace stretch::app {
 
@@ -103,7 +104,20 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   if (const std::vector<ClipChange> worse = worseThanSource(document, edited, cache); !worse.empty()) {
     report["worse"] = changesToJson(worse);
   }
+  for (const std::string& line : besideLines(*document.source, arguments.file.path)) {
+    report["warnings"].push_back(line);
+  }
   return saveEdits(document, saved.edits, arguments.file.path);
+}
+
+std::vector<std::string> besideLines(const gltf::Source& source, const std::filesystem::path& output) {
+  const std::vector<std::filesystem::path> files = gltf::filesBeside(source, output);
+  if (files.empty()) {
+    return {};
+  }
+  const std::string others = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : std::string();
+  return {fmt::format("{} needs {}{}, written beside it; move them together", output.filename().string(),
+                      files.front().string(), others)};
 }
 
 void printSaved(const Json& report) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "app/batch/options.h"
 #include "app/batch/output_file.h"
 #include "app/files/save.h"
@@ -22,12 +26,17 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// Writes the document, and adds to the report of the verb what the form cost, where that is not the scale of
 /// leaves, what keys on whole frames alone miss ("whole_frames"), and what is worse than in the source
-/// ("worse", left out where nothing is).
+/// ("worse", left out where nothing is). Files beside the output are among its warnings.
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report);
 /// Likewise; what `cache` remembers of the document's motion is not worked out again.
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report, EvaluationCache& cache);
+
+/// A line that names the files which were written beside the output, since it needs them; none where it
+/// stands alone, or in the folder of its source.
+[[nodiscard]] std::vector<std::string> besideLines(const gltf::Source& source,
+                                                   const std::filesystem::path& output);
 
 /// Prints what saveReported added, as lines of text.
 void printSaved(const gltf::Json& report);

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/batch/options.h"
+#include "app/batch/output.h"
 #include "app/batch/output_file.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
@@ -30,6 +31,7 @@ Status runResave(const ResaveArguments& arguments) {
   sourceAlone.source = document->source;
   const gltf::Edits edits = editsOf(*document, {}).edits;
   document = Error{};
+  printWarnings(besideLines(*sourceAlone.source, arguments.output.path));
   return saveEdits(sourceAlone, edits, arguments.output.path);
 }
 

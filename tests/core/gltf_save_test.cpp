@@ -93,6 +93,16 @@ TEST_CASE("Files beside a .gltf come along into another folder") {
   CHECK(folder.fileCount() == 6);
 }
 
+TEST_CASE("The files that an output in another folder needs are known, but for its first buffer") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path() / "in");
+  const auto source = sourceAt(folder / "in/model.gltf");
+  CHECK(gltf::filesBeside(*source, folder / "out.glb") == std::vector<fs::path>{"textures/skin.png"});
+  CHECK(gltf::filesBeside(*source, folder / "in/out.glb").empty());
+  fs::remove(folder / "in/textures/skin.png");
+  CHECK(gltf::filesBeside(*source, folder / "out.glb").empty());
+}
+
 TEST_CASE("Saving over the source leaves its files whole") {
   const TemporaryFolder folder;
   writeSeparateFiles(folder.path());

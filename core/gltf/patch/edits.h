@@ -104,4 +104,10 @@ struct Edits {
 /// refers to where the target folder is another. Nothing is left behind on failure.
 [[nodiscard]] Status save(Source source, const std::filesystem::path& path);
 
+/// The files that saving to `path` puts beside it, as the source names them, where that is another folder
+/// than the source's: what the output needs wherever it goes, by name, each once. The first buffer is none of
+/// them: it lies in a .glb, and every .gltf has one beside it.
+[[nodiscard]] std::vector<std::filesystem::path> filesBeside(const Source& source,
+                                                             const std::filesystem::path& path);
+
 } // namespace stretch::gltf

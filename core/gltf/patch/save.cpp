@@ -57,11 +57,12 @@ bool isEmbedded(const Json& thing) {
   return uri != nullptr && uri->is_string() && isDataUri(uri->get_ref<const std::string&>());
 }
 
-// The files that the glTF names by relative paths.
-std::vector<fs::path> referencesOf(const Source& source) {
+// The files that the glTF names by relative paths; of its buffers from `firstBuffer` on.
+std::vector<fs::path> referencesOf(const Source& source, std::size_t firstBuffer = 0) {
   std::vector<fs::path> files;
   for (const char* list : {"buffers", "images"}) {
-    for (std::size_t i = 0; i < sizeOf(source.json, list); ++i) {
+    for (std::size_t i = std::string(list) == "buffers" ? firstBuffer : 0; i < sizeOf(source.json, list);
+         ++i) {
       const Json& thing = element(source.json, list, i);
       if (const auto relative = isEmbedded(thing) ? std::nullopt : relativePath(textOr(thing, "uri"))) {
         files.push_back(relative->lexically_normal());
@@ -324,6 +325,20 @@ private:
 };
 
 } // namespace
+
+std::vector<fs::path> filesBeside(const Source& source, const fs::path& path) {
+  if (isSameFolder(source.path.parent_path(), path.parent_path())) {
+    return {};
+  }
+  std::vector<fs::path> files = referencesOf(source, 1);
+  std::erase_if(files, [&](const fs::path& file) {
+    std::error_code ignored;
+    return escapesFolder(file) || !fs::exists(source.path.parent_path() / file, ignored);
+  });
+  std::ranges::sort(files);
+  files.erase(std::ranges::unique(files).begin(), files.end());
+  return files;
+}
 
 Status save(Source source, const fs::path& path) {
   std::string extension = path.extension().string();

@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/core/two_sheets.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
 #include "tests/support/temporary_folder.h"
@@ -151,4 +152,21 @@ TEST_CASE("A buffer's file that another file names, or nobody knows, is not writ
   punched(test::posedCharacter, "keep.gltf");
   CHECK(folder.fileCount() == files);
   CHECK(readText(folder / "keep.bin").value() == "precious");
+}
+
+TEST_CASE("A .glb that needs an image beside it says so where it is written to another folder", "[output]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "in");
+  fs::create_directories(folder / "out");
+  test::twoSheets("red.png").write(folder / "in/sheets.glb");
+  test::writeBytes(folder / "in/red.png", {1, 2, 3});
+  const auto told = [&](const char* output) {
+    const test::VerbAnswer answer =
+        writtenTo({"resave", (folder / "in/sheets.glb").string()}, folder / output);
+    CHECK(answer.exitCode == 0);
+    return answer.output + answer.told;
+  };
+  CHECK_THAT(told("out/copy.glb"), Catch::Contains("copy.glb needs red.png, written beside it"));
+  CHECK(fs::exists(folder / "out/red.png"));
+  CHECK_THAT(told("in/copy.glb"), !Catch::Contains("needs red.png"));
 }
