@@ -97,7 +97,7 @@ TEST_CASE("The files that an output in another folder needs are known, but for i
   const TemporaryFolder folder;
   writeSeparateFiles(folder.path() / "in");
   const auto source = sourceAt(folder / "in/model.gltf");
-  CHECK(gltf::filesBeside(*source, folder / "out.glb") == std::vector<fs::path>{"textures/skin.png"});
+  CHECK((gltf::filesBeside(*source, folder / "out.glb") == std::vector<fs::path>{"textures/skin.png"}));
   CHECK(gltf::filesBeside(*source, folder / "in/out.glb").empty());
   fs::remove(folder / "in/textures/skin.png");
   CHECK(gltf::filesBeside(*source, folder / "out.glb").empty());
