@@ -159,6 +159,7 @@ void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, Window
   app::takeSettings(child(json, "panes"), paneSchema(), panes);
   app::takeSettings(child(json, "window"), placeSchema(), window);
   if (json.contains("closed_sections") && json["closed_sections"].is_array()) {
+    ui.closedSections.clear();
     for (const Json& entry : json["closed_sections"]) {
       if (entry.is_string()) {
         ui.closedSections.push_back(entry.get<std::string>());

@@ -11,6 +11,7 @@
 #include "core/base/file_series.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/batch/film.h"
 #include "ui/batch/render_verb.h"
 #include "ui/render/picture/image_edits.h"
 
@@ -89,6 +90,15 @@ TEST_CASE("render refuses frames that the clip does not have, and a video of one
              Catch::Contains("--video excludes --frame"));
   CHECK(folder.fileCount() == 0);
   CHECK(rendered({"-o", output, "--frame", "60"}).exitCode == 0);
+}
+
+TEST_CASE("A series of parts of frames holds its last one, and each picture has a name of its own") {
+  const Result<std::vector<double>> frames = ui::parseFrames("0:0.3:0.1"); // 0.3 / 0.1 is a little under 3.
+  REQUIRE(frames);
+  CHECK(frames->size() == 4);
+  CHECK(frames->back() == Approx(0.3));
+  CHECK(ui::numberedName("a/s.png", 2.0) == "a/s-0002.png");
+  CHECK(ui::numberedName("a/s.png", 2.5) == "a/s-0002.500.png");
 }
 
 TEST_CASE("render looks at the place of a picture or a video before it draws") {

@@ -244,6 +244,21 @@ TEST_CASE("A trail is renamed by the keypad's Enter, and Esc leaves its name") {
   CHECK(rename("hook", ImGuiKey_Enter) == "hook");
 }
 
+TEST_CASE("A trail whose name is left as it is shown stays called after its limb, as if nobody had asked") {
+  PanelDriver driver(withTrails(1));
+  app::Session& session = *driver.open.character();
+  driver.ui.trails.rename = {.open = true,
+                             .trail = session.document().trails.front().id,
+                             .present = "left arm",
+                             .typed = "left arm"};
+  driver.frames(4);
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(2);
+  CHECK_FALSE(driver.ui.trails.rename.open);
+  CHECK(session.document().trails.front().name.empty());
+  CHECK_FALSE(session.history().canUndo());
+}
+
 TEST_CASE("A clip without a name is counted from the first, in every list") {
   CHECK(ui::clipName("", 2) == "Clip 3");
   CHECK(ui::clipName("Walk", 2) == "Walk");

@@ -156,6 +156,36 @@ TEST_CASE("Folders of recent files are places, each once") {
   CHECK(ui::recentFolders(files, 2) == std::vector<fs::path>{"/a", "/b"});
 }
 
+TEST_CASE("Endings of files are told in whatever case, and each that can be opened is of one kind") {
+  CHECK(ui::hasExtension("/clips/WALK.GLB", {".gltf", ".glb"}));
+  CHECK_FALSE(ui::hasExtension("/clips/glb", {".glb"}));
+  const std::vector<ui::FileType> types = ui::fileTypesOf(ui::FilePurpose::openModel);
+  std::vector<std::string> ofKinds;
+  for (std::size_t i = 1; i < types.size(); ++i) {
+    ofKinds.insert(ofKinds.end(), types[i].extensions.begin(), types[i].extensions.end());
+  }
+  std::vector<std::string> all = types.front().extensions;
+  std::ranges::sort(ofKinds);
+  std::ranges::sort(all);
+  CHECK(ofKinds == all);
+}
+
+TEST_CASE("A path is typed from the folder that is shown, from the root or from the home folder") {
+  CHECK(ui::typedPath("/work/clips", "run.glb") == "/work/clips/run.glb");
+  CHECK(ui::typedPath("/work/clips", "../walk.glb") == "/work/walk.glb");
+  CHECK(ui::typedPath("/work/clips", "/other/a.glb") == "/other/a.glb");
+  CHECK(ui::typedPath("/work/clips", "~") == ui::homeFolder() / "");
+  CHECK(ui::typedPath("/work/clips", "~/a.glb") == ui::homeFolder() / "a.glb");
+  CHECK(ui::typedPath("/work/clips", "~a.glb") == "/work/clips/~a.glb");
+}
+
+TEST_CASE("The size of a file is told in the unit in which it is at least one") {
+  CHECK(ui::sizeText(999) == "999 B");
+  CHECK(ui::sizeText(1000) == "1 kB");
+  CHECK(ui::sizeText(1'000'000) == "1 MB");
+  CHECK(ui::sizeText(1'450'000'000) == "1450 MB");
+}
+
 TEST_CASE("Saving over a file asks first, and a missing extension is added") {
   const Folder folder;
   PanelDriver driver(std::nullopt);
@@ -276,6 +306,18 @@ TEST_CASE("A key is changed in the keys overview") {
   REQUIRE(driver.ui.answers.keyChange);
   CHECK(driver.ui.answers.keyChange->commandId == "trail.apply");
   CHECK(driver.ui.answers.keyChange->keyText == "T");
+}
+
+TEST_CASE("A command is found in the keys overview by the key that it has") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.ui.dialogs.keys.open = true;
+  driver.frames(3);
+  REQUIRE(driver.find("keys/trail.apply") != nullptr);
+  driver.click("keys/filter");
+  driver.type("Ctrl+Z");
+  driver.frames(2);
+  CHECK(driver.find(std::string("keys/") + app::command::undo) != nullptr);
+  CHECK(driver.find("keys/trail.apply") == nullptr);
 }
 
 TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the found ones back") {

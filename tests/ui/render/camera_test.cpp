@@ -169,3 +169,14 @@ TEST_CASE("Dragging along an axis follows the mouse") {
   CHECK(positionAlongAxis(view, origin, rayThroughPixel(view, {640.0, 360.0}).direction, {640.0, 360.0}) ==
         0.0);
 }
+
+TEST_CASE("A camera that looks straight down from a place whose direction is rounded has an angle") {
+  CHECK(lookingFrom({}, {0.0, 1.0 + 1e-12, 0.0}).pitchRadians == Approx(0.5 * pi));
+  CHECK(lookingFrom({}, {0.0, -1.0 - 1e-12, 0.0}).pitchRadians == Approx(-0.5 * pi));
+}
+
+TEST_CASE("Zooming ends before the distance is nothing, and before it is without end") {
+  const Camera camera = someCamera(ProjectionKind::perspective);
+  CHECK(zoomed(camera, wide, 1e-12, {640.0, 360.0}).distance == 1e-6);
+  CHECK(zoomed(camera, wide, 1e12, {640.0, 360.0}).distance == 1e9);
+}

@@ -61,6 +61,18 @@ TEST_CASE("through the file's camera a point lies in the picture where the camer
   }
 }
 
+TEST_CASE("a camera without a shape of its own shows as much above and below in a window of any shape") {
+  for (const CameraKind kind : {CameraKind::perspective, CameraKind::orthographic}) {
+    ThroughCamera through = looking(kind, 1.0);
+    through.lens.aspect.reset();
+    const double half = kind == CameraKind::perspective ? 4.0 * std::tan(0.3) : 2.0;
+    const Vec3 top = through.place.position + 4.0 * through.place.forward + half * through.place.up;
+    for (const Viewport& window : {wideWindow, Viewport{900.0, 1600.0, 1.0}}) {
+      CHECK(projectToPixels(viewThrough(through, window), top)->pixels.y == Approx(0.0).margin(1e-6));
+    }
+  }
+}
+
 TEST_CASE("the safe frame is the middle of the picture, and all of the window's where there is no camera") {
   const PixelBox safe = frameIn(wideWindow, std::nullopt, 0.9);
   CHECK(glm::length(safe.low - Vec2(80.0, 45.0)) < 1e-9);
@@ -89,4 +101,20 @@ TEST_CASE("a rectangle is outlined inside the picture, one pixel thick, and cut 
   CHECK(red(11, 6) == 0);
   CHECK(red(9, 5) == 0);
   CHECK(red(39, 15) == 0);
+}
+
+TEST_CASE("an outline is two pixels thick in a picture of 1080 lines, and is cut off at the left as well") {
+  const auto redOf = [](const Image& image, int x, int y) {
+    return image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+  };
+  Image tall = filled(8, 1080, glm::vec3(0.0F));
+  outline(tall, {{1.0, 10.0}, {7.0, 500.0}}, glm::vec3(1.0F));
+  CHECK(redOf(tall, 3, 11) == 255);
+  CHECK(redOf(tall, 3, 12) == 0);
+  Image cut = filled(40, 30, glm::vec3(0.0F));
+  outline(cut, {{-5.0, 5.0}, {20.0, 25.0}}, glm::vec3(1.0F));
+  CHECK(redOf(cut, 0, 5) == 255);
+  CHECK(redOf(cut, 19, 10) == 255);
+  CHECK(redOf(cut, 0, 10) == 0);
+  CHECK(redOf(cut, 35, 4) == 0); // Nothing runs on from one line into the one before.
 }

@@ -155,6 +155,31 @@ TEST_CASE("The floor's cells are round numbers that follow the character's size"
   CHECK(floorCellSize(0.02) == Approx(0.005));
 }
 
+TEST_CASE("A character stands on the ground where its feet are near it, else on a floor of its own") {
+  const auto floorOf = [](double lowest) {
+    Box box;
+    box.add({-0.3, lowest, -0.2});
+    box.add({0.3, lowest + 1.8, 0.2});
+    return floorHeightOf(box);
+  };
+  CHECK(floorOf(-0.1) == 0.0);
+  CHECK(floorOf(0.1) == 0.0);
+  CHECK(floorOf(-2.0) == -2.0);
+  CHECK(floorOf(0.5) == 0.5);
+  CHECK(floorHeightOf(Box{}) == 0.0);
+}
+
+TEST_CASE("What is long and flat is measured by its length, whichever way it lies") {
+  const bool liesAlongZ = GENERATE(false, true);
+  Scene flat = triangleScene();
+  for (glm::vec3& position : flat.meshes.front().primitives.front().positions) {
+    const glm::vec2 place(position); // Two long either way.
+    position =
+        liesAlongZ ? glm::vec3(0.1F * place.x, 0.0F, place.y) : glm::vec3(place.x, 0.0F, 0.1F * place.y);
+  }
+  CHECK(measuresOf(flat, BoundsSampler(flat)).characterHeight == Approx(0.6));
+}
+
 TEST_CASE("The floor under a shadow reaches from the feet to the shadow's end") {
   Box box;
   box.add({-0.3, 0.0, -0.2});

@@ -117,6 +117,21 @@ TEST_CASE("The best view looks at the punch from a side, and is told in words") 
   CHECK(shell.ui.toasts.back().text.starts_with("Seen best from "));
 }
 
+TEST_CASE("The best view and the numpad's standard views are shown while a file's camera is looked through") {
+  Filmed filmed;
+  Shell& shell = filmed.shell;
+  shell.open.character()->view().selection.editTrails().trail = 1;
+  const std::string left = GENERATE(std::string(command::viewBest), std::string(command::keptView[6]));
+  CAPTURE(left);
+  runCommand(shell, command::viewCamera);
+  filmed.show();
+  REQUIRE(shell.viewport.look.name == "Side");
+  runCommand(shell, left);
+  filmed.show();
+  CHECK(shell.viewport.look.name.empty());
+  CHECK_FALSE(shell.viewport.look.through);
+}
+
 TEST_CASE(
     "A playblast holds the whole clip, or the range that was set by hand, and says so where it is saved") {
   Filmed filmed;

@@ -95,6 +95,7 @@ TEST_CASE("Settings survive the file, and a damaged file is harmless") {
   ui.navigation = NavigationStyle::blender;
   ui.overlays.ghostsBefore = 5;
   ui.recentFiles = {"/a/b.glb"};
+  ui.closedSections = {"rig/limbs", "trail/section-release"};
   PaneSizes panes;
   panes.left = 300.0F;
   panes.graph = 333.0F;
@@ -112,6 +113,7 @@ TEST_CASE("Settings survive the file, and a damaged file is harmless") {
   CHECK(read.recentFiles == ui.recentFiles);
   readSettings(text, read, readPanes, window); // once more, in place of what is there
   CHECK(read.recentFiles == ui.recentFiles);
+  CHECK(read.closedSections == ui.closedSections);
   CHECK(readPanes == panes);
   CHECK(window.maximised);
   CHECK(settingsText(read, readPanes, window) == text);
@@ -315,4 +317,18 @@ TEST_CASE("Numbers of a remembered view that make no sense leave the view as it 
   CHECK(view.selection.limbs() == std::vector<std::string>{"left-arm"});
   CHECK(camera.target == before.target);
   CHECK(camera.yawRadians == before.yawRadians);
+}
+
+TEST_CASE("Numbers of a remembered view that lie beyond what there is become the nearest that there is") {
+  const app::Document document = test::boxer(); // Its clip ends at frame 20.
+  app::ViewState view;
+  ViewBookmark now;
+  ViewBookmarks kept;
+  readView(R"({"range": [30, 99], "camera": {"distance": 0, "pitch": 3, "angle": 9}})", document, view, now,
+           kept);
+  CHECK(view.rangeStart == 20.0);
+  CHECK(view.rangeEnd == 20.0);
+  CHECK(now.camera.distance == 1e-6);
+  CHECK(now.camera.pitchRadians == Approx(0.5 * pi));
+  CHECK(now.camera.fieldOfViewRadians == 3.0);
 }

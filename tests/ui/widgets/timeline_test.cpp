@@ -173,6 +173,14 @@ TEST_CASE("Dragged ends snap to frames, keep a frame between them and stay insid
   CHECK(strip.dragged(rangeEnd, 28.0).range.end == Approx(28.0).margin(1e-3));
 }
 
+TEST_CASE("What snaps to frames stays inside of a clip that ends between two of them") {
+  Strip strip;
+  strip.model.clip.end = 59.6;
+  CHECK(strip.dragged({TimelinePart::playhead, 0, 0.0, {}}, 99.0).playhead == 59.6);
+  CHECK(strip.dragged({TimelinePart::barEnd, 1, 30.0, {20.0, 30.0}}, 99.0).barSpan.end == 59.6);
+  CHECK(strip.dragged({TimelinePart::playhead, 0, 0.0, {}}, 58.6).playhead == 59.0);
+}
+
 TEST_CASE("A dragged bar keeps its length and stops at the ends of the clip") {
   const Strip strip;
   const TimelineGesture body{TimelinePart::barBody, 1, 26.0, {20.0, 30.0}};
@@ -243,6 +251,14 @@ TEST_CASE(
   ImGui::GetIO().MouseWheel = 1.0F;
   applyWheel(strip.model, strip.layout, {50.0F, 50.0F}, beside);
   CHECK_FALSE(beside.viewChanged);
+}
+
+TEST_CASE("Of a clip of two frames the wheel shows ten at most") {
+  Strip strip;
+  strip.model.clip = {0.0, 2.0};
+  strip.model.view = {0.0, 5.0};
+  const TimelineOutcome out = strip.turned(-100.0F, 1.0);
+  CHECK(out.view.end - out.view.start == Approx(10.0));
 }
 
 TEST_CASE("The middle button pans by as many frames as the mouse moves") {

@@ -107,6 +107,7 @@ TEST_CASE("Commands are found by a few of their letters, the best match first") 
   CHECK_FALSE(fuzzyScore("liart", "trail"));
   CHECK(*fuzzyScore("tra", "Motion trail") > *fuzzyScore("tra", "Forget the range"));
   CHECK(*fuzzyScore("save", "Save") > *fuzzyScore("save", "Save as"));
+  CHECK(fuzzyScore("save  ", "Save")); // A blank behind the word asks for nothing.
   CHECK(fuzzyScore(std::string(200, 'a'), std::string(2000, 'a')));
 }
 
