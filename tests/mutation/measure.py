@@ -89,11 +89,12 @@ class Measure:
         return found
 
     def planted(self, mutants):
-        """Those that stand in the planted tree, built."""
+        """Those that stand in the planted tree, built; and the written ones that do not compile."""
         planting = Planting(self.tree, self.folder, HERE / "mutant.h")
-        refused = read_json(self.folder / "refused.json", [])
-        told = {tuple(key) for key in refused}
-        planting.plant([mutant for mutant in mutants if mutant.key not in told or mutant.operator == "written"])
+        refused = {tuple(key) for key in read_json(self.folder / "refused.json", [])}
+        if not self.asked.no_build:  # Written ones have another go: what errs may be mended, or have been another's.
+            refused -= {mutant.key for mutant in mutants if mutant.operator == "written"}
+        planting.plant([mutant for mutant in mutants if mutant.key not in refused])
         planting.copied_beside("CMakeLists.txt", "third_party", "assets", "package")
         if not self.asked.no_build:
             libraries = self.folder / "libraries"
@@ -104,9 +105,9 @@ class Measure:
                     check=True, stdout=subprocess.DEVNULL,
                 )
             planting.build(["ninja", "-C", str(libraries), "-k", "0", "-j", str(self.asked.jobs), *(f"stretch_{room}" for room in self.rooms)])
-        refused += [list(mutant.key) for mutant in planting.dropped if mutant.operator != "written"]
-        (self.folder / "refused.json").write_text(json.dumps(refused))
-        return planting
+        refused |= {mutant.key for mutant in planting.dropped}
+        (self.folder / "refused.json").write_text(json.dumps(sorted(refused)))
+        return planting, [mutant for mutant in mutants if mutant.key in refused and mutant.operator == "written"]
 
     def linked(self):
         """The programs of the build, linked with the planted rooms: from where they are to where the planted one is."""
@@ -233,8 +234,7 @@ class Measure:
             print(f"{mutant.file}: no line \"{mutant.line}\": {mutant.says}")
         if self.asked.check:
             return 1 if len(self.gone) > GONE_AT_MOST * len(read_mutants(HERE / "written.jsonl")) else 0
-        planting = self.planted(mutants)
-        refused = [mutant for mutant in planting.dropped if mutant.operator == "written"]
+        planting, refused = self.planted(mutants)
         print(f"{len(planting.mutants)} mutants stand, {len(planting.dropped)} do not compile", flush=True)
         programs = self.linked()
         standing = self.chosen(planting.mutants)
