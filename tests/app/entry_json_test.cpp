@@ -96,4 +96,6 @@ TEST_CASE("What is wrong in a hold or an offset is told by its key") {
   CHECK_THAT(offsets(R"({"controller":"x","keys":[{"frame":1,"interpolation":"foo"}]})"),
              Contains("keys[0].interpolation: \"foo\" is no interpolation"));
   CHECK(offsets(R"({"controller":"x","keys":[],"clip":1})").empty());
+  const Result<rig::Prop> prop = propFromJson(Json::parse(R"({"node":"bat","hands":[]})"), world, {});
+  CHECK_THAT(lineOf(prop), Contains("hands: is not an object"));
 }
