@@ -97,9 +97,8 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
   for (const double time : timesBetween(times, fps)) {
     path.between.push_back(limbSample(limb, key.space, input.hips, frames.at(time)));
   }
-  original.chosenFrames =
-      chooseControlFrames(path, original.keyTimes, fps, original.keys.keysPerSecond,
-                          controlTolerance * limb.restLength);
+  original.chosenFrames = chooseControlFrames(path, original.keyTimes, fps, original.keys.keysPerSecond,
+                                              controlTolerance * limb.restLength);
   return original;
 }
 

@@ -108,7 +108,7 @@ private:
   // One is made for each limb at each time: that of a body of usual size takes none from the heap.
   std::array<std::byte, 4096> firstMemory_;
   std::pmr::monotonic_buffer_resource memory_{firstMemory_.data(), firstMemory_.size()};
-  std::pmr::vector<Mark> marks_;         // of each node
+  std::pmr::vector<Mark> marks_;          // of each node
   std::pmr::vector<Mat4> kept_{&memory_}; // world matrices of what was written, as they were
   std::uint32_t refreshes_ = 0;
 };

@@ -71,7 +71,7 @@ Session armSelected() {
   return session;
 }
 
-std::string lastStep(const Session& session) {
+std::string lastHoldStep(const Session& session) {
   const History<Document>& history = session.history();
   return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
 }
@@ -121,7 +121,7 @@ TEST_CASE(
 
 TEST_CASE("What was pinned is told with its frames, and what it took the place of") {
   Session session(test::boxer());
-  const auto told = [&] { return lastStep(session); };
+  const auto told = [&] { return lastHoldStep(session); };
   selectLimb(session, "left-arm", false);
   session.view().rangeStart = 2.0;
   session.view().rangeEnd = 6.0;
@@ -181,7 +181,7 @@ TEST_CASE("A pin over a trail tells that the trail does not show there") {
   Session session(test::withNewTrail(test::boxer(), {}));
   const rig::TrailSettings& trail = session.document().trails.front().settings;
   selectLimb(session, "left-arm", false);
-  const auto told = [&] { return lastStep(session); };
+  const auto told = [&] { return lastHoldStep(session); };
   session.view().rangeStart = trail.startFrame;
   session.view().rangeEnd = trail.endFrame;
   REQUIRE(runHold(session, command::holdPin).empty());
