@@ -110,6 +110,8 @@ std::vector<RefusedLine> refusedTrailOptions(const std::string& out, const std::
        "ease_out: the value 0.49 is short of the half"},
       {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--turn-to-view", "20"},
        "the path is turned to the view, of no camera"},
+      {{"exaggerate", dummy, "-o", out, "--limb", "left-arm", "--scale", "2", "--space", "view"},
+       "--space view: counts along the axes of a view, and no option gives one"},
   };
 }
 
