@@ -138,8 +138,9 @@ std::vector<std::string> notesOf(const Clip& clip, const NewClip& brought,
                                 weights, weights == 1 ? "channel" : "channels"));
   }
   if (brought.isRetargeted && isStill(brought.clip) && !isStill(clip)) {
-    notes.push_back("nothing of it moves this character: it moves other nodes than the limbs that were found "
-                    "in the file");
+    notes.emplace_back(
+        "nothing of it moves this character: it moves other nodes than the limbs that were found "
+        "in the file");
   }
   return notes;
 }
