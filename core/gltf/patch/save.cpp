@@ -336,7 +336,7 @@ std::vector<fs::path> filesBeside(const Source& source, const fs::path& path) {
     return escapesFolder(file) || !fs::exists(source.path.parent_path() / file, ignored);
   });
   std::ranges::sort(files);
-  files.erase(std::ranges::unique(files).begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 
