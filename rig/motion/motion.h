@@ -50,7 +50,7 @@ struct OriginalPath {
   LimbPath path; ///< Over the range, in world space and in the trail's space.
   BendNormal bend;
   std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
-  KeySpacing keys;                      ///< Of the limb's joints over the clip.
+  KeySpacing keys;                      ///< Spacing of the limb's joints' keys.
   std::optional<double> nextKeySeconds; ///< secondsToNextKey.
   std::vector<double> chosenFrames;     ///< chooseControlFrames.
   std::optional<std::vector<Rest>> rests; ///< restsIn around the range, once a trail on it has a stop.

@@ -95,7 +95,7 @@ struct KeySpacing {
   bool isDense = false;       ///< isDenselyKeyed, at that rate.
 };
 
-/// Of the nodes' keys (keyTimesOf). They are counted at the clip's own rate, or at that on which its keys lie
+/// Spacing of the nodes' keys (keyTimesOf). They are counted at the clip's rate, or at that on which keys lie
 /// where they are too few for the own one and this one is lower: a clip that is shown at more frames per
 /// second than it was made at is keyed no less densely.
 [[nodiscard]] KeySpacing keySpacing(const Clip& clip, const std::vector<NodeIndex>& nodes);

@@ -28,7 +28,7 @@ struct NewClip {
   bool isRetargeted = false;                 ///< Else its tracks were copied: the other skeleton is the same.
   std::vector<std::string> left;             ///< Joints, or parts of the body, that the character lacks.
   std::optional<RetargetReport> report = {}; ///< How it moves beside the source, where it is retargeted.
-  std::vector<std::string> notes = {};       ///< What else of it was left out: parts of NewClips::warnings.
+  std::vector<std::string> notes = {};       ///< Lines on what else is left out, of NewClips::warnings.
 };
 
 struct NewClips {

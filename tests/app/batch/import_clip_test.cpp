@@ -58,6 +58,19 @@ Document imported(const Document& document, const std::string& file) {
   return *changed;
 }
 
+/// Two bodies side by side whose nodes have the same names, without a clip.
+test::MovingBiped twoOfEqualNames() {
+  test::SyntheticBiped two = test::namedBody();
+  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
+  test::MovingBiped both = test::still(two);
+  for (const auto& [key, node] : both.node) {
+    if (key.starts_with("other ")) {
+      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
+    }
+  }
+  return both;
+}
+
 } // namespace
 
 TEST_CASE("import-clip adds the clip of another skeleton behind the file's own and changes nothing else") {
@@ -342,14 +355,7 @@ TEST_CASE(
 TEST_CASE(
     "A clip is copied to the character that was found where another one has the same names, which is told") {
   const TemporaryFolder folder;
-  test::SyntheticBiped two = test::namedBody();
-  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
-  test::MovingBiped both = test::still(two);
-  for (const auto& [key, node] : both.node) {
-    if (key.starts_with("other ")) {
-      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
-    }
-  }
+  const test::MovingBiped both = twoOfEqualNames();
   const std::string file = written(folder, "both.glb", both, {});
   const test::VerbAnswer answer = test::runVerb(
       {"import-clip", file, "-o", (folder / "out.glb").string(), "--from", punchFile(folder), "--json"});
@@ -363,14 +369,7 @@ TEST_CASE(
 
 TEST_CASE("What moves another character of the file by the same names is left out of the clip, and told") {
   const TemporaryFolder folder;
-  test::SyntheticBiped two = test::namedBody();
-  test::addOther(two, test::namedBody(), Vec3(3.0, 0.0, 0.0));
-  test::MovingBiped both = test::still(two);
-  for (const auto& [key, node] : both.node) {
-    if (key.starts_with("other ")) {
-      both.scene.nodes[at(node)].name = both.scene.nodes[at(both.node.at(key.substr(6)))].name;
-    }
-  }
+  test::MovingBiped both = twoOfEqualNames();
   for (const char* const key : {"upperArm.l", "other upperArm.l"}) {
     both.clip.tracks.emplace_back(
         test::rotationTrack(both.node.at(key), Interpolation::linear,

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/nodes.h"
+#include "tests/support/rig/joint_views.h"
 
 using namespace stretch;
 using namespace stretch::rig::body;
@@ -16,25 +17,8 @@ struct BodyOfRows {
   BodyView view;
 
   int add(int parent, const Vec3& place) {
-    const auto above = static_cast<std::size_t>(parent);
-    const int joint = view.count();
-    view.nodes.push_back(test::addNode(scene, "", parent < 0 ? NodeIndex::none : view.nodes[above], place));
-    view.candidateOfNode.push_back(joint);
-    view.parent.push_back(parent);
-    view.isDetached.push_back(false);
-    view.children.emplace_back();
-    view.depth.push_back(parent < 0 ? 0 : view.depth[above] + 1);
-    view.position.push_back(place);
-    view.called.emplace_back();
-    view.names.emplace_back();
-    view.points.emplace_back();
-    view.tips.emplace_back();
-    view.verticesBelow.push_back(0);
-    view.reach.push_back(0.0);
-    if (parent >= 0) {
-      view.children[above].push_back(joint);
-    }
-    return joint;
+    const NodeIndex above = parent < 0 ? NodeIndex::none : view.nodes[static_cast<std::size_t>(parent)];
+    return test::addJoint(view, test::addNode(scene, "", above, place), parent, place);
   }
 
   [[nodiscard]] Extremities apart() const {

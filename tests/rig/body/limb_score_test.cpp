@@ -8,6 +8,8 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "tests/support/rig/joint_views.h"
+
 using namespace stretch;
 using namespace stretch::rig;
 using namespace stretch::rig::body;
@@ -19,21 +21,7 @@ struct JointTree {
   BodyView view;
 
   int add(int parent, const Vec3& position) {
-    const int joint = view.count();
-    view.nodes.emplace_back(static_cast<std::size_t>(joint));
-    view.parent.push_back(parent);
-    view.children.emplace_back();
-    view.depth.push_back(parent < 0 ? 0 : view.depth[static_cast<std::size_t>(parent)] + 1);
-    view.position.push_back(position);
-    view.names.emplace_back();
-    view.points.emplace_back();
-    view.tips.emplace_back();
-    view.verticesBelow.push_back(0);
-    view.reach.push_back(0.0);
-    if (parent >= 0) {
-      view.children[static_cast<std::size_t>(parent)].push_back(joint);
-    }
-    return joint;
+    return test::addJoint(view, NodeIndex(static_cast<std::size_t>(view.count())), parent, position);
   }
   NameEvidence& name(int joint) { return view.names[static_cast<std::size_t>(joint)]; }
   void call(int joint, Role role, double fit) { name(joint).roles[static_cast<std::size_t>(role)] = fit; }

@@ -171,12 +171,12 @@ TEST_CASE("Endings of files are told in whatever case, and each that can be open
 }
 
 TEST_CASE("A path is typed from the folder that is shown, from the root or from the home folder") {
-  CHECK(ui::typedPath("/work/clips", "run.glb") == "/work/clips/run.glb");
-  CHECK(ui::typedPath("/work/clips", "../walk.glb") == "/work/walk.glb");
-  CHECK(ui::typedPath("/work/clips", "/other/a.glb") == "/other/a.glb");
-  CHECK(ui::typedPath("/work/clips", "~") == ui::homeFolder() / "");
-  CHECK(ui::typedPath("/work/clips", "~/a.glb") == ui::homeFolder() / "a.glb");
-  CHECK(ui::typedPath("/work/clips", "~a.glb") == "/work/clips/~a.glb");
+  CHECK(ui::typedPath("/shots/clips", "run.glb") == "/shots/clips/run.glb");
+  CHECK(ui::typedPath("/shots/clips", "../walk.glb") == "/shots/walk.glb");
+  CHECK(ui::typedPath("/shots/clips", "/other/a.glb") == "/other/a.glb");
+  CHECK(ui::typedPath("/shots/clips", "~") == ui::homeFolder() / "");
+  CHECK(ui::typedPath("/shots/clips", "~/a.glb") == ui::homeFolder() / "a.glb");
+  CHECK(ui::typedPath("/shots/clips", "~a.glb") == "/shots/clips/~a.glb");
 }
 
 TEST_CASE("The size of a file is told in the unit in which it is at least one") {
