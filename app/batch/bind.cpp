@@ -1,10 +1,12 @@
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
-#include "app/batch/output_file.h"
+#include "app/batch/output.h"
 #include "app/batch/verb.h"
 #include "app/bind/bind_mesh.h"
 #include "app/files/save.h"
@@ -112,10 +114,13 @@ Status runBind(const BindArguments& arguments) {
   if (Status saved = saveDocument(*result, arguments.output.path, {}); !saved) {
     return saved;
   }
+  BindReport report = bound->report;
+  std::ranges::copy(besideLines(*document->source, arguments.output.path),
+                    std::back_inserter(report.warnings));
   if (arguments.json) {
-    arguments.json.print(reportOf(*result, bound->report, seconds));
+    arguments.json.print(reportOf(*result, report, seconds));
   } else {
-    printReport(bound->report, seconds);
+    printReport(report, seconds);
   }
   return Success{};
 }

@@ -116,6 +116,8 @@ Result<gltf::Json> exaggerated(const Recipe& recipe, bool loops, Document& docum
   addGaveWay(before, document, report);
   if (!recipe.adjustments.empty() || !recipe.holds.empty()) {
     addPoseReport(document, recipe.clip, recipe.adjustments, report);
+  } else {
+    addFlips(document, recipe.clip, placed->trailIds, report);
   }
   return report;
 }
@@ -158,6 +160,7 @@ gltf::Json exaggeratedWherePossible(const std::vector<TrailRequest>& requests, i
     }
   }
   gltf::Json report = exaggerationJson(document, clip, ids, character);
+  addFlips(document, clip, ids, report);
   report.erase("warnings");
   report["left_out"] = std::move(left);
   return report;

@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "app/batch/options.h"
-#include "app/batch/output_file.h"
+#include "app/batch/output.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/files/save.h"
 #include "app/locators/build_rig.h"
@@ -56,9 +57,13 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
       limbs.push_back(limb.id);
     }
   }
-  for (const std::string& warning : fitted.warnings) {
-    fmt::print(stderr, "warning: {}\n", warning);
+  gltf::Json warnings = fitted.warnings;
+  if (document != nullptr) {
+    for (const std::string& line : besideLines(*document->source, arguments.output.path)) {
+      warnings.push_back(line);
+    }
   }
+  printWarnings(warnings);
   if (arguments.json) {
     arguments.json.print(
         {{"plan", fitted.locators.plan},
@@ -67,7 +72,7 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
          {"joints", document == nullptr || fitted.isOfSkeleton ? 0 : fitted.locators.list.size()},
          {"limbs", limbs},
          {"unsure", unsure},
-         {"warnings", fitted.warnings}});
+         {"warnings", std::move(warnings)}});
     return;
   }
   fmt::print("{} locators of {}{}\n", fitted.locators.list.size(),

@@ -8,6 +8,7 @@
 #include "app/batch/pose_report.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/pops.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/seen.h"
 #include "app/evaluate/stopped.h"
@@ -131,6 +132,38 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   }
   report["warnings"] = documentWarnings(document);
   return report;
+}
+
+namespace {
+
+// The frames around its range and its way back; all of a loop where these go on beyond its seam.
+FrameSpan movedFrames(const rig::MotionState& motion, const rig::SolvedTrail& solved) {
+  const auto frameAt = [&](double seconds) { return std::llround(seconds * motion.framesPerSecond); };
+  if (motion.loops &&
+      (solved.windowStartSeconds < motion.startSeconds || solved.windowEndSeconds > motion.endSeconds)) {
+    return {};
+  }
+  return {.first = frameAt(solved.windowStartSeconds) - 1, .last = frameAt(solved.windowEndSeconds) + 1};
+}
+
+} // namespace
+
+void addFlips(const Document& document, int clip, const std::vector<int>& ids, Json& report) {
+  const rig::MotionState motion = prepareMotion(document, clip);
+  auto entry = report["trails"].begin();
+  for (const int id : ids) {
+    const std::optional<std::size_t> place = rig::placeOfTrail(motion, id);
+    if (!place) {
+      continue;
+    }
+    const rig::SolvedTrail& solved = motion.trails[*place];
+    for (const LimbPop& pop : limbPops(document, motion, movedFrames(motion, solved))) {
+      if (pop.limb == solved.limb.id && !pop.flipFrames.empty()) {
+        (*entry)["warnings"].push_back(popWarning(pop));
+      }
+    }
+    ++entry;
+  }
 }
 
 namespace {

@@ -16,6 +16,10 @@ class EvaluationCache;
 [[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids,
                                           const std::shared_ptr<CharacterFacts>& character = {});
 
+/// Adds to the warnings of each of these trails, in a report of exaggerationJson, where its limb flips
+/// (limbPops) on its way there or back.
+void addFlips(const Document& document, int clip, const std::vector<int>& ids, gltf::Json& report);
+
 /// Prints the outcome as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);
 

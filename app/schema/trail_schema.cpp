@@ -121,7 +121,9 @@ Schema<TrailSettings> spaceSettings() {
   return {
       setting<TrailSettings>({.name = "space",
                               .choices = {{"world"}, {"root"}, {"base"}, {"view"}},
-                              .help = "Where the path is exaggerated.",
+                              .help =
+                                  "Where the path is exaggerated; the axes of a view are asked for in the "
+                                  "editor and in recipes alone.",
                               .row = {.section = "space"}},
                              &TrailSettings::space),
       setting<TrailSettings>({.name = "reference",

@@ -7,11 +7,14 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/file.h"
+#include "core/gltf/json/json.h"
+#include "tests/support/app/mesh_file.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/two_sheets.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
+#include "tests/support/skinning/tube_person.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -169,4 +172,26 @@ TEST_CASE("A .glb that needs an image beside it says so where it is written to a
   CHECK_THAT(told("out/copy.glb"), Catch::Contains("copy.glb needs red.png, written beside it"));
   CHECK(fs::exists(folder / "out/red.png"));
   CHECK_THAT(told("in/copy.glb"), !Catch::Contains("needs red.png"));
+}
+
+TEST_CASE("A rigged and a bound mesh say which images were written beside them", "[output]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "in");
+  fs::create_directories(folder / "out");
+  const test::TubePerson person = test::tubePerson({.armsDown = 0.5});
+  const std::string mesh = (folder / "in/person.gltf").string();
+  test::writeMeshFile(mesh, person.positions, person.triangles);
+  gltf::Json json = gltf::Json::parse(readText(mesh).value());
+  json["images"] = {{{"uri", "red.png"}}};
+  folder.write("in/person.gltf", json.dump());
+  test::writeBytes(folder / "in/red.png", {1, 2, 3});
+  for (const char* const verb : {"rig", "bind"}) {
+    const test::VerbAnswer answer = writtenTo({verb, mesh}, folder / "out/made.glb");
+    INFO(verb << ": " << answer.told);
+    REQUIRE(answer.exitCode == 0);
+    CHECK_THAT(answer.told, Catch::Contains("warning: made.glb needs red.png, written beside it"));
+    CHECK(fs::exists(folder / "out/red.png"));
+    fs::remove(folder / "out/red.png");
+    CHECK_THAT(writtenTo({verb, mesh}, folder / "in/made.glb").told, !Catch::Contains("needs red.png"));
+  }
 }

@@ -260,3 +260,34 @@ TEST_CASE("A single mesh is told how a verb of characters takes it, and what a c
   CHECK_THAT(answer.told, Catch::Contains(mesh + ": is read as a frame of a sequence of meshes") &&
                               Catch::Contains("save the mesh as .glb"));
 }
+
+TEST_CASE("A limb that flips on its trail's way is told once, by a recipe with holds and in every clip, too",
+          "[told]") {
+  const TemporaryFolder folder;
+  const std::string leap = STRETCH_SOURCE_DIR "/assets/dummy_leap.glb";
+  const std::string output = (folder / "out.glb").string();
+  const auto flipsIn = [](const Json& report) {
+    const std::string text = report.dump();
+    std::vector<std::string> flips;
+    for (std::size_t place = text.find(" flips at "); place != std::string::npos;
+         place = text.find(" flips at ", place + 1)) {
+      flips.push_back(text.substr(place - 12, 31));
+    }
+    return flips;
+  };
+  const std::vector<std::string> once{"the left leg flips at frame 20:"};
+  const Json flipped = jsonOf({"exaggerate", leap, "-o", output, "--limb", "left-leg", "--scale", "2.5"});
+  CHECK(flipsIn(flipped["trails"][0]["warnings"]) == once);
+  CHECK(flipsIn(flipped) == once);
+  CHECK(flipsIn(jsonOf({"exaggerate", leap, "-o", output, "--limb", "left-leg", "--scale", "1.2"})).empty());
+  const Json every =
+      jsonOf({"exaggerate", leap, "-o", output, "--limb", "left-leg", "--scale", "2.5", "--all-clips"});
+  CHECK(flipsIn(every["clips"][0]["trails"][0]["warnings"]) == once);
+  const std::string recipe =
+      folder
+          .write("recipe.json",
+                 R"({"version": 1, "trails": [{"limb": "left-leg", "scale": 2.5, "space": "root"}],
+                                    "pins": [{"limb": "right-arm", "range": [0, 2], "at": 0}]})")
+          .string();
+  CHECK(flipsIn(jsonOf({"exaggerate", leap, "-o", output, "--recipe", recipe})) == once);
+}
