@@ -145,3 +145,23 @@ TEST_CASE("Trails of both sides that are mirrored together change places") {
   CHECK(session.document().trails[0].settings.scale == 4.0);
   CHECK(session.document().trails[1].settings.scale == 2.0);
 }
+
+TEST_CASE("A group is of one clip, whatever numbers a file has, and one that is made anew has no name yet") {
+  Document document = withBothArms().document();
+  const std::vector<int> arms{document.trails[0].id, document.trails[1].id};
+  rig::Trail other = document.trails[0];
+  other.id = document.nextTrailId++;
+  other.clip = 1;
+  document.trails.push_back(other);
+  CHECK(groupMembers(document, arms.front()) == arms);
+  CHECK(groupMembers(document, other.id).empty());
+  CHECK_THAT(test::refusal(groupTrails(document, std::vector<int>{arms[1], other.id})),
+             Catch::Contains("all of one clip"));
+  document.trails[0].groupName = document.trails[1].groupName = "Clap";
+  const Result<Document> again = groupTrails(document, arms);
+  REQUIRE(again);
+  CHECK(groupMembers(*again, arms.front()) == arms);
+  CHECK(again->trails[0].group > document.trails[0].group);
+  CHECK(again->trails[0].groupName.empty());
+  CHECK(again->trails[1].groupName.empty());
+}

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/keys/following_keys.h"
+#include "app/edits/keys/track_edits.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;
@@ -199,4 +200,17 @@ TEST_CASE("Keys that follow are remembered by clip, node, channel, time and comp
   remember(0, linear, {1U, 1U, 1U, 1U});
   CHECK(marked(0, track) == none);
   CHECK(document.followingKeys.size() == 2);
+}
+
+TEST_CASE("Keys of tracks that are not given back go on following, those of another clip as well") {
+  Document document = test::boxer();
+  const FollowingKeys arm{0, NodeIndex(3), Channel::rotation, {{0.0F, 7U}}};
+  const FollowingKeys moved{0, NodeIndex(3), Channel::translation, {{0.0F, 7U}}};
+  const FollowingKeys elbow{0, NodeIndex(4), Channel::rotation, {{0.0F, 7U}}};
+  const FollowingKeys other{1, NodeIndex(3), Channel::rotation, {{0.0F, 7U}}};
+  document.followingKeys = {arm, moved, elbow, other};
+  const Document restored = restoreTracks(document, 0, [](NodeIndex node, Channel channel) {
+    return node == NodeIndex(3) && channel == Channel::rotation;
+  });
+  CHECK(restored.followingKeys == std::vector{moved, elbow, other});
 }

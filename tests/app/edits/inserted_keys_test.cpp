@@ -1,4 +1,5 @@
 // Keys that are put into rows of several pieces, and work that stands past the end of a clip.
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -63,4 +64,57 @@ TEST_CASE(
   CHECK(standingPastEnd(document, 0) == std::vector<std::string>{"offsets of left hand (4 to 24)"});
   document.adjustments = {handOver(std::nullopt, {{2.0, 0.1}, {20.0, 0.1}})};
   CHECK(standingPastEnd(document, 0).empty());
+  document.adjustments = {handOver(std::nullopt, {{2.0, 0.1}, {30.0, 0.1}})};
+  document.adjustments.front().clip = 1; // which is longer
+  CHECK(standingPastEnd(document, 0).empty());
+}
+
+TEST_CASE("Keys of several pieces are one row in the order of time, however the pieces are listed") {
+  Document document = test::boxer();
+  document.adjustments = {handOver(Vec2(14.0, 20.0), {{15.0, 0.2}, {19.0, 0.4}}),
+                          handOver(Vec2(0.0, 6.0), {{1.0, 0.1}, {5.0, 0.3}})};
+  const std::vector<KeyRow> rows{{{}, Channel::translation, "left-hand"}};
+  CHECK(keyFramesOf(document, 0, rows.front()) == std::vector<double>{1.0, 5.0, 15.0, 19.0});
+  const KeySelection middle = keysBetween(document, 0, rows, 4.0, 16.0);
+  CHECK(middle == KeySelection{{rows.front(), {{1}, {2}}}});
+  const Result<EditedKeys> moved = moveKeys(document, 0, middle, {0.5, 0.0});
+  REQUIRE(moved);
+  CHECK(moved->document.adjustments[0].keys.front().frame == 15.5);
+  CHECK(moved->document.adjustments[0].keys.front().move.x == Approx(0.2));
+  CHECK(moved->document.adjustments[1].keys.back().frame == 5.5);
+  CHECK(moved->document.adjustments[1].keys.back().move.x == Approx(0.3));
+}
+
+TEST_CASE("Keys on the whole clip are moved as far as its first and its last frame") {
+  Document document = test::boxer(); // frames 0 to 20
+  document.adjustments = {handOver(std::nullopt, {{4.0, 0.1}, {8.0, 0.2}})};
+  const std::vector<KeyRow> rows{{{}, Channel::translation, "left-hand"}};
+  for (const auto& [by, first] : {std::pair(100.0, 16.0), std::pair(-100.0, 0.0)}) {
+    const Result<EditedKeys> moved = moveKeys(document, 0, allKeys(document, 0, rows), {by, 0.0});
+    REQUIRE(moved);
+    CHECK(keyFramesOf(moved->document, 0, rows.front()) == std::vector<double>{first, first + 4.0});
+  }
+}
+
+TEST_CASE("A joint without keys gets its first turn and its first size as it rests") {
+  Document document = test::boxer();
+  Scene scene = *document.scene;
+  scene.nodes[6].rest.rotation = Quat(0.8, 0.0, 0.0, 0.6);
+  scene.nodes[6].rest.scale = Vec3(1.5, 2.0, 0.5);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  const auto firstValues = [&](Channel channel) {
+    const KeyRow row{NodeIndex(6), channel, {}};
+    const Result<EditedKeys> made = insertKeys(document, 0, std::vector<KeyRow>{row}, 5.0);
+    REQUIRE(made);
+    const Clip& clip = clipOf(made->document, 0);
+    const int track = findTrack(clip, row.node, channel);
+    REQUIRE(track >= 0);
+    return clip.tracks[static_cast<std::size_t>(track)]->values;
+  };
+  CHECK(firstValues(Channel::scale) == std::vector<float>{1.5F, 2.0F, 0.5F});
+  CHECK(firstValues(Channel::translation) == std::vector<float>{-0.2F, 0.1F, 0.0F});
+  const std::vector<float> turn = firstValues(Channel::rotation); // x, y, z, w
+  REQUIRE(turn.size() == 4);
+  CHECK(turn[2] == Approx(0.6));
+  CHECK(turn[3] == Approx(0.8));
 }

@@ -108,3 +108,22 @@ TEST_CASE("A trail that was done with is so no longer once a sphere is pulled, a
   CHECK_FALSE(moveSpheres(document, trail, moved)->trails.front().applied);
   CHECK(moveSpheres(document, trail, still)->trails.front().applied);
 }
+
+TEST_CASE("Of a trail that was done with other spheres bend anew what was pulled, and nothing else") {
+  Document document = appliedDocument();
+  const int trail = document.trails.front().id;
+  CHECK_FALSE(setControlFrames(document, trail, {0.0, 4.0, 10.0})->trails.front().applied);
+  document.trails.front().settings.spheres.clear();
+  CHECK(setControlFrames(document, trail, {0.0, 4.0, 10.0})->trails.front().applied);
+}
+
+TEST_CASE("A sphere of a path that was not exaggerated is pulled off it, and the character follows") {
+  Document document = appliedDocument();
+  rig::Trail& trail = document.trails.front();
+  trail.exaggerated = trail.connected = trail.applied = false;
+  const Result<Document> pulled =
+      moveSpheres(document, trail.id, std::vector<SphereMove>{{5.0, Vec3(0.0, 0.1, 0.0)}});
+  REQUIRE(pulled);
+  CHECK(pulled->trails.front().exaggerated);
+  CHECK(pulled->trails.front().connected);
+}

@@ -2,7 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -208,4 +212,131 @@ TEST_CASE("A range is given to what is adjusted, unless it leaves a key out or r
   const Result<Document> whole = setOffsetRange(*local, 0, 8.0, hipsAlone, {});
   REQUIRE(whole);
   CHECK(hipsUp(*whole, 20.0) == Approx(-0.2));
+}
+
+namespace {
+
+/// Linear keys of the hips, or of an attribute: moved up, turned by half as much, and the value.
+rig::Adjustment linearKeys(const std::string& id, const std::vector<std::pair<double, double>>& keys,
+                           const std::optional<Vec2>& range, int clip = 0) {
+  rig::Adjustment adjustment{id, clip, range, {}};
+  for (const auto& [frame, number] : keys) {
+    rig::OffsetKey key;
+    key.frame = frame;
+    key.move = Vec3(0.0, number, 0.0);
+    key.turn = Vec3(0.0, 0.0, 0.5 * number);
+    key.value = number;
+    key.interpolation = rig::KeyInterpolation::linear;
+    adjustment.keys.push_back(key);
+  }
+  return adjustment;
+}
+
+} // namespace
+
+TEST_CASE("What is keyed in one clip neither acts in another one nor takes room there") {
+  Document document = test::boxer();
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(2, document.clips->front()));
+  const rig::Adjustment other = linearKeys("hips", {{8.0, 0.3}}, Vec2(4.0, 12.0), 1);
+  document.adjustments = {other};
+  CHECK(adjustmentAt(document, 0, 8.0, "hips") == nullptr);
+  CHECK(hipsUp(document, 8.0) == 0.0);
+  CHECK(adjustedIds(document, 0).empty());
+  CHECK(adjustedIds(document, 1) == hipsAlone);
+  const Document ranged = hipsAt(document, 14.0, 0.1, {Vec2(2.0, 18.0)});
+  CHECK(adjustmentAt(ranged, 0, 14.0, "hips")->rangeFrames == Vec2(2.0, 18.0));
+  const Result<Document> whole = setOffsetRange(ranged, 0, 14.0, hipsAlone, {});
+  REQUIRE(whole);
+  CHECK_FALSE(adjustmentAt(*whole, 0, 14.0, "hips")->rangeFrames);
+  const Result<Document> reset = resetOffsetsOver(ranged, 0, {0.0, 20.0}, hipsAlone);
+  REQUIRE(reset);
+  CHECK(reset->adjustments == std::vector<rig::Adjustment>{other});
+}
+
+TEST_CASE("Where two ranges meet the one with a key there is meant, else the first") {
+  const rig::Adjustment early = linearKeys("hips", {{8.0, 0.1}}, Vec2(4.0, 12.0));
+  const rig::Adjustment late = linearKeys("hips", {{12.0, 0.3}, {15.0, 0.2}}, Vec2(12.0, 18.0));
+  Document document = test::boxer();
+  for (const std::vector<rig::Adjustment>& order : {std::vector{early, late}, {late, early}}) {
+    document.adjustments = order;
+    REQUIRE(adjustmentAt(document, 0, 12.0, "hips") != nullptr);
+    CHECK(*adjustmentAt(document, 0, 12.0, "hips") == late);
+    CHECK(hipsUp(document, 12.0) == Approx(0.3));
+    document.adjustments[0].keys.front().frame += 1.0;
+    document.adjustments[1].keys.front().frame += 1.0;
+    CHECK(adjustmentAt(document, 0, 12.0, "hips") == document.adjustments.data());
+  }
+}
+
+TEST_CASE("Before another adjustment a key on the whole clip is held from the clip's start") {
+  const Document document = hipsAt(hipsAt(test::boxer(), 8.0, -0.2, {Vec2(4.0, 12.0)}), 2.0, 0.1);
+  REQUIRE(document.adjustments.size() == 2);
+  CHECK(adjustmentAt(document, 0, 2.0, "hips")->rangeFrames == Vec2(0.0, 4.0));
+  CHECK(hipsUp(document, 0.0) == Approx(0.1));
+  CHECK(hipsUp(document, 2.0) == Approx(0.1));
+  CHECK(hipsUp(document, 4.0) == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("A turn alone and a value alone are taken back as a move is, at a frame and over frames") {
+  Document document = test::boxer();
+  document.adjustments = {
+      linearKeys("hips", {{4.0, 0.4}, {8.0, 0.4}, {12.0, 0.4}}, std::nullopt),
+      linearKeys("left-arm.stretch", {{4.0, 0.5}, {8.0, 0.5}, {12.0, 0.5}}, std::nullopt)};
+  for (rig::OffsetKey& key : document.adjustments[0].keys) {
+    key.move = Vec3(0.0);
+  }
+  for (rig::OffsetKey& key : document.adjustments[1].keys) {
+    key.move = key.turn = Vec3(0.0);
+  }
+  const std::vector<std::string> both{"hips", "left-arm.stretch"};
+  const auto turnAt = [](const Document& of, double frame) { return offsetAt(of, 0, frame, "hips").turn.z; };
+  const auto stretchAt = [](const Document& of, double frame) {
+    return valueAt(of, 0, frame, "left-arm.stretch");
+  };
+  REQUIRE(turnAt(document, 6.0) == Approx(0.2));
+  const Result<Document> there = resetOffsets(document, 0, 6.0, both);
+  REQUIRE(there);
+  CHECK(turnAt(*there, 6.0) == 0.0);
+  CHECK(stretchAt(*there, 6.0) == 1.0);
+  const Result<Document> between = resetOffsetsOver(document, 0, {6.0, 10.0}, both);
+  REQUIRE(between);
+  for (const double frame : {6.0, 8.0, 10.0}) {
+    CHECK(turnAt(*between, frame) == 0.0);
+    CHECK(stretchAt(*between, frame) == Approx(1.0));
+  }
+  for (const Document& changed : {*there, *between}) {
+    CHECK(turnAt(changed, 12.0) == Approx(0.2));
+    CHECK(stretchAt(changed, 4.0) == Approx(0.5));
+  }
+}
+
+TEST_CASE("A key at an end of its range becomes free with the slope that the range has there") {
+  Document document = test::boxer();
+  document.adjustments = {
+      linearKeys("hips", {{4.0, 0.4}, {8.0, 0.0}, {12.0, 0.4}}, Vec2(4.0, 12.0)),
+      linearKeys("left-arm.stretch", {{4.0, 0.2}, {8.0, 0.6}, {12.0, 1.0}}, std::nullopt)};
+  for (const auto& [frame, slope] : {std::pair(4.0, -0.1), std::pair(12.0, 0.1)}) {
+    const Document free = setKeyInterpolation(document, 0, frame, hipsAlone, rig::KeyInterpolation::free);
+    const rig::OffsetKey* const key = offsetKeyAt(free, 0, frame, "hips");
+    REQUIRE(key != nullptr);
+    CHECK(key->interpolation == rig::KeyInterpolation::free);
+    CHECK(glm::length(key->moveSlope - Vec3(0.0, slope, 0.0)) < 1e-6);
+    CHECK(glm::length(key->turnSlope - Vec3(0.0, 0.0, 0.5 * slope)) < 1e-6);
+  }
+  const std::vector<std::string> stretch{"left-arm.stretch"};
+  const Document free = setKeyInterpolation(document, 0, 8.0, stretch, rig::KeyInterpolation::free);
+  CHECK(offsetKeyAt(free, 0, 8.0, "left-arm.stretch")->valueSlope == Approx(0.1).epsilon(1e-6));
+}
+
+TEST_CASE("A range may come up to the next one of its controller, from either side") {
+  Document document = test::boxer();
+  document.adjustments = {linearKeys("hips", {{6.0, 0.1}}, Vec2(4.0, 8.0)),
+                          linearKeys("hips", {{14.0, 0.3}}, Vec2(12.0, 18.0))};
+  const Result<Document> later = setOffsetRange(document, 0, 6.0, hipsAlone, {Vec2(4.0, 12.0)});
+  REQUIRE(later);
+  CHECK(adjustmentAt(*later, 0, 6.0, "hips")->rangeFrames == Vec2(4.0, 12.0));
+  const Result<Document> earlier = setOffsetRange(document, 0, 14.0, hipsAlone, {Vec2(8.0, 18.0)});
+  REQUIRE(earlier);
+  CHECK(adjustmentAt(*earlier, 0, 14.0, "hips")->rangeFrames == Vec2(8.0, 18.0));
+  CHECK_FALSE(setOffsetRange(document, 0, 6.0, hipsAlone, {Vec2(4.0, 12.5)}));
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <catch2/catch.hpp>
 
@@ -11,6 +12,7 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
 #include "app/files/saved_work.h"
+#include "app/named.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/refusal.h"
@@ -243,4 +245,22 @@ TEST_CASE("The body plan that is chosen already is no change") {
   REQUIRE(commandOf(commands, command::planPrefix + std::string("quadruped")).run(session));
   CHECK_FALSE(session.history().canUndo());
   CHECK_FALSE(session.document().limbsCorrected);
+}
+
+TEST_CASE("Finding the limbs again leaves what is keyed of the limbs that are found, values as well") {
+  Document document = detectLimbsAgain(horse());
+  const rig::ControllerList list = controllersOf(document);
+  const auto keyed = [](const std::string& id) {
+    return rig::Adjustment{id, 0, std::nullopt, {rig::OffsetKey{}}};
+  };
+  for (const rig::Controller& controller : list.controllers) {
+    document.adjustments.push_back(keyed(controller.id));
+  }
+  for (const rig::Attribute& attribute : list.attributes) {
+    document.adjustments.push_back(keyed(attribute.id));
+  }
+  REQUIRE_FALSE(list.attributes.empty());
+  const std::vector<rig::Adjustment> before = document.adjustments;
+  document.adjustments.push_back(keyed("no such thing"));
+  CHECK(detectLimbsAgain(document).adjustments == before);
 }

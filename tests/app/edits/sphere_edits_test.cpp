@@ -195,3 +195,42 @@ TEST_CASE("Spheres that were set by hand go along when the whole range moves") {
   CHECK(findTrail(*setTrailSettings(*set, trailId, settings), trailId)->controlFrames ==
         std::vector<double>{0.0, 4.0, 10.0});
 }
+
+TEST_CASE("A limb is made of joints that the character has, with an end that it has or none") {
+  const Document document = test::boxer();
+  const NodeIndex past(document.scene->nodes.size());
+  rig::Limb chain;
+  chain.id = "LeftArm..LeftHand";
+  chain.joints = {NodeIndex(3), NodeIndex(4)};
+  CHECK(addChain(document, chain));
+  const auto refused = [&](const std::vector<NodeIndex>& joints, NodeIndex end) {
+    rig::Limb limb = chain;
+    limb.joints = joints;
+    limb.endNode = end;
+    const std::string told = test::refusal(addChain(document, limb));
+    static_cast<rig::LimbPlace&>(limb) = rig::biped::leftArm;
+    CHECK(test::refusal(correctLimb(document, limb)) == told);
+    return told;
+  };
+  const std::string told = "LeftArm..LeftHand: the limb names joints that the character does not have; "
+                           "pick its joints again";
+  CHECK(refused({}, NodeIndex(5)) == told);
+  CHECK(refused({NodeIndex(3), past}, NodeIndex(5)) == told);
+  CHECK(refused({NodeIndex(3), NodeIndex::none}, NodeIndex(5)) == told);
+  CHECK(refused({NodeIndex(3), NodeIndex(4)}, past) == told);
+}
+
+TEST_CASE("A limb that was set by hand is taken for sure, and its document for one to be saved") {
+  const Document document = test::boxer();
+  REQUIRE_FALSE(document.limbsCorrected);
+  rig::Limb arm = *findLimb(document, "left-arm");
+  arm.confidence = 0.3;
+  arm.reasons = {"its name"};
+  const Result<Document> corrected = correctLimb(document, arm);
+  REQUIRE(corrected);
+  CHECK(corrected->limbsCorrected);
+  CHECK(findLimb(*corrected, "left-arm")->confidence == 1.0);
+  CHECK(findLimb(*corrected, "left-arm")->reasons == std::vector<std::string>{"set by hand"});
+  arm.kind = rig::LimbKind::chain;
+  CHECK_THAT(test::refusal(correctLimb(document, arm)), Catch::Contains("a chain is not a limb of the body"));
+}

@@ -114,3 +114,36 @@ TEST_CASE("Paths that are not exaggerated, and those of other clips, are no styl
   CHECK_THAT(test::refusal(app::styleOfClip(document, 0, "")),
              Catch::Contains("no trail of the clip is exaggerated"));
 }
+
+TEST_CASE("A style has the weight that is the most in its clip, of those that are on") {
+  app::Document document = threeTrails();
+  const auto weighed = [](const char* limb, int clip, bool on, double amount) {
+    app::WeightedLimb weight{limb, clip, on, {}};
+    weight.settings.amount = amount;
+    weight.settings.stiffness = 10.0 * amount;
+    return weight;
+  };
+  document.weights = {weighed("spine", 0, true, 0.3), weighed("left-arm", 0, true, 0.4),
+                      weighed("left-leg", 0, true, 0.2), weighed("left-leg", 0, false, 0.9),
+                      weighed("left-arm", 1, true, 0.8)};
+  const Result<rig::Style> taken = app::styleOfClip(document, 0, "");
+  REQUIRE(taken.ok());
+  CHECK(taken->weight.amount == 0.4);
+  CHECK(taken->weight.stiffness == 4.0);
+}
+
+TEST_CASE("The style of a clip without a name is called a style all the same") {
+  app::Document document = threeTrails();
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(1));
+  CHECK(app::styleOfClip(document, 0, "")->name == "My style");
+}
+
+TEST_CASE("A trail that was held out lets go at once in a style that says nothing of its way back") {
+  app::Document document = threeTrails();
+  document.trails[0].settings.releaseFrames = 6.0;
+  document.trails[0].settings.lingerFrames = 3.0;
+  const Result<app::Document> styled = app::applyStyle(document, {1}, style("Duck"));
+  REQUIRE(styled.ok());
+  CHECK(styled->trails[0].settings.lingerFrames == 0.0);
+  CHECK_FALSE(styled->trails[0].settings.releaseFrames);
+}

@@ -186,6 +186,9 @@ TEST_CASE("A clip is marked as a loop once and unmarked again") {
   const Document once = setLooping(setLooping(test::boxer(), 0, true), 0, true);
   CHECK(once.loopingClips == std::vector<int>{0});
   CHECK(setLooping(once, 0, false).loopingClips.empty());
+  const Document both = setLooping(setLooping(test::boxer(), 1, true), 0, true);
+  CHECK(both.loopingClips == std::vector<int>{0, 1}); // in whatever order they were marked
+  CHECK(setLooping(both, 0, false).loopingClips == std::vector<int>{1});
 }
 
 TEST_CASE("A trail that is pasted on a clip of another rate lies at the same time there") {
@@ -215,4 +218,64 @@ TEST_CASE("A trail that was copied from a clip that is gone is pasted at the fra
   CHECK(trail.limb == "right-arm");
   CHECK(trail.settings.startFrame == 5.0);
   CHECK(trail.settings.endFrame == 10.0);
+}
+
+TEST_CASE("A new trail gets the colour that its clip's trails use least, the next in turn of equal ones") {
+  Document document = test::boxer();
+  CHECK(freeColour(document, 0) == 0);
+  document.trails.resize(1);
+  CHECK(freeColour(document, 0) == 1);
+  CHECK(freeColour(document, 1) == 0);           // those of another clip are not seen beside it
+  document.trails.front().colour = dealtColours; // looks as the first one
+  CHECK(freeColour(document, 0) == 1);
+  document.nextTrailId = 3;
+  CHECK(freeColour(document, 0) == 2);
+  document.nextTrailId = dealtColours;
+  CHECK(freeColour(document, 0) == dealtColours - 1);
+  document.trails.front().colour = dealtColours - 1;
+  CHECK(freeColour(document, 0) == 0);
+}
+
+TEST_CASE("A blend or a colour beyond those that there are is the nearest one that there is") {
+  const CreatedTrail created = made(test::boxer(), punchTrail(0, 10));
+  for (const auto& [asked, given] : {std::pair(3.0, 2.0), std::pair(-1.0, 0.0), std::pair(0.5, 0.5)}) {
+    const Result<Document> blended = setBlend(created.document, created.trailId, asked);
+    REQUIRE(blended);
+    CHECK(findTrail(*blended, created.trailId)->settings.blend == given);
+  }
+  const Result<Document> shown = setTrailDisplay(created.document, created.trailId, {-2, false, true});
+  REQUIRE(shown);
+  const rig::Trail& trail = *findTrail(*shown, created.trailId);
+  CHECK(trail.colour == 0);
+  CHECK_FALSE(trail.visible);
+  CHECK(trail.pinned);
+}
+
+TEST_CASE("What is pasted moves the character as what was copied does, and has its spheres") {
+  NewTrail wanted = punchTrail(2, 8);
+  wanted.exaggerated = true; // and not connected
+  wanted.settings.spheres = {{2.0, Vec3(0.1, 0.0, 0.0)}, {8.0, Vec3(0.2, 0.0, 0.0)}};
+  Document start = made(test::boxer(), wanted).document;
+  start.trails.front().controlFrames = {2.0, 5.0, 8.0};
+  const rig::Trail copied = start.trails.front();
+  const Result<CreatedTrail> beside = pasteTrail(start, copied, "right-arm", 0);
+  REQUIRE(beside);
+  const rig::Trail& fresh = *findTrail(beside->document, beside->trailId);
+  CHECK(fresh.controlFrames == std::vector<double>{2.0, 5.0, 8.0});
+  CHECK(fresh.exaggerated);
+  CHECK_FALSE(fresh.connected);
+  for (const bool isConnected : {true, false}) {
+    NewTrail there = punchTrail(4, 10);
+    there.limb = "right-arm";
+    there.connected = isConnected;
+    const CreatedTrail both = made(start, there);
+    const Result<CreatedTrail> onto = pasteTrail(both.document, copied, "right-arm", 0);
+    REQUIRE(onto);
+    const rig::Trail& changed = *findTrail(onto->document, both.trailId);
+    CHECK(changed.exaggerated);
+    CHECK_FALSE(changed.connected);
+    REQUIRE(changed.settings.spheres.size() == 2); // at both of its ends, which are within it
+    CHECK(changed.settings.spheres[0].frame == 4.0);
+    CHECK(changed.settings.spheres[1].frame == 10.0);
+  }
 }
