@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -91,4 +93,42 @@ TEST_CASE("Apply all is one step for every connected trail of the clip, and leav
   CHECK_FALSE(applied(session, command::trailApplyAll)); // Nothing waits any more.
   session.undo();
   CHECK_FALSE(session.document().trails[0].applied);
+}
+
+TEST_CASE("Apply all leaves the trails of other clips waiting") {
+  Document document = withTrail(test::boxer(), "left-arm", true);
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(2, document.clips->front()));
+  rig::Trail other = document.trails.front();
+  other.id = document.nextTrailId++;
+  other.clip = 1;
+  document.trails.push_back(other);
+  Session session(document);
+  CHECK(waitingTrails(session) == std::vector<int>{document.trails.front().id});
+  REQUIRE(applied(session, command::trailApplyAll));
+  CHECK(session.document().trails[0].applied);
+  CHECK_FALSE(session.document().trails[1].applied);
+  session.view().clip = 1;
+  CHECK(waitingTrails(session) == std::vector<int>{other.id});
+}
+
+TEST_CASE(
+    "What several trails came to is told from the first frame of any to the last, and of many how many") {
+  Document document = test::withNewTrail(test::boxer(), {"left-arm", 5.0, 10.0});
+  document = test::withNewTrail(document, {"right-arm", 2.0, 4.0});
+  document.trails[0].settings.releaseFrames = 4.0;
+  document.trails[1].settings.releaseFrames = 3.0;
+  const int left = document.trails[0].id;
+  const int right = document.trails[1].id;
+  Session session(document); // The arm has keys at 0, 5, 10 and 20, the other one none.
+  CHECK(appliedText(session, {left, right, 77}) == "left arm, right arm, frames 2 to 14: 2 keys");
+  CHECK(appliedText(session, {right, left}) == "right arm, left arm, frames 2 to 14: 2 keys");
+  CHECK(appliedText(session, {right}) == "right arm, frames 2 to 7: 0 keys");
+  document = test::withNewTrail(document, {"spine", 3.0, 6.0});
+  const int spine = document.trails[2].id;
+  document = test::withNewTrail(document, {"left-arm", 15.0, 18.0});
+  Session more(document);
+  CHECK_THAT(appliedText(more, {left, right, spine}),
+             Catch::StartsWith("left arm, right arm, spine, frames "));
+  CHECK_THAT(appliedText(more, {left, right, spine, document.trails[3].id}),
+             Catch::StartsWith("4 trails, frames 2 to "));
 }

@@ -433,3 +433,43 @@ TEST_CASE("A grip is let go from the hand that follows as well") {
   CHECK(runHold(session, command::holdMatch).empty());
   CHECK(session.document().holds.grips.empty());
 }
+
+TEST_CASE("A limb is taken over its stroke at the playhead, else over a quarter of a second to either side") {
+  struct Taken {
+    const char* limb;
+    double frame;
+    Vec2 range;
+  };
+  for (const Taken& one : {Taken{"left-arm", 7.0, {0.0, 10.0}}, Taken{"left-arm", 15.0, {10.0, 20.0}},
+                           Taken{"right-arm", 10.4, {2.0, 18.0}}, Taken{"right-arm", 3.0, {0.0, 11.0}},
+                           Taken{"right-arm", 18.0, {10.0, 20.0}}}) {
+    CAPTURE(one.limb, one.frame);
+    Session session(test::boxer());
+    session.view().frame = one.frame;
+    const Result<HeldLimb> held = holdLimb(session, one.limb);
+    REQUIRE(held);
+    const rig::Trail& trail = *findTrail(held->document, held->trailId);
+    CHECK(Vec2(trail.settings.startFrame, trail.settings.endFrame) == one.range);
+    CHECK(trail.settings.scale == 1.0);
+    CHECK(trail.connected);
+  }
+}
+
+TEST_CASE("A limb is taken by its trail at the playhead, which moves it then, and beside that by a new one") {
+  Session session(test::withNewTrail(test::boxer(), {"left-arm", 4.0, 8.0, 2.0, false}));
+  const int present = session.document().trails.front().id;
+  for (const double frame : {4.0, 6.0, 8.0}) {
+    session.view().frame = frame;
+    const Result<HeldLimb> held = holdLimb(session, "left-arm");
+    REQUIRE(held);
+    CHECK(held->trailId == present);
+    CHECK(held->document.trails.front().connected);
+    CHECK(held->document.trails.size() == 1);
+  }
+  session.view().frame = 9.0;
+  const Result<HeldLimb> beside = holdLimb(session, "left-arm");
+  REQUIRE(beside);
+  CHECK(beside->trailId != present);
+  CHECK(findTrail(beside->document, beside->trailId)->settings.startFrame == 8.0);
+  CHECK(findTrail(beside->document, beside->trailId)->settings.endFrame == 10.0);
+}

@@ -93,3 +93,43 @@ TEST_CASE(
   CHECK(run(session, command::keysRestore).empty());
   CHECK_FALSE(hasEditedKeys(session.document()));
 }
+
+TEST_CASE(
+    "Of a joint the track of the picked key is given back, and its other ones stay as they were edited") {
+  Session session = withEditedArm();
+  const std::vector<KeyRow> moves{{NodeIndex(3), Channel::translation, {}}};
+  REQUIRE(editKeys(session, insertKeys(session.document(), 0, moves, 5.0), "Insert"));
+  pickKeys(session, keysBetween(session.document(), 0, std::vector{armTurns}, 5.0, 5.0), false);
+  CHECK(run(session, command::keysRestore).empty());
+  const std::vector<Track> edited = editedTracks(session.document(), 0);
+  REQUIRE(edited.size() == 1);
+  CHECK(edited.front().channel == Channel::translation);
+}
+
+TEST_CASE("Copied keys are pasted on the curve that is shown alone, and on their own where several are") {
+  const KeyRow otherTurns{NodeIndex(6), Channel::rotation, {}};
+  for (const bool alone : {true, false}) {
+    Session session(test::boxer());
+    pickKeys(session, keysBetween(session.document(), 0, std::vector{armTurns}, 5.0, 10.0), false);
+    CHECK(run(session, command::keysCopy).empty());
+    session.view().keyRows = alone ? std::vector{otherTurns} : std::vector{otherTurns, armTurns};
+    session.view().frame = 12.0;
+    CHECK(run(session, command::keysPaste).empty());
+    CHECK(keyFramesOf(session.document(), 0, otherTurns).size() == (alone ? 2U : 0U));
+    CHECK(keyFramesOf(session.document(), 0, armTurns).size() == (alone ? 4U : 6U));
+  }
+}
+
+TEST_CASE("With no key picked every key between two frames is snapped, and none is picked then") {
+  Session session(test::boxer());
+  CHECK(run(session, command::keysSnap) == "open the graph or the dope sheet first");
+  session.view().keyRows = {armTurns};
+  CHECK_THAT(run(session, command::keysSnap), Catch::StartsWith("every key of the clip stands on a whole"));
+  const KeySelection second = keysBetween(session.document(), 0, std::vector{armTurns}, 5.0, 5.0);
+  REQUIRE(editKeys(session, moveKeys(session.document(), 0, second, {0.3, 0.0}), "Move"));
+  pickKeys(session, {}, false);
+  REQUIRE(framesOf(session) == std::vector{0.0, 5.3, 10.0, 20.0});
+  CHECK(run(session, command::keysSnap).empty());
+  CHECK(framesOf(session) == std::vector{0.0, 5.0, 10.0, 20.0});
+  CHECK_FALSE(hasPickedKeys(session));
+}

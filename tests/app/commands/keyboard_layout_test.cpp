@@ -109,3 +109,11 @@ TEST_CASE("Chords are shown as the keyboard is labelled") {
   CHECK(KeyboardLayout().chordText({Key::slash, false, true}) == "?");
   CHECK(french().chordText({Key::pageUp, false, true}) == "Shift+Page Up");
 }
+
+TEST_CASE("Letters of a label are capitals where there are such, and signs stay as they are printed") {
+  const KeyboardLayout layout = layoutOf("à1234567890þ÷qwertyuiopÿ]asdfghjkl;'\\zxcvbnm,./");
+  CHECK(layout.chordText({static_cast<Key>('`')}) == "À");
+  CHECK(layout.chordText({Key::minus}) == "Þ");
+  CHECK(layout.chordText({static_cast<Key>('=')}) == "÷");
+  CHECK(layout.chordText({static_cast<Key>('[')}) == "ÿ");
+}

@@ -143,3 +143,28 @@ TEST_CASE("A clip that idles shows no moment") {
   CHECK(shownMoments(session).empty());
   CHECK_FALSE(nextMoment(session, true));
 }
+
+TEST_CASE("From beside a tip the next moment and the one before are others than the one of that tip") {
+  Session session = bundled("dummy.glb"); // with tips at 27, 33, 43 and 50
+  const auto tipFrom = [&](double frame, bool forwards) {
+    session.view().frame = frame;
+    return nextMoment(session, forwards)->tipFrame;
+  };
+  CHECK(tipFrom(26.4, true) == 27.0);
+  CHECK(tipFrom(26.8, true) == 33.0);
+  CHECK(tipFrom(27.6, false) == 27.0);
+  CHECK(tipFrom(27.2, false) == 50.0);
+}
+
+TEST_CASE("A moment is the current one while its limb and both ends of its range are as it has them") {
+  Session session = bundled("dummy.glb");
+  const auto isCurrent = [&](double start, double end) {
+    goToMoment(session, shownMoments(session).front()); // 21 to 27
+    session.view().rangeStart += start;
+    session.view().rangeEnd += end;
+    return currentMoment(session).has_value();
+  };
+  CHECK(isCurrent(0.0, 0.0));
+  CHECK_FALSE(isCurrent(1.0, 0.0));
+  CHECK_FALSE(isCurrent(0.0, 1.0));
+}

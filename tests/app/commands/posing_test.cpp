@@ -1,7 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "app/commands/pose/posing.h"
 #include "app/commands/pose/step_text.h"
@@ -475,4 +478,86 @@ TEST_CASE("A pose without a key stays at its place in time when frames are count
   CHECK(run(session, command::clipRate24).empty());
   CHECK(session.view().frame == 4.0);
   CHECK(moveOf(session, "left-hand").x == Approx(0.1));
+}
+
+TEST_CASE("A range that reaches beyond the clip is keyed as far as the clip goes") {
+  Session session(test::boxer()); // frames 0 to 20
+  session.view().frame = 8.0;
+  session.view().rangeStart = -3.0;
+  session.view().rangeEnd = 50.0;
+  CHECK(keyRange(session).rangeFrames == Vec2(0.0, 20.0));
+}
+
+TEST_CASE("Of several ranges the one at the playhead, or the nearest that grows up to it, ends there") {
+  const auto hipsOver = [](const Vec2& range, double frame, int clip) {
+    rig::OffsetKey key;
+    key.frame = frame;
+    key.move = Vec3(0.0, 0.1, 0.0);
+    return rig::Adjustment{"hips", clip, range, {key}};
+  };
+  const rig::Adjustment early = hipsOver({2.0, 6.0}, 4.0, 0);
+  const rig::Adjustment late = hipsOver({10.0, 14.0}, 12.0, 0);
+  const rig::Adjustment other = hipsOver({7.0, 9.0}, 8.0, 1);
+  struct Ended {
+    bool start;
+    double frame;
+    Vec2 early;
+    Vec2 late;
+  };
+  for (const Ended& one :
+       {Ended{true, 8.0, {2.0, 6.0}, {8.0, 14.0}}, Ended{false, 8.0, {2.0, 8.0}, {10.0, 14.0}},
+        Ended{true, 1.0, {1.0, 6.0}, {10.0, 14.0}}, Ended{false, 16.0, {2.0, 6.0}, {10.0, 16.0}},
+        Ended{true, 3.0, {3.0, 6.0}, {10.0, 14.0}}}) {
+    for (const std::vector<rig::Adjustment>& order :
+         {std::vector{early, late, other}, {other, late, early}}) {
+      CAPTURE(one.start, one.frame);
+      Document document = test::boxer();
+      document.clips =
+          std::make_shared<const std::vector<Clip>>(std::vector<Clip>(2, document.clips->front()));
+      document.adjustments = order;
+      Session session(document);
+      session.view().frame = one.frame;
+      selectController(session, "hips", false);
+      REQUIRE(endOffsetsHere(session, one.start));
+      CHECK(adjustmentAt(session.document(), 0, 4.0, "hips")->rangeFrames == one.early);
+      CHECK(adjustmentAt(session.document(), 0, 12.0, "hips")->rangeFrames == one.late);
+      CHECK(*adjustmentAt(session.document(), 1, 8.0, "hips") == other);
+    }
+  }
+}
+
+TEST_CASE("What is posed without a key comes together at a frame, and begins anew at another one") {
+  Session session(test::boxer());
+  session.view().autoKey = false;
+  session.view().frame = 8.0;
+  REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+  REQUIRE(poseAll(session, moved("left-hand", {0.1, 0.0, 0.0}), "Move"));
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Stretch"));
+  CHECK(moveOf(session, "hips").y == -0.1);
+  CHECK(moveOf(session, "left-hand").x == 0.1);
+  CHECK(shownValue(session, "left-arm.stretch") == 0.5);
+  session.view().frame = 9.0;
+  REQUIRE(poseAll(session, moved("hips", {0.0, 0.2, 0.0}), "Move"));
+  CHECK(moveOf(session, "hips").y == 0.2);
+  CHECK(moveOf(session, "left-hand") == Vec3(0.0));
+  CHECK(shownValue(session, "left-arm.stretch") == 1.0);
+  session.view().frame = 8.0;
+  CHECK(moveOf(session, "hips") == Vec3(0.0));
+}
+
+TEST_CASE("How the keys here are passed is told where those of the selection agree") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectControllers(session, {"hips", "left-hand"});
+  REQUIRE(run(session, command::poseKey).empty());
+  CHECK(interpolationHere(session) == rig::KeyInterpolation::automatic);
+  selectController(session, "hips", false);
+  REQUIRE(run(session, command::poseKeyStepped).empty());
+  selectControllers(session, {"left-hand", "right-hand"}); // of which one has no key
+  CHECK(interpolationHere(session) == rig::KeyInterpolation::automatic);
+  for (const std::vector<std::string>& both :
+       {std::vector<std::string>{"hips", "left-hand"}, {"left-hand", "hips"}}) {
+    selectControllers(session, both);
+    CHECK_FALSE(interpolationHere(session));
+  }
 }
