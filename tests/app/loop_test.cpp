@@ -134,6 +134,42 @@ TEST_CASE("Going on to another stroke leaves the loop that was marked, as it was
   CHECK(early->madeLoop);
 }
 
+TEST_CASE("A stroke that is gone on to marks the loop that it needs, at the scale that was chosen") {
+  Session session(shadowBoxer());
+  const auto early = exaggeratedOver(session, 0.0, 10.0);
+  REQUIRE(early);
+  ExaggerateTargets targets = *early;
+  findTrail(targets.document, targets.trailIds.front())->settings.scale = 3.5;
+  const Result<ExaggerateTargets> late = movedTo(session, targets, {10.0, 20.0});
+  REQUIRE(late);
+  CHECK(late->madeLoop);
+  CHECK(isLooping(late->document, 0));
+  CHECK(findTrail(late->document, late->trailIds.front())->settings.scale == 3.5);
+}
+
+TEST_CASE("Weight that is on, a loop that is one, and trails of the clip itself leave the clip as it is") {
+  Document document = shadowBoxer();
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(2, document.clips->front()));
+  const auto marks = [](const Document& of) {
+    Session session(of);
+    const auto late = exaggeratedOver(session, 10.0, 20.0);
+    REQUIRE(late);
+    return late->madeLoop;
+  };
+  CHECK(marks(document));
+  CHECK_FALSE(marks(setLooping(document, 0, true)));
+  CHECK(marks(setLooping(document, 1, true)));
+  for (const auto& [clip, on] : {std::pair(0, true), std::pair(0, false), std::pair(1, true)}) {
+    CAPTURE(clip, on);
+    Document heavy = document;
+    heavy.weights = {{"right-arm", clip, on, {}}};
+    CHECK(marks(heavy) == (clip != 0 || !on));
+  }
+  Document other = withTrailTo(document, 0.0, 5.0);
+  other.trails.front().clip = 1;
+  CHECK(marks(other));
+}
+
 TEST_CASE("What was decided about the loop is not decided again, and other clips are left alone") {
   Session decided(withTrailTo(shadowBoxer(), 0.0, 5.0));
   const auto second = exaggeratedOver(decided, 10.0, 20.0);

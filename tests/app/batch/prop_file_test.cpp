@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -355,4 +356,47 @@ TEST_CASE("a thing or a clip out of a file that is no glTF is refused by the nam
     CHECK_THAT(answer.told, Catch::Contains("chair.obj: "));
   }
   CHECK_FALSE(std::filesystem::exists(output));
+}
+
+TEST_CASE("keys, numbers and chains of a thing go on with it when the thing before it is taken away") {
+  const TemporaryFolder folder;
+  const std::string sheets = sheetsIn(folder);
+  const Document source = openedFile(posedCharacter);
+  const std::size_t own = source.scene->nodes.size();
+  Document two = held(held(source, sheets, {"right-arm"}), sheets, {"left-arm"});
+  REQUIRE(two.scene->nodes.size() == own + 6);
+  const KeyRow ofFirst{NodeIndex(own + 1), Channel::translation, {}};
+  const KeyRow ofSecond{NodeIndex(own + 4), Channel::translation, {}};
+  for (const auto& [row, frame] : {std::pair(ofFirst, 5.0), std::pair(ofSecond, 9.0)}) {
+    const Result<EditedKeys> keyed = insertKeys(two, 0, std::vector{row}, frame);
+    REQUIRE(keyed);
+    two = keyed->document;
+  }
+  const FollowingKeys ofHips{0, two.body.hips, Channel::rotation, {{0.0F, 7U}}};
+  two.followingKeys = {{0, ofFirst.node, Channel::translation, {{0.1F, 7U}}},
+                       {0, ofSecond.node, Channel::translation, {{0.2F, 7U}}},
+                       ofHips};
+  const int second = nodeNamed(two, "sheets 2").value;
+  two.holds.props[1].node = "#" + std::to_string(second);
+  two.holds.props.erase(two.holds.props.begin());
+  const Result<Document> one = withoutUnheldFiles(two);
+  REQUIRE(one);
+  REQUIRE(one->addedFiles.size() == 1);
+  CHECK(one->holds.props[0].node == "#" + std::to_string(second - 3));
+  CHECK(clipOf(*one, 0).tracks.size() == clipOf(source, 0).tracks.size() + 1);
+  REQUIRE(keyFramesOf(*one, 0, ofFirst).size() == 1); // where the second one's node is now
+  CHECK(keyFramesOf(*one, 0, ofFirst).front() == Approx(9.0));
+  CHECK(one->followingKeys ==
+        std::vector<FollowingKeys>{{0, ofFirst.node, Channel::translation, {{0.2F, 7U}}}, ofHips});
+  // What a chain names would be other nodes then: both stay.
+  const auto filesWith = [&](const std::vector<NodeIndex>& joints, NodeIndex end) {
+    Document chained = two;
+    chained.chains.resize(1);
+    chained.chains.front().joints = joints;
+    chained.chains.front().endNode = end;
+    return withoutUnheldFiles(chained)->addedFiles.size();
+  };
+  CHECK(filesWith({two.body.hips, NodeIndex(own + 4)}, NodeIndex::none) == 2);
+  CHECK(filesWith({two.body.hips}, NodeIndex(own)) == 2);
+  CHECK(filesWith({two.body.hips}, NodeIndex(own - 1)) == 1);
 }

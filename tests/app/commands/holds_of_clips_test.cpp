@@ -153,3 +153,22 @@ TEST_CASE("Only what a hand holds at the playhead is let go: what it takes later
   CHECK(props[1] == later);
   CHECK(props[2] == ranged);
 }
+
+TEST_CASE("M lets go a grip that comes up to the shown range, and makes one beside a grip that does not") {
+  struct Shown {
+    Vec2 grip;
+    Vec2 range;
+    std::size_t grips;
+  };
+  for (const Shown& one : {Shown{{0.0, 5.0}, {5.0, 10.0}, 0}, Shown{{0.0, 5.0}, {6.0, 10.0}, 2},
+                           Shown{{12.0, 18.0}, {4.0, 12.0}, 0}, Shown{{12.0, 18.0}, {4.0, 11.0}, 2}}) {
+    CAPTURE(one.range.x, one.range.y);
+    rig::Holds holds;
+    holds.grips.push_back(gripOf("right-arm", "left-arm", one.grip, {0.0, 0.0}));
+    Session session = workedIn(withHolds(holds), 0, "left-arm");
+    session.view().rangeStart = one.range.x;
+    session.view().rangeEnd = one.range.y;
+    CHECK(test::run(session, command::holdMatch).empty());
+    CHECK(session.document().holds.grips.size() == one.grips);
+  }
+}

@@ -561,3 +561,18 @@ TEST_CASE("How the keys here are passed is told where those of the selection agr
     CHECK_FALSE(interpolationHere(session));
   }
 }
+
+TEST_CASE("A value gets a key with its hand where it was touched or keyed before, and no other one does") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "left-hand", false);
+  REQUIRE(run(session, command::poseKey).empty());
+  CHECK(adjustedIds(session.document(), 0) == std::vector<std::string>{"left-hand"});
+  session.view().autoKey = false;
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Stretch"));
+  REQUIRE(run(session, command::poseKey).empty());
+  CHECK(adjustedIds(session.document(), 0) == std::vector<std::string>{"left-hand", "left-arm.stretch"});
+  session.view().frame = 12.0;
+  REQUIRE(run(session, command::poseKey).empty());
+  CHECK(offsetKeyAt(session.document(), 0, 12.0, "left-arm.stretch") != nullptr);
+}

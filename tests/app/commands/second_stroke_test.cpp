@@ -1,4 +1,10 @@
 // Where E acts after an earlier E, on a limb that has a trail elsewhere, and on several limbs.
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/ranges.h"
@@ -6,6 +12,9 @@
 #include "app/commands/trail/exaggerate.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -171,4 +180,121 @@ TEST_CASE("Of a group the ends of one range are changed, and other ranges stay")
   selectTrail(session, idOf("right-arm"));
   CHECK(targetTrails(session).size() == 3);
   CHECK(targetsOfRange(session) == std::vector<int>{idOf("right-arm")});
+}
+
+namespace {
+
+/// The boxer's left arm to and fro, by another angle each time.
+Document swingingArm() {
+  Document document = test::boxer();
+  std::vector<Clip> clips = *document.clips;
+  clips.front().tracks.front().edit([](Track& track) {
+    track.times.clear();
+    track.values.clear();
+    for (const double angle : {0.0, 1.4, 0.1, 1.3, -0.3}) {
+      track.times.push_back(static_cast<float>(track.times.size()) / 3.0F);
+      for (const double value : {0.0, -std::sin(0.5 * angle), 0.0, std::cos(0.5 * angle)}) {
+        track.values.push_back(static_cast<float>(value));
+      }
+    }
+  });
+  clips.front().endSeconds = static_cast<double>(clips.front().tracks.front()->times.back());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  return document;
+}
+
+/// The limb selected, and the range set by hand where one is given.
+Session armIn(const Document& document, const std::optional<Vec2>& range) {
+  Session session(document);
+  session.view().selection.editTrails().limbs = {"left-arm"};
+  if (range) {
+    setRangeByHand(session, *range);
+  }
+  return session;
+}
+
+Vec2 framesOf(const rig::Moment& stroke) {
+  return {stroke.startFrame, stroke.endFrame};
+}
+
+} // namespace
+
+TEST_CASE(
+    "From each stroke the next and the one before are those beside it in time, but for those with a trail") {
+  const auto beside = [](const Document& document, const rig::Moment& stroke, bool forwards) {
+    const Session session = armIn(document, framesOf(stroke));
+    const Result<ExaggerateTargets> made = exaggerateTargets(session);
+    REQUIRE(made);
+    return nextStroke(session, *made, forwards);
+  };
+  const Document document = swingingArm();
+  const std::vector<rig::Moment> strokes = Session(document).momentsOf("left-arm");
+  const std::size_t count = strokes.size();
+  REQUIRE(count >= 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    CAPTURE(i);
+    CHECK(beside(document, strokes[i], true) == framesOf(strokes[(i + 1) % count]));
+    CHECK(beside(document, strokes[i], false) == framesOf(strokes[(i + count - 1) % count]));
+  }
+  const Document taken =
+      test::withNewTrail(document, {"left-arm", strokes[1].startFrame, strokes[1].endFrame});
+  CHECK(beside(taken, strokes[0], true) == framesOf(strokes[2]));
+  CHECK(beside(taken, strokes[2], false) == framesOf(strokes[0]));
+}
+
+TEST_CASE(
+    "In a range that only touches a trail E makes another one, in one that shares time it goes on with it") {
+  const auto trailsAfter = [](const Vec2& trail, const Vec2& range) {
+    const Document document = test::withNewTrail(test::boxer(), {"left-arm", trail.x, trail.y});
+    const Result<ExaggerateTargets> made = exaggerateTargets(armIn(document, range));
+    REQUIRE(made);
+    return made->document.trails.size();
+  };
+  CHECK(trailsAfter({0.0, 10.0}, {10.0, 20.0}) == 2);
+  CHECK(trailsAfter({10.0, 20.0}, {0.0, 10.0}) == 2);
+  CHECK(trailsAfter({0.0, 10.0}, {9.0, 20.0}) == 1);
+  CHECK(trailsAfter({10.0, 20.0}, {0.0, 11.0}) == 1);
+}
+
+TEST_CASE("Without a range E goes on with a short trail at the playhead, at both of its ends as well") {
+  for (const auto& [frame, trails] :
+       {std::pair(9.0, 1U), std::pair(10.0, 1U), std::pair(11.0, 1U), std::pair(6.0, 2U)}) {
+    CAPTURE(frame);
+    Session session = armIn(test::withNewTrail(test::boxer(), {"left-arm", 9.0, 11.0}), std::nullopt);
+    session.view().frame = frame;
+    const Result<ExaggerateTargets> made = exaggerateTargets(session);
+    REQUIRE(made);
+    CHECK(made->document.trails.size() == trails);
+  }
+}
+
+TEST_CASE("E doubles a path that was only looked at, and leaves a scale that was set as it is") {
+  struct Scaled {
+    bool wasExaggerated;
+    double before;
+    double after;
+  };
+  for (const Scaled& one :
+       {Scaled{false, 1.0, firstScale}, Scaled{false, 1.5, 1.5}, Scaled{true, 1.0, 1.0}}) {
+    CAPTURE(one.wasExaggerated, one.before);
+    Document document = test::withNewTrail(test::boxer(), {});
+    rig::Trail& trail = document.trails.front();
+    trail.exaggerated = one.wasExaggerated;
+    trail.connected = false;
+    trail.settings.scale = one.before;
+    const int id = trail.id;
+    Session session(document);
+    selectTrail(session, id);
+    const Result<ExaggerateTargets> made = exaggerateTargets(session);
+    REQUIRE(made);
+    CHECK(findTrail(made->document, id)->settings.scale == one.after);
+    CHECK(findTrail(made->document, id)->exaggerated);
+    CHECK(findTrail(made->document, id)->connected);
+  }
+}
+
+TEST_CASE("Where a trail has all of a range another one is refused there by the name of its limb") {
+  const Document document = test::withNewTrail(test::boxer(), {"left-arm", 0.0, 20.0});
+  CHECK(test::refusal(newTrails(armIn(document, Vec2(2.0, 8.0)), true)) ==
+        "left arm: a trail is there already; select it, or set another range");
 }
