@@ -284,6 +284,7 @@ TEST_CASE("A turn alone and a value alone are taken back as a move is, at a fram
       linearKeys("left-arm.stretch", {{4.0, 0.5}, {8.0, 0.5}, {12.0, 0.5}}, std::nullopt)};
   for (rig::OffsetKey& key : document.adjustments[0].keys) {
     key.move = Vec3(0.0);
+    key.value = 0.0;
   }
   for (rig::OffsetKey& key : document.adjustments[1].keys) {
     key.move = key.turn = Vec3(0.0);
