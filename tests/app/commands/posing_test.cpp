@@ -576,3 +576,14 @@ TEST_CASE("A value gets a key with its hand where it was touched or keyed before
   REQUIRE(run(session, command::poseKey).empty());
   CHECK(offsetKeyAt(session.document(), 0, 12.0, "left-arm.stretch") != nullptr);
 }
+
+TEST_CASE("A mirrored value gets a key where the other side has another one, and nothing else does") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "left-hand", false);
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Stretch"));
+  CHECK(run(session, command::poseMirror).empty());
+  CHECK(shownValue(session, "right-arm.stretch") == 0.5);
+  CHECK(adjustedIds(session.document(), 0) ==
+        std::vector<std::string>{"left-arm.stretch", "right-arm.stretch"});
+}

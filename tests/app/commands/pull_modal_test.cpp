@@ -1,6 +1,7 @@
 #include "app/commands/pose/held_controllers.h"
 
 #include <sstream>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -259,4 +260,19 @@ TEST_CASE("What is typed keeps to the plane of the lock, as the mouse does") {
   CHECK(near(worldChange(modal, Mat3(1.0)), {0.0, 2.0, 0.0}));
   type(modal, "X");
   CHECK(near(worldChange(modal, Mat3(1.0)), {2.0, 0.0, 0.0}));
+}
+
+TEST_CASE("Turns about one axis add up past half turns and whole ones, either way, and cancel out") {
+  for (const auto& [before, change, after] : {std::tuple(0.0, -200.0, -200.0),
+                                              {350.0, 20.0, 370.0},
+                                              {-350.0, -20.0, -370.0},
+                                              {170.0, 20.0, 190.0},
+                                              {190.0, -20.0, 170.0},
+                                              {180.0, 180.0, 360.0},
+                                              {60.0, -60.0, 0.0},
+                                              {370.0, -20.0, 350.0}}) {
+    CAPTURE(before, change);
+    const Vec3 turn = turnedFurther({0.0, 0.0, before * degree}, {0.0, 0.0, change * degree});
+    CHECK(near(turn, Vec3(0.0, 0.0, after * degree)));
+  }
 }
