@@ -103,6 +103,7 @@ void moveTracks(const std::vector<NodeIndex>& moved, Document& document) {
   for (Clip& clip : clips) {
     std::erase_if(clip.tracks,
                   [&](const CopyOnWrite<Track>& track) { return !moved[at(track->node)].exists(); });
+    setEndsFromKeys(clip);
     for (CopyOnWrite<Track>& track : clip.tracks) {
       if (isMoved(track)) {
         Track changed = *track;
@@ -110,6 +111,10 @@ void moveTracks(const std::vector<NodeIndex>& moved, Document& document) {
         track = CopyOnWrite<Track>(std::move(changed));
       }
     }
+  }
+  const auto sameKeys = [](const Clip& a, const Clip& b) { return a.tracks == b.tracks; };
+  if (document.sourceClips != nullptr && std::ranges::equal(clips, *document.sourceClips, sameKeys)) {
+    document.sourceClips = nullptr;
   }
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
   std::erase_if(document.followingKeys,

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/edits/keys/track_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hand_place.h"
 #include "app/files/autosave.h"
@@ -15,6 +16,7 @@
 #include "app/recipe/replay.h"
 #include "app/session.h"
 #include "app/standing_floor.h"
+#include "core/anim/frames.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "rig/motion/solve_holds.h"
@@ -399,4 +401,21 @@ TEST_CASE("keys, numbers and chains of a thing go on with it when the thing befo
   CHECK(filesWith({two.body.hips, NodeIndex(own + 4)}, NodeIndex::none) == 2);
   CHECK(filesWith({two.body.hips}, NodeIndex(own)) == 2);
   CHECK(filesWith({two.body.hips}, NodeIndex(own - 1)) == 1);
+}
+
+TEST_CASE("a clip that keys of a thing made longer is as long as the file's without it, and edited no more") {
+  const TemporaryFolder folder;
+  const Document source = openedFile(posedCharacter);
+  const KeyRow ofThing{NodeIndex(source.scene->nodes.size()), Channel::translation, {}};
+  const double late = endInFrames(clipOf(source, 0)) + 40.0;
+  const Result<EditedKeys> keyed =
+      insertKeys(held(source, sheetsIn(folder), {"right-arm"}), 0, std::vector{ofThing}, late);
+  REQUIRE(keyed);
+  REQUIRE(endInFrames(clipOf(keyed->document, 0)) == Approx(late));
+  Document unheld = keyed->document;
+  unheld.holds = {};
+  const Result<Document> without = withoutUnheldFiles(unheld);
+  REQUIRE(without);
+  CHECK(clipOf(*without, 0).endSeconds == clipOf(source, 0).endSeconds);
+  CHECK_FALSE(hasEditedKeys(*without));
 }
