@@ -21,7 +21,7 @@ void toggleLock(KeysModal& modal, KeysModal::Lock lock) {
 }
 
 bool movesTime(const KeysModal& modal) {
-  return modal.lock != KeysModal::Lock::value;
+  return modal.lock != KeysModal::Lock::value || !modal.valuesShown;
 }
 
 bool movesValue(const KeysModal& modal) {

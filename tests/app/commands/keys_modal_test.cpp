@@ -61,6 +61,9 @@ TEST_CASE("X keeps keys to their time and Y to their value, again neither, and a
   checkMove(modal, -7.0, 0.0, true);
   CHECK(modalText(modal, 3) == "3 keys by -7 frames");
   CHECK(modalHints(modal).size() == 4);
+  pressAll(modal, "Y"); // keeps to what is not shown: nothing
+  checkMove(modal, -7.0, 0.0, true);
+  CHECK(modalText(modal, 3) == "3 keys by -7 frames");
 }
 
 TEST_CASE("A typed number takes the place of mouse and arrows: frames, or the value where that is locked") {
