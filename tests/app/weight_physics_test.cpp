@@ -1,4 +1,7 @@
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -7,6 +10,8 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/evaluation_input.h"
+#include "app/weight/sample_clip.h"
 #include "core/math/rotation.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
@@ -125,4 +130,70 @@ TEST_CASE("damping and inertia of a limb's weight reach its motion") {
   WeightSettings massless;
   massless.inertia = 0.0;
   CHECK(longest(heavy(whirling(2, 0.0), massless)) - 1.0 < 0.5 * (longest(heavy(whirling(2, 0.0))) - 1.0));
+}
+
+TEST_CASE("the weight of a range fades where the range begins or ends inside the clip, and only there") {
+  const auto fadesOf = [](const Vec2& range) {
+    WeightSettings settings;
+    settings.rangeFrames = range;
+    const rig::MotionState motion = prepareMotion(heavy(whirling(2, 0.0), settings), 0); // 30 frames
+    const rig::LimbWeight& weight = motion.weights.front().weight;
+    return Vec2(weight.fadeInSeconds, weight.fadeOutSeconds);
+  };
+  CHECK(fadesOf({0.0, 30.0}) == Vec2(0.0));
+  CHECK(glm::distance(fadesOf({3.0, 27.0}), Vec2(0.2, 0.2)) < 1e-9);
+  CHECK(glm::distance(fadesOf({3.0, 12.0}), Vec2(0.1, 0.1)) < 1e-9); // a third of it
+  CHECK(glm::distance(fadesOf({0.0, 12.0}), Vec2(0.0, 0.4 / 3.0)) < 1e-9);
+  CHECK(glm::distance(fadesOf({24.0, 30.0}), Vec2(0.2 / 3.0, 0.0)) < 1e-9);
+  CHECK(fadesOf({-9.0, 300.0}) == Vec2(0.0));
+}
+
+TEST_CASE("a limb is looked at from the clip's first key to its last, as one of a character of 1.75 m") {
+  Document document = whirling(2, 1.0);
+  document.body.size = 3.5;
+  std::vector<Clip> clips = *document.clips;
+  clips.front().startSeconds = 0.25;
+  clips.front().endSeconds = 0.5;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  const EvaluationInput input = evaluationInput(heavy(document), 0);
+  const SampledClip sampled = sampleClip(weightInput(input), prepareMotion(document, 0));
+  CHECK(sampled.samplesPerSecond == Approx(120.0));
+  REQUIRE(sampled.seconds.size() == 31);
+  CHECK(sampled.seconds.front() == 0.25);
+  CHECK(sampled.seconds.back() == Approx(0.5));
+  REQUIRE(sampled.limbs.size() == 1);
+  const SampledClip::OfLimb& arm = sampled.limbs.front();
+  REQUIRE(arm.joints.size() == 31);
+  for (const std::size_t sample : {0U, 15U, 30U}) {
+    const FrameState frame = evaluateOriginal(document, 0, sampled.seconds[sample]);
+    const std::vector<Vec3> points = rig::limbPoints(arm.limb, frame);
+    REQUIRE(arm.joints[sample].size() == points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CHECK(glm::distance(arm.joints[sample][i], 0.5 * points[i]) < 1e-9);
+    }
+    CHECK(arm.lowest[sample] == Approx(0.5 * points.back().y));
+  }
+}
+
+TEST_CASE("an arm without a surface has bones six times as long as thick, and hangs a fortieth longer") {
+  Document document = test::boxer();
+  const rig::Limb arm = *findLimb(document, "left-arm");
+  Scene scene = *document.scene;
+  scene.nodes[at(arm.joints[1])].rest.translation.x = 0.4;
+  scene.nodes[at(arm.endNode)].rest.translation.x = 0.2;
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  const WeightReport report = weightReports(heavy(document), 0).front();
+  const std::vector<double> lengths{0.4 * 1.75, 0.2 * 1.75};
+  REQUIRE(report.widths.size() == 2);
+  REQUIRE(report.masses.size() == 2);
+  for (std::size_t bone = 0; bone < 2; ++bone) {
+    const double width = lengths[bone] / 6.0;
+    CHECK(report.widths[bone] == Approx(width));
+    CHECK(report.masses[bone] == Approx(1000.0 * 0.25 * pi * width * width * lengths[bone]));
+  }
+  // Each bone bears the half of itself. The upper arm, of four times its section, bears the forearm as well.
+  const double forearm = 0.5 * lengths[1];
+  const double upperArm = 0.5 * lengths[0] + 0.25 * lengths[1];
+  const double mean = (lengths[0] * upperArm + lengths[1] * forearm) / (lengths[0] + lengths[1]);
+  CHECK(report.youngModulus == Approx(1000.0 * 9.81 * mean / 0.025));
 }

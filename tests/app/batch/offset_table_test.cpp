@@ -68,6 +68,24 @@ TEST_CASE("a table of offset keys poses as the recipe with the same keys does") 
   CHECK(*readFile(tabled.path) == *readFile(posed.path));
 }
 
+TEST_CASE("a table as spreadsheets write it says the same: with a mark at its start, quotes and blanks") {
+  const test::TemporaryFolder folder;
+  const Tabled plain = poseByTable(folder, "plain.csv",
+                                   "controller,frame,turn_x,turn_y,turn_z\n"
+                                   "hips,12,5,10,15\n",
+                                   {"--clean"});
+  REQUIRE(plain.answer.exitCode == 0);
+  const test::TemporaryFolder other;
+  const Tabled written = poseByTable(other, "written.csv",
+                                     "\xef\xbb\xbf\"controller\", frame ,\"turn_z\",turn_x,turn_y\r\n"
+                                     " \t\r\n"
+                                     "\"hips\",\"12\", 15,\t5 ,10\r\n",
+                                     {"--clean"});
+  INFO(written.answer.told);
+  REQUIRE(written.answer.exitCode == 0);
+  CHECK(*readFile(written.path) == *readFile(plain.path));
+}
+
 TEST_CASE("a table may be a list in JSON and stand beside a recipe") {
   const test::TemporaryFolder folder;
   const Json recipe{
@@ -108,6 +126,13 @@ TEST_CASE("a row that cannot be taken is told by its number in one line, and not
       {"controller,frame,colour\nhips,0,red\n", "row 1: 'colour' is not a column"},
       {"hips,0,0,0.1,0\n", "row 1: 'hips' is not a column"},
       {"frame,move_x\n0,1\n", "row 1: the table has no head"},
+      {"controller,move_x\nhips,1\n", "row 1: the table has no head"},
+      {"controller,frame,frame\nhips,0,1\n", "row 1: the column 'frame' stands there twice"},
+      {head + "\n \n" + good + "hips,12,\"0,5\",0,0,\n", "row 5: move_x: '0,5' is not a number"},
+      {head + "\"the \"\"hips\"\"\",3,0,0,0,\n",
+       "row 2: controller: the character has no controller 'the \"hips\"'"},
+      {head + good + "hips,3.0005,0,0.2,0,\n", "row 3: there is a key of hips at frame 3.0005 already"},
+      {"controller,frame,last\nhips,3,9\n", "row 2: has only one end of a range"},
       {"controller,frame,first\nhips,3,0\n", "row 2: has only one end of a range"},
       {"controller,frame,move_x,interpolation\nhips,3,0,\x80\x7F\n", "offsets.csv: is no UTF-8 text"},
       {head, "holds no keys"},

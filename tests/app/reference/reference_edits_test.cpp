@@ -168,6 +168,25 @@ TEST_CASE("The file knows nothing of a reference, the user's settings keep it by
   CHECK(kept(0, clip, {{"images", 3}}).empty());
   CHECK(kept(0, clip, Json::object()).empty());
   CHECK(referencesFromJson(Json::array({3, Json::object()}), document).empty());
+  // Whatever stands for the number, the name tells the clip.
+  CHECK(kept("first", clip, referenceToJson(whole())) == document.references);
+  const Json unnumbered{{"name", clip}, {"refers_to", referenceToJson(whole())}};
+  CHECK(referencesFromJson(Json::array({unnumbered}), document) == document.references);
+  const Json bare{{"clip", 0}, {"name", clip}};
+  CHECK(referencesFromJson(Json::array({bare}), document).empty());
+}
+
+TEST_CASE("Of two references that are kept of one clip the first counts, and they come in the clips' order") {
+  Document document = test::boxer();
+  std::vector<Clip> clips(2, document.clips->front());
+  clips[1].name = "second punch";
+  document.clips = std::make_shared<const std::vector<Clip>>(clips);
+  document.references = {whole(0), whole(1)};
+  const Json kept = referencesToJson(document);
+  CHECK(referencesFromJson(Json::array({kept[1], kept[0]}), document) == document.references);
+  Json other = kept[0];
+  other["refers_to"]["images"]["first_image"] = "/films/other-1.png";
+  CHECK(referencesFromJson(Json::array({kept[0], other, kept[1]}), document) == document.references);
 }
 
 TEST_CASE("Of clips that have one name each keeps its own reference") {

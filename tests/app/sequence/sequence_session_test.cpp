@@ -167,9 +167,11 @@ TEST_CASE("a compression beside the caller ends with a result that can be export
   app::SequenceSession& session = *tube.session;
   const test::TemporaryFolder folder;
   CHECK_FALSE(session.startExport(folder / "early.glb"));
+  session.view().showSkinned = false;
   REQUIRE(session.startCompression());
   CHECK_FALSE(session.startCompression());
   REQUIRE(waitForCompression(session));
+  CHECK(session.view().showSkinned); // what was waited for is seen
   REQUIRE(session.document().result != nullptr);
   CHECK_FALSE(app::isOutdated(session.document()));
   CHECK(app::bonesAt(session.document(), 3).size() == 8);
@@ -338,7 +340,9 @@ TEST_CASE("the bones of a file take the place of own ones and leave again, anoth
       app::withSkeleton(session.document(), std::filesystem::path(STRETCH_SOURCE_DIR "/assets/dummy.glb"));
   REQUIRE_FALSE(refused);
   CHECK_THAT(refused.error().line(), Catch::StartsWith("dummy.glb: "));
-  CHECK_FALSE(app::withSkeleton(session.document(), folder / "missing.glb"));
+  const auto missing = app::withSkeleton(session.document(), folder / "missing.glb");
+  REQUIRE_FALSE(missing);
+  CHECK_THAT(missing.error().line(), Catch::StartsWith("missing.glb: "));
 }
 
 TEST_CASE("a compression that cannot be done says why", "[jobs]") {
@@ -381,6 +385,14 @@ TEST_CASE("A sequence goes without a question as it was opened or exported, and 
   REQUIRE(session.undo());
   CHECK(asks());
   REQUIRE(session.redo());
+  CHECK_FALSE(asks());
+  REQUIRE(session.startExport(folder / "again.glb"));
+  app::SequenceDocument meanwhile = session.document();
+  meanwhile.settings.bones = 7;
+  session.edit(meanwhile, "Change");
+  REQUIRE(waitForExport(session));
+  CHECK(asks()); // what was written is what was open before
+  REQUIRE(session.undo());
   CHECK_FALSE(asks());
 
   app::SequenceDocument changed = session.document();
