@@ -8,6 +8,7 @@
 
 #include "app/weight/loop.h"
 #include "app/weight/standing.h"
+#include "core/anim/frames.h"
 #include "skinning/elastic/bone_strains.h"
 #include "skinning/elastic/limb_elasticity.h"
 
@@ -110,16 +111,25 @@ skinning::LimbMotion limbMotion(const SampledClip& sampled, const SampledClip::O
   return motion;
 }
 
+// A frame that is an end of the clip is at its time, however the file rounded that.
+double secondsOfFrame(const Clip& clip, double frame) {
+  for (const double end : {clip.startSeconds, clip.endSeconds}) {
+    if (sameFrame(frame, end * clip.framesPerSecond)) {
+      return end;
+    }
+  }
+  return frame / clip.framesPerSecond;
+}
+
 void setRange(const Clip& clip, const WeightedLimb& entry, rig::LimbWeight& weight) {
   weight.startSeconds = 0.0;
   weight.endSeconds = clip.endSeconds;
   if (!entry.settings.rangeFrames) {
     return;
   }
-  weight.startSeconds =
-      std::clamp(entry.settings.rangeFrames->x / clip.framesPerSecond, 0.0, clip.endSeconds);
+  weight.startSeconds = std::clamp(secondsOfFrame(clip, entry.settings.rangeFrames->x), 0.0, clip.endSeconds);
   weight.endSeconds =
-      std::clamp(entry.settings.rangeFrames->y / clip.framesPerSecond, weight.startSeconds, clip.endSeconds);
+      std::clamp(secondsOfFrame(clip, entry.settings.rangeFrames->y), weight.startSeconds, clip.endSeconds);
   constexpr double longestFade = 0.2;
   const double fade = std::min(longestFade, (weight.endSeconds - weight.startSeconds) / 3.0);
   weight.fadeInSeconds = weight.startSeconds > clip.startSeconds ? fade : 0.0;

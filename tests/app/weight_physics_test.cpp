@@ -148,6 +148,20 @@ TEST_CASE("the weight of a range fades where the range begins or ends inside the
   CHECK(fadesOf({-9.0, 300.0}) == Vec2(0.0));
 }
 
+TEST_CASE(
+    "the weight of a range that ends with the clip stays to its end, however its last key was rounded") {
+  WeightSettings settings;
+  settings.rangeFrames = Vec2(0.0, 20.0);
+  const Document document = heavy(test::boxer(), settings);
+  const double end = clipOf(document, 0).endSeconds;
+  REQUIRE(end > 20.0 / 30.0); // in single precision
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const rig::LimbWeight& weight = motion.weights.front().weight;
+  CHECK(weight.fadeInSeconds == 0.0);
+  CHECK(weight.fadeOutSeconds == 0.0);
+  CHECK(weight.endSeconds == end);
+}
+
 TEST_CASE("a limb is looked at from the clip's first key to its last, as one of a character of 1.75 m") {
   Document document = whirling(2, 1.0);
   document.body.size = 3.5;
