@@ -99,3 +99,49 @@ TEST_CASE("What is wrong in a hold or an offset is told by its key") {
   const Result<rig::Prop> prop = propFromJson(Json::parse(R"({"node":"bat","hands":[]})"), world, {});
   CHECK_THAT(lineOf(prop), Contains("hands: is not an object"));
 }
+
+TEST_CASE("A pin without a frame stands where its range begins, and at a place it turns only as it is told") {
+  const auto pin = [](const char* more) {
+    const Result<rig::Pin> read =
+        pinFromJson(Json::parse(R"({"limb":"l","range":[4,9])" + std::string(more) + "}"), halves, {});
+    REQUIRE(read);
+    return *read;
+  };
+  CHECK(pin("").atFrame == 4.0);
+  CHECK(pin(R"(,"at":7)").atFrame == 7.0);
+  CHECK(pin("").turns);
+  CHECK_FALSE(pin("").place);
+  const rig::Pin placed = pin(R"(,"place":[2,0,0])");
+  REQUIRE(placed.place);
+  CHECK(placed.place->position == Vec3(1.0, 0.0, 0.0));
+  CHECK_FALSE(placed.turns);
+  CHECK(pin(R"(,"place":[2,0,0],"orientation":[0,0,0,1])").turns);
+  CHECK_FALSE(pin(R"(,"place":[2,0,0],"orientation":[0,0,0,1],"turn":false)").turns);
+}
+
+TEST_CASE("What a prop or an offset says by halves, or twice, is refused") {
+  const auto prop = [](const char* more) {
+    return lineOf(
+        propFromJson(Json::parse(R"({"node":"bat","hands":{})" + std::string(more) + "}"), world, {}));
+  };
+  const auto offsets = [](const char* text) {
+    return lineOf(adjustmentFromJson(Json::parse(text), world, {}));
+  };
+  using Catch::StartsWith;
+  CHECK(prop("").empty());
+  CHECK(prop(R"(,"range":[1,5])").empty());
+  CHECK(prop(R"(,"range":[1,5],"blend":[1,2])").empty());
+  CHECK_THAT(prop(R"(,"blend":[1,2])"), StartsWith("blend: comes with no range"));
+  CHECK_THAT(prop(R"(,"bound_at":"start")"), StartsWith("bound_at: \"start\" is no relation"));
+  CHECK_THAT(lineOf(propFromJson(Json::parse(R"({"node":"bat"})"), world, {})),
+             StartsWith("hands: is missing"));
+  const Json hand = Json::parse(R"({"node":"bat","hands":{"left-arm":[{"frame":2,"value":1},{"frame":2}]}})");
+  CHECK_THAT(lineOf(propFromJson(hand, world, {})), StartsWith("hands.left-arm.keys[1]: "));
+  const std::string none = "names no controller and no attribute, or both";
+  CHECK_THAT(offsets(R"({"keys":[]})"), StartsWith(none));
+  CHECK_THAT(offsets(R"({"controller":"x","attribute":"y","keys":[]})"), StartsWith(none));
+  CHECK_THAT(offsets(R"({"controller":"x","keys":3})"), StartsWith("keys: is not a list"));
+  CHECK_THAT(offsets(R"({"controller":"x","keys":[{"frame":3},{"frame":1},{"frame":3.0004}]})"),
+             StartsWith("keys: two keys stand at frame 3"));
+  CHECK(offsets(R"({"controller":"x","keys":[{"frame":3},{"frame":3.01}]})").empty());
+}

@@ -115,3 +115,18 @@ TEST_CASE("A piece that the arm moves too, or that has a joint of its own, is no
     CHECK(held.rows[5].bones[0] == joint);
   }
 }
+
+TEST_CASE("A piece of which no more than the half follows fingers, or as long as two hands, is not held") {
+  HandWithThings half;
+  half.body.meshes.push_back({}); // as a whole six vertices
+  half.follow(tip, 0, 3);
+  half.follow(handJoint, 3, 6);
+  CHECK(half.hold().empty());
+  HandWithThings longAsTwo;
+  longAsTwo.follow(tip, 0, 6);
+  longAsTwo.body.positions[3].z = longAsTwo.body.positions[4].z = 12.0F;
+  longAsTwo.body.positions[5].z = 14.0F;
+  CHECK(longAsTwo.hold().empty());
+  longAsTwo.body.positions[5].z = 14.01F;
+  CHECK(longAsTwo.hold().size() == 1);
+}

@@ -97,6 +97,45 @@ TEST_CASE("What a set of locators lacks or has too much of is told in one line t
   CHECK(tells(Json{{"locators", 5}}, "no locators", "plan"));
 }
 
+TEST_CASE("Locators at the edge of what they may be are read, and turns of any length as turns",
+          "[locators]") {
+  Json json = test::locatorText();
+  entryOf(json, "hips")["position"] = {0.0, 0.0, -1e9};
+  entryOf(json, "leftHand")["confidence"] = 0;
+  entryOf(json, "rightHand")["confidence"] = 1;
+  entryOf(json, "head")["orientation"] = {0.0, 0.0, 3.0, 4.0};
+  entryOf(json, "neck")["orientation"] = {0.0, 0.6, 0.0, 0.8};
+  const Result<rig::Locators> read = locatorsFromJson(json);
+  REQUIRE(read);
+  CHECK(rig::findLocator(*read, "hips")->position.z == -1e9);
+  CHECK(rig::findLocator(*read, "leftHand")->confidence == 0.0);
+  const Quat turn = rig::findLocator(*read, "head")->orientation;
+  CHECK(turn.z == Approx(0.6));
+  CHECK(turn.w == Approx(0.8));
+  CHECK(rig::findLocator(*read, "neck")->orientation.y == 0.6); // to the last digit
+  CHECK(rig::findLocator(*read, "leftHand")->orientation == Quat(1.0, 0.0, 0.0, 0.0));
+  for (const Json& wrong : {Json(-0.01), Json(1.01), Json("sure"), Json(nullptr)}) {
+    json = test::locatorText();
+    entryOf(json, "spine")["confidence"] = wrong;
+    CHECK(tells(json, "spine.confidence: " + wrong.dump() + " is not a confidence", "0 to 1"));
+  }
+  json = test::locatorText();
+  entryOf(json, "spine")["position"] = {1.1e9, 0.0, 0.0};
+  CHECK(tells(json, "spine.position", "up to 1e9"));
+  json = test::locatorText();
+  entryOf(json, "spine")["orientation"] = {0.0, 0.0, 0.0, 1e-7};
+  CHECK(tells(json, "spine.orientation", "no turn"));
+  json = test::locatorText();
+  json["locators"][3].erase("name");
+  CHECK(tells(json, "locators[3]: names no joint", "leftUpperArm"));
+  json = test::locatorText();
+  json["locators"][3].erase("position");
+  CHECK(tells(json, "upperChest.position", "three numbers"));
+  json = test::locatorText();
+  json["pose"] = "rest";
+  CHECK(tells(json, "pose: is not a part of a file of locators", "give plan and locators"));
+}
+
 TEST_CASE("A file of locators that is none is told with its name", "[locators]") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "places.json";

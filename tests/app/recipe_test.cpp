@@ -375,3 +375,53 @@ TEST_CASE("Frames of control spheres and the loop of a recipe are refused where 
   REQUIRE_FALSE(read(json));
   CHECK_THAT(read(json).error().line(), Catch::Contains("loops"));
 }
+
+TEST_CASE(
+    "Colours and groups of trails are whole numbers, from none on, and others are refused by their place") {
+  const auto refusalWith = [](const char* key, const Json& value) {
+    Json json = punchRecipe();
+    json["trails"][0][key] = value;
+    const Result<Recipe> recipe = read(json);
+    return recipe ? std::string() : recipe.error().where + ": " + recipe.error().what;
+  };
+  CHECK(refusalWith("colour", 0).empty());
+  CHECK(refusalWith("colour", 7).empty());
+  CHECK(refusalWith("group", 0).empty());
+  CHECK(refusalWith("group", 1000000).empty());
+  for (const Json& wrong : {Json(-1), Json(1.5), Json("red"), Json(nullptr)}) {
+    CHECK(refusalWith("colour", wrong) == "trails[0].colour: " + wrong.dump() + " is not a colour");
+    CHECK(refusalWith("group", wrong) == "trails[0].group: " + wrong.dump() + " is not a group");
+  }
+  CHECK(refusalWith("group", 1000001) == "trails[0].group: 1000001 is not a group");
+  Json json = punchRecipe();
+  json["trails"][0]["colour"] = 7;
+  CHECK(read(json)->trails[0].colour == 7);
+}
+
+TEST_CASE("A recipe without trails brings at least one other thing, and each of its keys is of its kind") {
+  const auto refusalOf = [](const Json& json) {
+    const Result<Recipe> recipe = read(json);
+    return recipe ? std::string() : recipe.error().where + ": " + recipe.error().what;
+  };
+  const std::string noTrails = "trails: there is no list of trails";
+  CHECK(refusalOf({{"version", 1}}) == noTrails);
+  CHECK(refusalOf({{"version", 1}, {"loops", true}}) == noTrails);
+  CHECK(refusalOf({{"version", 1}, {"trails", 3}}) == noTrails);
+  CHECK(refusalOf({{"version", 1}, {"trails", 3}, {"pins", Json::array()}}) == noTrails);
+  for (const char* const list : {"elastic", "adjustments", "pins", "grips", "props"}) {
+    CAPTURE(list);
+    CHECK(refusalOf({{"version", 1}, {list, Json::array()}}).empty());
+    CHECK(refusalOf({{"version", 1}, {list, 3}}) == std::string(list) + ": is not a list");
+  }
+  CHECK(refusalOf({{"version", 1}, {"references", Json::object()}}).empty());
+  for (const Json& rate : {Json(0), Json(-24), Json("fast")}) {
+    Json json = punchRecipe();
+    json["frames_per_second"] = rate;
+    CHECK(refusalOf(json) == "frames_per_second: is not a rate");
+  }
+  Json json = punchRecipe();
+  json["clip"] = 0;
+  CHECK(refusalOf(json) == "clip: 0 is not the name of a clip");
+  json["clip"] = "#0";
+  CHECK(refusalOf(json).empty());
+}

@@ -67,6 +67,8 @@ TEST_CASE("A style that makes no sense is refused with its key") {
   CHECK_THAT(refusalWith("version", 2), Catch::StartsWith("version:"));
   CHECK_THAT(refusalWith("name", ""), Catch::StartsWith("name:"));
   CHECK_THAT(refusalWith("name", std::string(101, 'a')), Catch::StartsWith("name:"));
+  CHECK_THAT(refusalWith("name", std::string(100, 'a')), Catch::Equals("accepted"));
+  CHECK_THAT(refusalWith("leg", rig::Style().leg.most), Catch::Equals("accepted"));
   CHECK_THAT(refusalWith("arms", 2.0), Catch::StartsWith("arms: is not a setting of a style"));
   CHECK_THAT(refusalWith("leg", 6.0), Catch::StartsWith("leg:"));
   CHECK_THAT(refusalWith("leg", 0.5), Catch::StartsWith("leg: its least, usual and largest"));

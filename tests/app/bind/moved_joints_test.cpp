@@ -77,9 +77,8 @@ TEST_CASE("Where a moved joint is keyed it goes from its new place the way that 
 }
 
 TEST_CASE("Tangents of a moved joint's places are turned and no more, values between them are moved") {
-  const std::vector<float> values =
-      movedValues(Channel::translation, Interpolation::cubicSpline,
-                  {1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F, 0.0F, 4.0F, 0.5F});
+  const std::vector<float> values = movedValues(Channel::translation, Interpolation::cubicSpline,
+                                                {1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F, 0.0F, 4.0F, 0.5F});
   REQUIRE(values.size() == 9);
   CHECK(isNearPlace(placeIn(values, 0), Vec3(0.0, -1.0, 0.0)));
   CHECK(isNearPlace(placeIn(values, 1), Vec3(0.0, 3.0, 0.0)));

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/bind/bind_mesh.h"
 #include "app/commands/table/command_ids.h"
@@ -93,6 +95,39 @@ TEST_CASE("A locator whose counterpart is gone moves alone, and across the body 
       CHECK(locator.position == before);
     }
   }
+}
+
+TEST_CASE("A turned locator turns its counterpart the other way, and one in the middle forwards alone",
+          "[locators]") {
+  Document document;
+  document.scene = std::make_shared<const Scene>();
+  document.locators.list = {{.name = "hips"},
+                            {.name = "leftHand", .position = {0.7, 1.4, 0.0}, .confidence = 0.25},
+                            {.name = "rightHand", .position = {-0.7, 1.4, 0.0}}};
+  CHECK(showsLocators(document, false));
+  CHECK(showsLocators(document, true));
+  CHECK_FALSE(showsLocators(Document(), true));
+  const Vec3 turn(0.1, 0.2, 0.3);
+  const auto turnOf = [](const Document& of, const char* name) {
+    const Quat made = rig::findLocator(of.locators, name)->orientation;
+    return glm::angle(made) * glm::axis(made);
+  };
+  const Document both = turnLocators(document, {"leftHand", "hips", "tail"}, turn, true);
+  CHECK(glm::distance(turnOf(both, "leftHand"), turn) < 1e-9);
+  CHECK(glm::distance(turnOf(both, "rightHand"), Vec3(0.1, -0.2, -0.3)) < 1e-9);
+  CHECK(glm::distance(turnOf(both, "hips"), Vec3(0.1, 0.0, 0.0)) < 1e-9);
+  CHECK(rig::findLocator(both.locators, "leftHand")->position == Vec3(0.7, 1.4, 0.0));
+  CHECK(rig::findLocator(both.locators, "leftHand")->confidence == 0.25); // its place is as sure as before
+  const Document named = turnLocators(document, {"leftHand", "rightHand"}, turn, true);
+  CHECK(glm::distance(turnOf(named, "rightHand"), turn) < 1e-9); // both as they are asked to
+  const Document one = turnLocators(document, {"leftHand", "hips"}, turn, false);
+  CHECK(rig::findLocator(one.locators, "rightHand")->orientation == Quat(1.0, 0.0, 0.0, 0.0));
+  CHECK(glm::distance(turnOf(one, "hips"), turn) < 1e-9);
+  const Document twice = turnLocators(turnLocators(document, {"hips"}, {0.0, 0.0, 0.5 * pi}, false), {"hips"},
+                                      {0.5 * pi, 0.0, 0.0}, false);
+  // About the world's axes, one after the other.
+  CHECK(glm::distance(rig::findLocator(twice.locators, "hips")->orientation * Vec3(1.0, 0.0, 0.0),
+                      Vec3(0.0, 0.0, 1.0)) < 1e-9);
 }
 
 TEST_CASE("Reset puts moved locators back to where they were fitted, as one step") {

@@ -150,8 +150,9 @@ TEST_CASE("A look is offered where there is what it shows") {
   using app::SequenceLook;
   const auto offered = [](const app::SequenceDocument& document) {
     std::vector<SequenceLook> looks;
-    for (const SequenceLook look : {SequenceLook::material, SequenceLook::compare, SequenceLook::error,
-                                    SequenceLook::thickness, SequenceLook::segments, SequenceLook::cylinders}) {
+    for (const SequenceLook look :
+         {SequenceLook::material, SequenceLook::compare, SequenceLook::error, SequenceLook::thickness,
+          SequenceLook::segments, SequenceLook::cylinders}) {
       if (app::canShow(document, look)) {
         looks.push_back(look);
       }
@@ -171,8 +172,8 @@ TEST_CASE("A look is offered where there is what it shows") {
   CHECK(offered(branching).size() == 6);
   app::SequenceDocument sheet = branching;
   sheet.analysis = std::make_shared<const app::SequenceAnalysis>();
-  CHECK(offered(sheet) == Looks{SequenceLook::material, SequenceLook::compare, SequenceLook::error,
-                                SequenceLook::segments});
+  CHECK(offered(sheet) ==
+        Looks{SequenceLook::material, SequenceLook::compare, SequenceLook::error, SequenceLook::segments});
 }
 
 TEST_CASE("A folder of one mesh is no sequence, one of several or with the log of a simulation is") {

@@ -7,6 +7,7 @@
 
 #include "app/things/place.h"
 #include "core/math/types.h"
+#include "core/scene/camera.h"
 #include "tests/support/app/things_of_clip.h"
 #include "tests/support/nodes.h"
 #include "tests/support/refusal.h"
@@ -190,4 +191,79 @@ TEST_CASE("Offsets and values at the edge of what they may be are let in") {
                hips.keys[1].move.z = 1801.0;
              }),
              Catch::StartsWith("hips: the offset at frame 9 is out of proportion"));
+}
+
+TEST_CASE("A trail at the edge of the clip, or judged by a view, is let in") {
+  using rig::Trail;
+  const auto over = [](double first, double last) -> Change<Trail> {
+    return [=](Trail& trail) {
+      trail.settings.startFrame = first;
+      trail.settings.endFrame = last;
+    };
+  };
+  checkAllowed<Trail>({over(19.5, 25.0), over(-5.0, 0.5), over(-3.0, 30.0),
+                       [](Trail& trail) { trail.settings.sight.camera = "front"; },
+                       [](Trail& trail) {
+                         trail.settings.sight.camera = "three-quarter";
+                         trail.settings.sight.asSeen = true;
+                       },
+                       [](Trail& trail) {
+                         trail.settings.sight.view = cameraFrom(Vec3(1.0, 0.0, 0.0));
+                         trail.settings.sight.turnDegrees = 10.0;
+                       }});
+}
+
+TEST_CASE("A file keeps trails that other programs left without a clip's frames or without their camera") {
+  using rig::Trail;
+  const auto inFile = [](const Change<Trail>& change) {
+    Trail trail = test::oneOfEach(0, 0.5).trails.front();
+    change(trail);
+    return test::refusal(placeOf<Trail>(test::twoPunches(), {trail}, Entry::file));
+  };
+  CHECK(inFile([](Trail& trail) {
+          trail.settings.startFrame = 30.0;
+          trail.settings.endFrame = 40.0;
+        }) == "accepted");
+  CHECK(inFile([](Trail& trail) { trail.settings.sight.camera = "Shot"; }) == "accepted");
+  CHECK(inFile([](Trail& trail) { trail.settings.sight.turnDegrees = 10.0; }) == "accepted");
+  CHECK_THAT(inFile([](Trail& trail) { trail.settings.sight.asSeen = true; }),
+             Catch::StartsWith("left-arm: the scale counts as seen, by no camera"));
+}
+
+TEST_CASE("A trail keeps the number that it brings, others get the next ones, and none is given twice") {
+  rig::Trail first = test::oneOfEach(0, 0.5).trails.front();
+  first.id = 7;
+  rig::Trail second = first;
+  second.id = 0;
+  second.limb = "right-arm";
+  const Result<Placed> two = placeOf<rig::Trail>(test::twoPunches(), {first, second}, Entry::request);
+  REQUIRE(two);
+  CHECK(two->trailIds == std::vector<int>{7, 8});
+  CHECK(two->document.nextTrailId == 9);
+  rig::Trail early = second;
+  early.id = 3;
+  early.limb = "spine";
+  const Result<Placed> third = placeOf<rig::Trail>(two->document, {early}, Entry::request);
+  REQUIRE(third);
+  CHECK(third->trailIds == std::vector<int>{3});
+  CHECK(third->document.nextTrailId == 9);
+}
+
+TEST_CASE("A limb's new weight stands where its old one stood, so that reports keep their order") {
+  const auto weightOf = [](const char* limb, double amount) {
+    WeightedLimb weight;
+    weight.limb = limb;
+    weight.settings.amount = amount;
+    return weight;
+  };
+  const Result<Placed> both = placeOf<WeightedLimb>(
+      test::twoPunches(), {weightOf("left-arm", 0.5), weightOf("right-arm", 0.5)}, Entry::request);
+  REQUIRE(both);
+  const Result<Placed> changed =
+      placeOf<WeightedLimb>(both->document, {weightOf("left-arm", 0.25)}, Entry::request);
+  REQUIRE(changed);
+  CHECK(changed->document.weights ==
+        std::vector<WeightedLimb>{weightOf("left-arm", 0.25), weightOf("right-arm", 0.5)});
+  CHECK(test::refusal(placeOf<WeightedLimb>(both->document, {weightOf("left-arm", 0.25)}, Entry::hand)) ==
+        "left-arm: the limb is named twice; name it once");
 }

@@ -182,3 +182,51 @@ TEST_CASE("Values of an attribute are refused where they are out of proportion")
                              "right-arm.stretch: a number of a key is not finite"}},
                            attribute);
 }
+
+TEST_CASE("A trail is refused by what is wrong with it") {
+  using rig::Trail;
+  const std::string noNumber = "left-arm: a setting of the trail is not a number";
+  checkRefused<Trail>({
+      {[](Trail& trail) { trail.limb = "tail"; }, "tail: the character has no such limb"},
+      {[](Trail& trail) { trail.clip = 2; }, "clip 2: the file has no such clip"},
+      {[](Trail& trail) { trail.clip = -1; }, "clip -1: the file has no such clip"},
+      {[](Trail& trail) { trail.settings.startFrame = -endless; }, noNumber},
+      {[](Trail& trail) { trail.settings.endFrame = endless; }, noNumber},
+      {[](Trail& trail) {
+         trail.settings.spheres = {{endless, Vec3(0.0), {}}};
+       },
+       noNumber},
+      {[](Trail& trail) {
+         trail.settings.spheres = {{2.0, Vec3(0.0, 0.0, endless), {}}};
+       },
+       noNumber},
+      {[](Trail& trail) {
+         trail.settings.spheres = {{2.0, Vec3(0.0), Vec3(endless, 0.0, 0.0)}};
+       },
+       noNumber},
+      {[](Trail& trail) {
+         trail.settings.stopAt = rig::StopPlane{{0.0, endless, 0.0}, {0.0, 1.0, 0.0}};
+       },
+       noNumber},
+      {[](Trail& trail) {
+         trail.settings.stopAt = rig::StopPlane{{0.0, 1.0, 0.0}, {endless, 0.0, 0.0}};
+       },
+       noNumber},
+      {[](Trail& trail) { trail.settings.endFrame = 0.0; }, "left-arm: the range 0 to 0 has no length"},
+      {[](Trail& trail) {
+         trail.settings.startFrame = 20.0;
+         trail.settings.endFrame = 25.0;
+       },
+       "left-arm: the range 20 to 25 lies outside the clip, which has the frames 0 to 20"},
+      {[](Trail& trail) {
+         trail.settings.startFrame = -5.0;
+         trail.settings.endFrame = 0.0;
+       },
+       "left-arm: the range -5 to 0 lies outside the clip"},
+      {[](Trail& trail) { trail.settings.sight.asSeen = true; },
+       "left-arm: the scale counts as seen, by no camera"},
+      {[](Trail& trail) { trail.settings.sight.turnDegrees = 10.0; },
+       "left-arm: the path is turned to the view, of no camera"},
+      {[](Trail& trail) { trail.settings.sight.camera = "Shot"; }, "left-arm: there is no camera 'Shot'"},
+  });
+}

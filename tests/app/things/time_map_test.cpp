@@ -44,7 +44,8 @@ rig::Pin blendingPin(double first, double last) {
 
 } // namespace
 
-TEST_CASE("Frames of a slower stretch are farther apart, those before it stay, later ones move along or stay") {
+TEST_CASE(
+    "Frames of a slower stretch are farther apart, those before it stay, later ones move along or stay") {
   const TimeMap moves = slowedToHalf(true);
   const TimeMap stays = slowedToHalf(false);
   CHECK(moves.newLast() == 14.0);
