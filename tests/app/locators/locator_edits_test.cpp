@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "core/math/rotation.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/mesh_file.h"
+#include "tests/support/refusal.h"
 #include "tests/support/skinning/tube_person.h"
 #include "tests/support/temporary_folder.h"
 
@@ -331,6 +333,19 @@ TEST_CASE("A rig is built, taken apart to its locators, and built again", "[loca
   CHECK(session.document().body.limbs.size() == 6);
   CHECK_FALSE(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes + 22);
+  const Document built = session.document();
+  CHECK_FALSE(areLocatorsMoved(built));
+  CHECK_FALSE(areLocatorsMoved(turnLocators(built, {"leftHand"}, {0.0, 1e-6, 0.0}, false)));
+  CHECK(areLocatorsMoved(turnLocators(built, {"leftHand"}, {0.0, 0.01, 0.0}, false)));
+  for (const auto& use : std::vector<std::function<void(Document&)>>{
+           [](Document& used) { used.trails.resize(1); }, [](Document& used) { used.adjustments.resize(1); },
+           [](Document& used) { used.holds.pins.resize(1); },
+           [](Document& used) { used.weights.resize(1); }}) {
+    Document used = built;
+    use(used);
+    CHECK_THAT(test::refusal(withoutRig(used)), Catch::StartsWith("something uses the rig"));
+  }
+  CHECK(withoutRig(built));
   REQUIRE(runCommand(session, command::rigBack));
   CHECK(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes);
