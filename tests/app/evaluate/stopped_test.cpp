@@ -67,3 +67,49 @@ TEST_CASE("A stop that the tip but touches, by what rounding may make of it, is 
   REQUIRE(keptBack(in) > 0.0);
   CHECK_FALSE(isStopped(in));
 }
+
+TEST_CASE("A limb has the length that is asked of it in lengths of its tip's pose, or of itself at rest") {
+  const Document document = test::boxer(); // whose arms are 0.6 long, whatever they do
+  const rig::MotionState motion = prepareMotion(document, 0);
+  rig::SolvedTrail solved;
+  solved.limb = *findLimb(document, "left-arm");
+  solved.tipSeconds = 0.2;
+  solved.path.samples.resize(2);
+  solved.path.samples.front().end = Vec3(0.3, 0.0, 0.0); // from its base
+  solved.path.samples.back().end = Vec3(0.5, 0.0, 0.0);
+  const auto hasIt = [&](double scale) {
+    solved.settings.scale = scale;
+    return hasWantedLength(document, motion, solved);
+  };
+  CHECK(hasIt(1.2));
+  CHECK(hasIt(1.2 * (1.0 + 5e-5)));
+  CHECK_FALSE(hasIt(1.2 * (1.0 + 2e-4)));
+  CHECK_FALSE(hasIt(2.0));
+  solved.settings.pivot = rig::Pivot::end; // the tip is the first sample then
+  CHECK(hasIt(2.0));
+  CHECK_FALSE(hasIt(1.2));
+  solved.settings.reference = rig::Reference::rest;
+  CHECK(hasIt(1.0));
+  CHECK_FALSE(hasIt(2.0));
+  solved.tip.outcome = rig::TipOutcome::nothingToScale;
+  CHECK_FALSE(hasIt(1.0));
+}
+
+TEST_CASE(
+    "A trail names its blend, then its stretch switch, then a sphere at its tip, and nothing else of it") {
+  rig::SolvedTrail solved;
+  solved.settings.startFrame = 2.0;
+  solved.settings.endFrame = 8.0;
+  CHECK(keptBySettings(solved).empty());
+  solved.settings.spheres = {{2.0, Vec3(0.1, 0.0, 0.0)}, {5.0, Vec3(0.1, 0.0, 0.0)}, {8.0, Vec3(0.0)}};
+  CHECK(keptBySettings(solved).empty());
+  solved.settings.pivot = rig::Pivot::end;
+  CHECK(keptBySettings(solved) == "by the sphere at its tip");
+  solved.settings.pivot = rig::Pivot::start;
+  solved.settings.spheres.back() = {8.0004, Vec3(0.0, 0.0, 0.1)}; // on the same frame
+  CHECK(keptBySettings(solved) == "by the sphere at its tip");
+  solved.settings.stretchSwitch = 0.99;
+  CHECK(keptBySettings(solved) == "by its stretch switch");
+  solved.settings.blend = 1.99;
+  CHECK(keptBySettings(solved) == "by its blend");
+}

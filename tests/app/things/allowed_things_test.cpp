@@ -8,6 +8,7 @@
 #include "app/things/place.h"
 #include "core/math/types.h"
 #include "core/scene/camera.h"
+#include "tests/support/app/standing_leg.h"
 #include "tests/support/app/things_of_clip.h"
 #include "tests/support/nodes.h"
 #include "tests/support/refusal.h"
@@ -169,6 +170,26 @@ TEST_CASE("Grips lead in a circle only while they act together, however many are
   CHECK_THAT(placed({{{0.0, 8.0}, 0.0}, {{4.0, 12.0}, 0.0}}), Contains("grips lead in a circle: "));
   CHECK_THAT(placed({{{0.0, 4.0}, 6.0}, {{8.0, 12.0}, 0.0}}), Contains("grips lead in a circle: "));
   CHECK_THAT(placed({{{0.0, 4.0}, 0.0}, {{8.0, 12.0}, 6.0}}), Contains("grips lead in a circle: "));
+}
+
+TEST_CASE("Grips of three limbs lead in a circle where each follows the next at one time") {
+  Document document = test::twoPunches();
+  test::addStandingLeg(document);
+  const auto grip = [](const char* follower, const char* leader, const Vec2& range) {
+    rig::Grip made;
+    made.follower = follower;
+    made.leader = leader;
+    made.time = {range, Vec2(0.0)};
+    return made;
+  };
+  const auto placedWith = [&](const rig::Grip& third) {
+    const std::vector<rig::Grip> grips{grip("right-arm", "left-arm", {0.0, 8.0}),
+                                       grip("left-leg", "right-arm", {0.0, 8.0}), third};
+    return test::refusal(placeOf<rig::Grip>(document, grips, Entry::request));
+  };
+  CHECK_THAT(placedWith(grip("left-arm", "left-leg", {4.0, 12.0})),
+             Catch::StartsWith("right-arm: grips lead in a circle: right-arm follows left-arm"));
+  CHECK(placedWith(grip("left-arm", "left-leg", {12.0, 16.0})) == "accepted");
 }
 
 TEST_CASE("Offsets and values at the edge of what they may be are let in") {
