@@ -200,6 +200,20 @@ TEST_CASE("Saving over a file asks first, and a missing extension is added") {
   CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
 }
 
+TEST_CASE("Without a name nothing is saved or opened: a name is asked for, and the folder stays as it is") {
+  const Folder folder;
+  PanelDriver driver(std::nullopt);
+  const bool saves = GENERATE(true, false);
+  openFiles(driver, folder, saves ? ui::FilePurpose::saveModel : ui::FilePurpose::openModel);
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(driver.ui.dialogs.file.open);
+  CHECK_FALSE(driver.ui.answers.file);
+  CHECK(driver.ui.dialogs.file.message == (saves ? "Type a name for the file." : ""));
+  CHECK(driver.ui.dialogs.file.folder == folder.path);
+  driver.pressKey(ImGuiKey_Backspace);
+  CHECK(driver.ui.dialogs.file.folder == folder.path.parent_path());
+}
+
 TEST_CASE("The palette runs what was typed with Enter") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.ui.dialogs.palette.open = true;

@@ -125,18 +125,16 @@ void makeFolder(FileDialogState& dialog) {
 /// What Enter and the primary button do with the typed text.
 void acceptTyped(PanelContext& context) {
   FileDialogState& dialog = context.ui.dialogs.file;
+  const bool isNamed = !dialog.typed.empty(); // Else the path is that of the folder which is shown.
   const fs::path path = typedPath(dialog.folder, dialog.typed);
   std::error_code ignored;
-  if (fs::is_directory(path, ignored) &&
-      (dialog.purpose != FilePurpose::saveFrames || path != dialog.folder)) {
+  if (isNamed && fs::is_directory(path, ignored)) {
     dialog.typed.clear();
     goTo(dialog, path);
-  } else if (isSaving(dialog.purpose)) {
-    if (dialog.typed.empty() && dialog.purpose != FilePurpose::saveFrames) {
-      dialog.message = "Type a name for the file.";
-    } else {
-      accept(context, withExtension(path, dialog.purpose));
-    }
+  } else if (isSaving(dialog.purpose) && (isNamed || dialog.purpose == FilePurpose::saveFrames)) {
+    accept(context, withExtension(path, dialog.purpose));
+  } else if (!isNamed) {
+    dialog.message = isSaving(dialog.purpose) ? "Type a name for the file." : "";
   } else if (fs::is_regular_file(path, ignored)) {
     accept(context, path);
   } else {
