@@ -263,3 +263,83 @@ TEST_CASE("A clip without a name is counted from the first, in every list") {
   CHECK(ui::clipName("", 2) == "Clip 3");
   CHECK(ui::clipName("Walk", 2) == "Walk");
 }
+
+namespace {
+
+/// Another file's clips, one of which is asked for.
+struct OthersClips : PanelDriver {
+  OthersClips() : PanelDriver(PanelDriver::bundledCharacter()) {
+    ui.dialogs.clipPick.file = "/a/pack.glb";
+    ui.dialogs.clipPick.clips = {{"Idle", 1.0}, {"Walk slow", 2.0}, {"Walk fast", 1.5}, {"", 1.0}};
+    frames(4);
+  }
+  [[nodiscard]] bool isAsking() const { return !ui.dialogs.clipPick.file.empty(); }
+  /// Which clip was chosen; -1 all of them, -2 none.
+  [[nodiscard]] int chosen() const {
+    CHECK((!ui.answers.clip || ui.answers.clip->file == "/a/pack.glb"));
+    return ui.answers.clip ? ui.answers.clip->clip : -2;
+  }
+};
+
+} // namespace
+
+TEST_CASE("One of another file's clips is chosen by keys or by a click, among those that the search leaves") {
+  OthersClips driver;
+  REQUIRE(driver.isAsking());
+  SECTION("the first by Enter") {
+    driver.pressKey(ImGuiKey_Enter);
+    CHECK(driver.chosen() == 0);
+  }
+  SECTION("the next by an arrow") {
+    driver.pressKey(ImGuiKey_DownArrow);
+    driver.pressKey(ImGuiKey_DownArrow);
+    driver.pressKey(ImGuiKey_UpArrow);
+    driver.pressKey(ImGuiKey_Enter);
+    CHECK(driver.chosen() == 1);
+  }
+  SECTION("the second of two that are found") {
+    driver.type("walk");
+    driver.pressKey(ImGuiKey_DownArrow);
+    driver.pressKey(ImGuiKey_Enter);
+    CHECK(driver.chosen() == 2);
+  }
+  SECTION("one of two that are found by a click") {
+    driver.type("walk");
+    driver.frames(2);
+    CHECK(driver.find("clips/Idle") == nullptr);
+    driver.click("clips/Walk fast");
+    CHECK(driver.chosen() == 2);
+  }
+  SECTION("one without a name") {
+    driver.click("clips/Clip 4");
+    CHECK(driver.chosen() == 3);
+  }
+  SECTION("the one that the keys are on by the button") {
+    driver.pressKey(ImGuiKey_DownArrow);
+    driver.click("clips/Import");
+    CHECK(driver.chosen() == 1);
+  }
+  SECTION("all of them") {
+    driver.click("clips/All");
+    CHECK(driver.chosen() == -1);
+  }
+  CHECK_FALSE(driver.isAsking());
+}
+
+TEST_CASE("No clip of another file is chosen by Cancel and Esc, nor by Enter where the search leaves none") {
+  OthersClips driver;
+  driver.type("jump");
+  driver.frames(2);
+  CHECK_FALSE(driver.find("clips/Import")->enabled);
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(driver.isAsking());
+  const bool byKey = GENERATE(true, false);
+  if (byKey) {
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frames(2);
+  } else {
+    driver.click("clips/Cancel");
+  }
+  CHECK_FALSE(driver.isAsking());
+  CHECK(driver.chosen() == -2);
+}

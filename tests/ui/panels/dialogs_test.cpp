@@ -351,6 +351,26 @@ TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the foun
   CHECK(*app::findLimb(driver.open.character()->document(), "left-arm") == before);
 }
 
+TEST_CASE("A third click in the skeleton begins a chain anew, and two make one that can be used") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  const rig::Limb limb = *app::findLimb(driver.open.character()->document(), "left-arm");
+  const ui::JointPick& pick = driver.ui.body.jointPick;
+  driver.ui.body.jointPick.open = true;
+  driver.frames(3);
+  const auto choose = [&](NodeIndex node) { driver.click(fmt::format("joints/{}", node.value)); };
+  const auto isComplete = [&] { return driver.find("joints/Use them")->enabled; };
+  choose(limb.joints.front());
+  CHECK_FALSE(isComplete());
+  choose(limb.endNode);
+  CHECK((pick.baseNode == limb.joints.front() && pick.endNode == limb.endNode));
+  CHECK(isComplete());
+  choose(limb.joints.back());
+  CHECK((pick.baseNode == limb.joints.back() && !pick.endNode.exists()));
+  CHECK_FALSE(isComplete());
+  choose(limb.endNode);
+  CHECK(isComplete());
+}
+
 TEST_CASE("A chain of two joints that do not belong together is refused with a reason") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   const app::Document& document = driver.open.character()->document();

@@ -80,3 +80,17 @@ TEST_CASE("A range that is typed digit by digit leaves its other end where it is
   driver.frames(2);
   CHECK(session.document().holds.pins.at(1).time.rangeFrames == Vec2(5.0, 25.0));
 }
+
+TEST_CASE("Neither end of a hold's range is typed past the other, and neither takes the other along") {
+  PanelDriver driver(fourPins());
+  app::Session& session = *driver.open.character();
+  app::selectLimb(session, "right-leg", false);
+  driver.frames(3);
+  const bool isFirst = GENERATE(true, false);
+  driver.click(isFirst ? "holds/1/range-first" : "holds/1/range-last");
+  driver.type(isFirst ? "30" : "2");
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(2);
+  CHECK(session.document().holds.pins.at(1).time.rangeFrames ==
+        (isFirst ? Vec2(20.0, 20.0) : Vec2(5.0, 5.0)));
+}

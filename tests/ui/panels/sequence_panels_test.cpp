@@ -241,3 +241,30 @@ TEST_CASE("A plot covers points and lines with a margin, and one point all the s
   CHECK(ui::plottedSpan(model, 0).end > 4.0);
   CHECK(ui::plottedSpan(model, 1).start < 0.0);
 }
+
+TEST_CASE("A new range of segments ends within the body, and its ends are never typed past one another") {
+  SequencePanels panels;
+  const auto range = [&] { return panels.settings().body.moduli.ranges.at(0); };
+  const auto typeInto = [&](const char* field, const char* text) {
+    panels.driver.click(field);
+    panels.driver.type(text);
+    panels.driver.pressKey(ImGuiKey_Enter);
+    panels.driver.frames(2);
+  };
+  panels.driver.click("sequence/moduli/add");
+  CHECK(range().first == 0);
+  CHECK(range().last == 4);
+  typeInto("sequence/moduli/0/from", "6");
+  CHECK(range().first == 6);
+  CHECK(range().last == 6);
+  typeInto("sequence/moduli/0/to", "2");
+  CHECK(range().first == 6);
+  CHECK(range().last == 6);
+  app::SequenceDocument document = panels.driver.open.sequence()->document();
+  document.settings.bones = 3;
+  document.settings.body.moduli.ranges.clear();
+  panels.driver.open.sequence()->edit(std::move(document), "Fewer bones");
+  panels.driver.frames(3);
+  panels.driver.click("sequence/moduli/add");
+  CHECK(range().last == 2);
+}

@@ -153,3 +153,37 @@ TEST_CASE("A value that was dragged past an end of its range comes back as soon 
   field.release(ImGuiMouseButton_Left);
   CHECK(field.ended);
 }
+
+TEST_CASE("With Shift a field goes a tenth of the way") {
+  Field field;
+  field.spec.step = 0.0;
+  field.press("field", ImGuiMouseButton_Left);
+  ImGui::GetIO().KeyShift = true;
+  field.moveBy(20.0F);
+  CHECK(field.value == Approx(0.5 + 0.04).margin(1e-4));
+  ImGui::GetIO().KeyShift = false;
+  field.moveBy(20.0F);
+  CHECK(field.value == Approx(0.5 + 0.04 + 0.4).margin(1e-4));
+}
+
+TEST_CASE("A press that moves less than three pixels begins typing, one that moves farther was a drag") {
+  const float moved = GENERATE(0.0F, 2.0F, 3.0F, 8.0F);
+  CAPTURE(moved);
+  Field field;
+  field.press("field", ImGuiMouseButton_Left);
+  field.moveBy(moved);
+  field.release(ImGuiMouseButton_Left);
+  CHECK(ImGui::GetIO().WantTextInput == (moved < 3.0F));
+}
+
+TEST_CASE("What is added to a field counts in what it shows, and goes on from what was there before") {
+  Field field;
+  field.spec.displayFactor = 100.0;
+  field.press("field", ImGuiMouseButton_Left);
+  field.release(ImGuiMouseButton_Left);
+  for (const char* const typed : {"+=", "1", "0"}) { // 50 % and 10 more, digit by digit.
+    ImGui::GetIO().AddInputCharactersUTF8(typed);
+    field.frames(2);
+  }
+  CHECK(field.value == Approx(0.6));
+}

@@ -400,3 +400,31 @@ TEST_CASE("A bar of a trail that was applied has a check mark at its end, where 
   CAPTURE(frames);
   CHECK((marked(true) > marked(false)) == (frames > 2.6));
 }
+
+TEST_CASE("A label that is cut is told whole under the mouse, that of a bar sooner by the mark before it") {
+  Strip strip;
+  const auto labelOfWidth = [&](float width) {
+    std::string label;
+    while (textSize(strip.theme.fonts.label, label).x < width) {
+      label += 'i';
+    }
+    return label;
+  };
+  // A hundred pixels but for eight at either side; the mark of a bar takes fourteen of them.
+  const std::string narrow = labelOfWidth(60.0F);
+  const std::string middling = labelOfWidth(73.0F);
+  const std::string wide = labelOfWidth(90.0F);
+  const auto toldFor = [&](const std::string& label, bool ofBar) {
+    strip.model.keyRows[1].label = label;
+    strip.model.bars[0].label = label;
+    const float y = ofBar ? strip.onBar(0, 25.0).y : strip.onRow(1, 25.0).y;
+    return cutLabelAt(strip.theme, strip.layout, strip.model, {50.0F, y});
+  };
+  CHECK(toldFor(narrow, false).empty());
+  CHECK(toldFor(narrow, true).empty());
+  CHECK(toldFor(middling, false).empty());
+  CHECK(toldFor(middling, true) == middling);
+  CHECK(toldFor(wide, false) == wide);
+  CHECK(toldFor(wide, true) == wide);
+  CHECK(cutLabelAt(strip.theme, strip.layout, strip.model, strip.onRow(1, 25.0)).empty()); // Not the label.
+}

@@ -201,3 +201,40 @@ TEST_CASE("Fitting shows every visible value and leaves hidden curves out") {
   CHECK(fittedValues({}).end > fittedValues({}).start);
   CHECK(fittedValues({Curve{.label = "flat", .points = {{0.0, 1.0}}}}).end > 1.0);
 }
+
+TEST_CASE("Three letters inside of a word find it, two do not, and beginnings are at most twelve letters") {
+  CHECK(wordScore("lec", "Frame the selection"));
+  CHECK_FALSE(wordScore("ec", "Frame the selection"));
+  CHECK(wordScore("fratheselect", "Frame the selection"));
+  CHECK_FALSE(wordScore("fratheselecti", "Frame the selection"));
+  // Letters of other languages are letters.
+  CHECK(*wordScore("T\xC3\xBCr", "T\xC3\xBCr zu") == *wordScore("Tuer", "Tuer zu"));
+}
+
+TEST_CASE("Colours of trails repeat after the last, and are darker on light ground, brighter on black") {
+  const int count = static_cast<int>(trailPalette.size());
+  for (int i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    for (const int turns : {-2, -1, 0, 1, 3}) {
+      CHECK(trailColour(i + turns * count, ThemeKind::dark) == trailPalette[place]);
+      CHECK(trailColour(i + turns * count, ThemeKind::light) == lightTrailPalette[place]);
+    }
+    CHECK(trailColour(i, ThemeKind::highContrast) ==
+          (i + 1 == count ? contrastBlueTrailColour : trailPalette[place]));
+  }
+  CHECK(originalColour(ThemeKind::dark) == originalTrailColour);
+  CHECK(originalColour(ThemeKind::highContrast) == originalTrailColour);
+  CHECK(originalColour(ThemeKind::light) == lightOriginalTrailColour);
+}
+
+TEST_CASE("A colour fades by its opacity alone, and is mixed from one to the other") {
+  const ImU32 colour = IM_COL32(200, 100, 50, 200);
+  CHECK(faded(colour, 1.0F) == colour);
+  CHECK(faded(colour, 0.5F) == IM_COL32(200, 100, 50, 100));
+  CHECK(faded(colour, 0.0F) == IM_COL32(200, 100, 50, 0));
+  CHECK(faded(colour, 3.0F) == colour);
+  CHECK(faded(colour, -1.0F) == IM_COL32(200, 100, 50, 0));
+  CHECK(mixed(colour, IM_COL32(0, 0, 0, 0), 0.0F) == colour);
+  CHECK(mixed(colour, IM_COL32(0, 20, 250, 40), 1.0F) == IM_COL32(0, 20, 250, 40));
+  CHECK(mixed(colour, IM_COL32(100, 200, 150, 100), 0.5F) == IM_COL32(150, 150, 100, 150));
+}

@@ -44,3 +44,32 @@ TEST_CASE(
   REQUIRE(two.size() == 2);
   CHECK(std::string(two.back()).ends_with("three four"));
 }
+
+TEST_CASE(
+    "A name that is cut in its middle keeps both of its ends, as much of them as fits, in whole letters") {
+  const test::PanelDriver driver(std::nullopt);
+  ImFont* const font = ImGui::GetFont();
+  const std::string dots = "\xE2\x80\xA6";
+  std::string name;
+  for (int i = 0; i < 12; ++i) {
+    name += "\xC3\xA4\xC3\xB6"; // Two letters of two bytes each.
+  }
+  const float whole = ui::textSize(font, name).x;
+  CHECK(ui::cutInMiddle(font, name, whole + 0.5F) == name);
+  std::size_t longest = 0;
+  for (float width = 0.2F * whole; width < whole - 1.0F; width += 3.0F) {
+    const std::string cut = ui::cutInMiddle(font, name, width);
+    CAPTURE(width, cut);
+    const std::size_t at = cut.find(dots);
+    REQUIRE(at != std::string::npos);
+    const std::string head = cut.substr(0, at);
+    const std::string tail = cut.substr(at + dots.size());
+    CHECK(ui::textSize(font, cut).x <= width);
+    CHECK((name.starts_with(head) && name.ends_with(tail)));
+    CHECK((head.size() % 2 == 0 && tail.size() % 2 == 0));
+    CHECK((head.size() <= tail.size() + 3 && tail.size() <= head.size() + 3));
+    CHECK(head.size() + tail.size() >= longest); // More room shows no less.
+    longest = head.size() + tail.size();
+  }
+  CHECK(longest >= name.size() - 12);
+}
