@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/name_edits.h"
 #include "app/edits/trail/trail_edits.h"
+#include "tests/support/ui/drawn.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/work.h"
 #include "ui/panels/rows/clip_name.h"
 
 using namespace stretch;
@@ -342,4 +345,39 @@ TEST_CASE("No clip of another file is chosen by Cancel and Esc, nor by Enter whe
   }
   CHECK_FALSE(driver.isAsking());
   CHECK(driver.chosen() == -2);
+}
+
+TEST_CASE("A clip's name that its field cuts is read whole under the mouse") {
+  const bool isLong = GENERATE(true, false);
+  const std::string name =
+      isLong ? "A_name_of_a_clip_that_is_far_too_long_for_the_panel_in_which_it_is" : "Jab";
+  app::Document document = PanelDriver::bundledCharacter();
+  std::vector<Clip> clips = *document.clips;
+  clips.front().name = name;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  PanelDriver driver(document);
+  driver.frames(2);
+  driver.moveTo("rig/clip");
+  driver.frames(40);
+  CHECK_THAT(test::tooltipWords(), Catch::StartsWith(isLong ? name : "Clip"));
+}
+
+TEST_CASE("The part of time that is seen stays the same at another rate, and another clip is seen whole") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  app::Session& session = *driver.open.character();
+  ui::TimelineState& time = driver.ui.time.timeline;
+  driver.frames(2);
+  const double before = app::clipOf(session.document(), 0).framesPerSecond;
+  REQUIRE(before != 25.0);
+  time.viewStart = 12.0;
+  time.viewEnd = 24.0;
+  driver.frames(2);
+  test::run({driver.open, driver.ui, driver.status}, app::command::clipRate25);
+  REQUIRE(app::clipOf(session.document(), 0).framesPerSecond == 25.0);
+  driver.frames(2);
+  CHECK(time.viewStart == Approx(12.0 * 25.0 / before));
+  CHECK(time.viewEnd == Approx(24.0 * 25.0 / before));
+  session.view().clip = 1;
+  driver.frames(2);
+  CHECK(time.viewEnd < time.viewStart);
 }

@@ -5,6 +5,8 @@
 #include "app/commands/table/selection.h"
 #include "tests/support/ui/editor_stage.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/work.h"
+#include "ui/panels/body/controller_panel.h"
 
 using namespace stretch;
 using test::PanelDriver;
@@ -76,4 +78,20 @@ TEST_CASE("What is typed for a controller is keyed and seen, where it was posed 
         Approx(0.5));
   CHECK(app::shownOffset(stage.session(), "left-hand").move == Vec3(0.1, 0.5, 0.0));
   CHECK(stage.session().view().unkeyed.empty());
+}
+
+TEST_CASE(
+    "The mark of a key tells where controllers have one: at the playhead, at other frames, or nowhere") {
+  PanelDriver driver(std::nullopt);
+  test::withControllers({driver.open, driver.ui, driver.status}); // Both hands, at frame 12.
+  app::Session& session = *driver.open.character();
+  const auto mark = [&](const std::vector<std::string>& ids) { return ui::keyMarkOf(session, ids); };
+  CHECK(mark({"left-hand"}) == ui::KeyMark::here);
+  CHECK(mark({"right-foot", "left-hand"}) == ui::KeyMark::here);
+  CHECK(mark({"right-foot"}) == ui::KeyMark::none);
+  session.view().frame = 13.0;
+  CHECK(mark({"right-foot", "left-hand"}) == ui::KeyMark::elsewhere);
+  CHECK(mark({"right-foot"}) == ui::KeyMark::none);
+  session.view().clip = 1;
+  CHECK(mark({"left-hand"}) == ui::KeyMark::none);
 }

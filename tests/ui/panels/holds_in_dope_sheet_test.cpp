@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <set>
 
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
 #include "tests/support/ui/panel_driver.h"
+#include "ui/panels/rows/shown_holds.h"
 #include "ui/panels/rows/timeline_model.h"
 
 using namespace stretch;
@@ -93,4 +95,19 @@ TEST_CASE("Neither end of a hold's range is typed past the other, and neither ta
   driver.frames(2);
   CHECK(session.document().holds.pins.at(1).time.rangeFrames ==
         (isFirst ? Vec2(20.0, 20.0) : Vec2(5.0, 5.0)));
+}
+
+TEST_CASE("Every hold has a bar of its own, which is told apart from those of trails, and is found by it") {
+  std::set<int> bars;
+  for (const rig::HoldKind kind : {rig::HoldKind::pin, rig::HoldKind::grip, rig::HoldKind::prop}) {
+    for (std::size_t index = 0; index < 4; ++index) {
+      const app::HoldPlace place{kind, index};
+      const int bar = ui::barOfHold(place);
+      CHECK(bar < 0);
+      CHECK(bars.insert(bar).second);
+      CHECK(ui::holdOfBar(bar) == place);
+    }
+  }
+  CHECK_FALSE(ui::holdOfBar(0));
+  CHECK_FALSE(ui::holdOfBar(1));
 }

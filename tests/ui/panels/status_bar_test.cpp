@@ -85,3 +85,25 @@ TEST_CASE("The key that moves a selected controller is hinted at") {
   stage.press("Alt+1");
   CHECK(stage.shell.items.find("status/hint/G") != nullptr);
 }
+
+TEST_CASE("The status bar names what is selected while it is little, and counts it where it is much") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  app::Session& session = *driver.open.character();
+  const auto isTold = [&](const char* text) {
+    driver.frames(2);
+    const std::vector<std::string> words = test::shownWords();
+    return std::ranges::find(words, text) != words.end();
+  };
+  CHECK(isTold("Nothing selected"));
+  app::selectControllers(session, {"left-hand", "right-hand", "left-foot", "right-foot"});
+  CHECK(isTold("Left hand, right hand, left foot, right foot"));
+  app::selectControllers(session, {"left-hand", "right-hand", "left-foot", "right-foot", "left-elbow"});
+  CHECK(isTold("5 controllers"));
+  app::selectLimb(session, "left-arm", false);
+  app::selectLimb(session, "right-leg", true);
+  CHECK(isTold("Left arm, right leg"));
+  session.view().selection.editTrails().spheres = {10.0};
+  CHECK(isTold("Left arm, right leg, sphere at frame 10"));
+  session.view().selection.editTrails().spheres = {10.0, 14.5};
+  CHECK(isTold("Left arm, right leg, 2 spheres"));
+}

@@ -1,6 +1,7 @@
 // What the panels of a trail and of weight make of what is typed, chosen and dragged.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -251,4 +252,38 @@ TEST_CASE("The range of weight keeps a frame of length, and is the whole clip wh
   CHECK(range() == Vec2(0.0, 1.0));
   panels.typeInto("weight/range-end", "900");
   CHECK_FALSE(range());
+}
+
+TEST_CASE(
+    "What is told of how a trail is seen is that of the selected trail, from where it is looked at now") {
+  CameraPlace front;
+  front.position = Vec3(0.0, 1.0, 5.0);
+  CameraPlace side;
+  side.position = Vec3(5.0, 1.0, 0.0);
+  side.forward = Vec3(-1.0, 0.0, 0.0);
+  side.right = Vec3(0.0, 0.0, -1.0);
+  const auto show = [](PanelDriver& driver, std::size_t trail, const CameraPlace& camera) {
+    app::Session& session = *driver.open.character();
+    session.view().camera = camera;
+    app::selectTrail(session, session.document().trails[trail].id);
+    driver.frames(3);
+    return std::pair(driver.ui.trails.seen.text, driver.ui.trails.look.warnings);
+  };
+  const auto toldAfresh = [&](std::size_t trail, const CameraPlace& camera) {
+    PanelDriver driver(std::nullopt);
+    test::withTwoTrails({driver.open, driver.ui, driver.status});
+    return show(driver, trail, camera);
+  };
+  const auto first = toldAfresh(0, front);
+  const auto second = toldAfresh(1, front);
+  const auto fromTheSide = toldAfresh(1, side);
+  REQUIRE_FALSE(first.first.empty());
+  PanelDriver driver(std::nullopt);
+  test::withTwoTrails({driver.open, driver.ui, driver.status});
+  CHECK(show(driver, 0, front) == first);
+  CHECK(show(driver, 1, front) == second);
+  CHECK(driver.ui.trails.seen.trailId == driver.open.character()->document().trails[1].id);
+  CHECK(show(driver, 1, side) == fromTheSide);
+  CHECK(driver.ui.trails.seen.camera == side);
+  CHECK(show(driver, 0, front) == first);
 }

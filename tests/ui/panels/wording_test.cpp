@@ -74,3 +74,22 @@ TEST_CASE("Each part of the timeline that can be dragged says what it is and wha
   }
   CHECK(ui::timeline_detail::helpFor(TimelinePart::playhead, 0).text.empty());
 }
+
+TEST_CASE("Units stand behind numbers as people write them, and a step of undo says what was changed") {
+  app::SettingFacts setting;
+  CHECK(ui::unitSuffix(setting).empty());
+  setting.unit = "kg/m^3";
+  CHECK(ui::unitSuffix(setting) == " kg/m\xC2\xB3");
+  setting.unit = "units^2";
+  CHECK(ui::unitSuffix(setting) == " units\xC2\xB2");
+  setting.unit = "Pa";
+  CHECK(ui::unitSuffix(setting) == " Pa");
+  setting.row.shownUnit = "kPa";
+  CHECK(ui::unitSuffix(setting) == " kPa");
+  setting.row.percent = true;
+  CHECK(ui::unitSuffix(setting) == " %");
+  setting.row.label = "Turn to view";
+  CHECK(ui::undoLabel(setting) == "Change the turn to view");
+  setting.kind = app::SettingKind::flag;
+  CHECK(ui::undoLabel(setting) == "Turn to view");
+}
