@@ -1,5 +1,7 @@
 // What each text of the status bar tells under the mouse, whole and where it is cut.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 

@@ -69,17 +69,18 @@ TEST_CASE("A click on a plot takes the nearest point within eight pixels, in whi
   const Axis y{plottedSpan(plot.model, 1).start, plottedSpan(plot.model, 1).end, box.max.y - 36.0F,
                box.min.y + 18.0F};
   const double apart = 12.0 * x.valuesPerPixel();
-  plot.model.points.push_back({Vec2(5.0, 5.0)});
-  plot.model.points.push_back({Vec2(5.0 + apart, 5.0)});
+  const float atX = std::floor(x.toPixel(5.0));
+  const float atY = std::floor(y.toPixel(5.0));
+  const Vec2 middle(x.toValue(atX + 0.5F), y.toValue(atY + 0.5F));
+  plot.model.points.push_back({middle});
+  plot.model.points.push_back({Vec2(middle.x + apart, middle.y)});
   if (isReversed) {
     std::ranges::reverse(plot.model.points);
   }
   const std::size_t left = isReversed ? 1 : 2;
   const std::size_t right = isReversed ? 0 : 3;
-  const float atX = std::floor(x.toPixel(5.0));
-  const float atY = std::floor(y.toPixel(5.0));
-  CHECK(plot.click(atX + 4.0F, atY) == left);
-  CHECK(plot.click(atX + 8.0F, atY) == right);
+  CHECK(plot.click(atX + 5.0F, atY) == left);
+  CHECK(plot.click(atX + 7.0F, atY) == right);
   CHECK(plot.click(atX + 12.0F, atY + 6.0F) == right);
   CHECK_FALSE(plot.click(atX - 9.0F, atY));
   CHECK_FALSE(plot.click(atX, atY + 10.0F));
