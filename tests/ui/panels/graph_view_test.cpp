@@ -143,3 +143,21 @@ TEST_CASE("Where picked keys can be told apart their curve keeps its colour") {
   const int picked = GENERATE(1, 100);
   CHECK(cornersOf(ownColour, {levelCurve(100, picked)}) > 0);
 }
+
+TEST_CASE("A box around the whole graph picks the keys of the curves that show, and no hidden ones") {
+  ArmsGraph graph;
+  graph.ui.time.graph.hidden = {true, true, false};
+  graph.frames(2);
+  const Item box = *graph.find("graph");
+  ImGui::GetIO().MousePos = {box.min.x + 64.0F, box.min.y + 6.0F}; // In the plot, above all curves.
+  graph.frame();
+  graph.pressMouse();
+  ImGui::GetIO().MousePos = {box.max.x - 4.0F, box.max.y - 24.0F};
+  graph.frame();
+  graph.releaseMouse();
+  const app::KeySelection& picked = app::pickedKeys(*graph.open.character());
+  REQUIRE(picked.size() == 1);
+  CHECK(picked.front().keys.size() > 3);
+  CHECK(std::ranges::all_of(picked.front().keys,
+                            [](const app::PickedKey& key) { return key.components == 0b100U; }));
+}

@@ -93,8 +93,16 @@ TEST_CASE("The status bar names what is selected while it is little, and counts 
   app::Session& session = *driver.open.character();
   const auto isTold = [&](const char* text) {
     driver.frames(2);
-    const std::vector<std::string> words = test::shownWords();
-    return std::ranges::find(words, text) != words.end();
+    const float top = driver.find("status/selection")->min.y;
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+      const std::vector<test::DrawnWords> words = test::wordsOf(*drawn.CmdLists[i]);
+      if (std::ranges::any_of(
+              words, [&](const test::DrawnWords& one) { return one.at.y >= top && one.text == text; })) {
+        return true;
+      }
+    }
+    return false;
   };
   CHECK(isTold("Nothing selected"));
   app::selectControllers(session, {"left-hand", "right-hand", "left-foot", "right-foot"});
@@ -108,4 +116,14 @@ TEST_CASE("The status bar names what is selected while it is little, and counts 
   CHECK(isTold("Left arm, right leg, sphere at frame 10"));
   session.view().selection.editTrails().spheres = {10.0, 14.5};
   CHECK(isTold("Left arm, right leg, 2 spheres"));
+}
+
+TEST_CASE("The name of the open file tells under the mouse whether all of its work is saved") {
+  test::PanelDriver driver(test::PanelDriver::bundledCharacter());
+  driver.frames(2);
+  CHECK(driver.find("menu-bar/file") == nullptr);
+  driver.status.fileName = "punch.glb";
+  CHECK_THAT(toldUnder(driver, "menu-bar/file"), Catch::Contains("Everything is saved."));
+  driver.status.unsaved = true;
+  CHECK_THAT(toldUnder(driver, "menu-bar/file"), Catch::Contains("Holds work that is not saved yet."));
 }
