@@ -1,3 +1,5 @@
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -41,4 +43,37 @@ TEST_CASE("What is no glTF behind its name is said, and odd JSON is no trouble")
   CHECK(odd.joints == 0);
   CHECK(odd.clips.size() == 2);
   CHECK(factsOf(folder.path() / "missing.glb").kind.empty());
+}
+
+TEST_CASE(
+    "Joints of several skins count once, a clip is as long as its latest key, and work in a file is told") {
+  const test::TemporaryFolder folder;
+  const FileFacts facts = factsOf(folder.write("HERO.GLTF", R"({"meshes": [{}, {}],
+      "skins": [{"joints": [1, 2, 3]}, {"joints": [3, 4]}],
+      "accessors": [{"max": [0.5]}, {"max": [2.25]}, {"max": [1.0]}],
+      "animations": [{"name": "walk", "samplers": [{"input": 0}, {"input": 1}, {"input": 2}]},
+                     {"samplers": [{"input": 2}]}],
+      "extras": {"stretch_engine": {}}})"));
+  CHECK(facts.kind == "glTF with files beside it");
+  CHECK(facts.problem.empty());
+  CHECK(facts.isScene);
+  CHECK(facts.meshes == 2);
+  CHECK(facts.joints == 4);
+  REQUIRE(facts.clips.size() == 2);
+  CHECK(facts.clips[0].name == "walk");
+  CHECK(facts.clips[0].seconds == 2.25);
+  CHECK(facts.clips[1].name.empty());
+  CHECK(facts.clips[1].seconds == 1.0);
+  CHECK(facts.carriesWork);
+}
+
+TEST_CASE("A file of more than 32 MiB of text is not read for a preview") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("long.gltf", "{");
+  constexpr std::uintmax_t longest = 32U << 20U;
+  std::filesystem::resize_file(file, longest + 1);
+  CHECK(factsOf(file).problem == "is too long for a preview");
+  CHECK(factsOf(file).bytes == longest + 1);
+  std::filesystem::resize_file(file, longest);
+  CHECK(factsOf(file).problem == "is no glTF");
 }

@@ -186,6 +186,15 @@ TEST_CASE("The documents are the folder that the desktop names") {
   home.write(".config/user-dirs.dirs", "# Folders\nXDG_DOCUMENTS_DIR=\"$HOME/Dokumente\"\n");
   CHECK(documentsFolder() == home / "Dokumente");
   CHECK_FALSE(isWritableFolder(home / "gone"));
+  // By its whole path as well, but not by one that is none, or is not there.
+  const auto named = [&](const std::string& folder) {
+    home.write(".config/user-dirs.dirs", "XDG_DOCUMENTS_DIR=" + folder + "\n");
+    return documentsFolder();
+  };
+  CHECK(named("\"" + (home / "Dokumente").string() + "\"") == home / "Dokumente");
+  for (const char* const none : {"\"Dokumente\"", "\"$HOME/gone\"", "\"$HOME/Dokumente"}) {
+    CHECK(named(none) == home.path());
+  }
 }
 
 TEST_CASE("A file that carries our work is saved back to itself") {

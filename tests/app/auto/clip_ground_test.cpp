@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "app/auto/clip_ground.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
@@ -65,4 +67,34 @@ TEST_CASE(
   Document legless = swaying(dips(0.0));
   std::erase_if(legless.body.limbs, [](const rig::Limb& limb) { return isLeg(limb); });
   CHECK_FALSE(clipGround(legless, 0).floor);
+}
+
+TEST_CASE(
+    "A loop goes on at its start where no limb gives way in it, and where its keys begin within a frame") {
+  const Document document = swinger();
+  const auto groundOf = [](const Document& loop) {
+    const ClipGround ground = clipGround(loop, 0);
+    CHECK(ground.endsMeet);
+    return ground.wraps;
+  };
+  CHECK(groundOf(document));
+  Document weighted = document;
+  WeightedLimb weight;
+  weight.limb = "left-arm";
+  weighted.weights.push_back(weight);
+  CHECK_FALSE(groundOf(weighted));
+  weighted.weights.front().on = false;
+  CHECK(groundOf(weighted));
+  for (const auto& [firstKey, wraps] : {std::pair(1, true), {2, false}}) {
+    CAPTURE(firstKey);
+    Track arm = turnsOf(document, "left-arm");
+    for (const auto& [frame, angle] : {std::pair(firstKey, 0.1), {10, 1.2}, {24, 0.1}}) {
+      addKey(arm, frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+    }
+    Document later = withTracks(document, {arm});
+    Clip clip = later.clips->front();
+    setEndsFromKeys(clip);
+    later.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+    CHECK(groundOf(later) == wraps);
+  }
 }

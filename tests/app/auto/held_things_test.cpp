@@ -129,3 +129,34 @@ TEST_CASE("A thing that slips in the hand is held on, one that is away for longe
   CHECK_FALSE(heldOver(slipping(5), 0.0, 7.0).empty());
   CHECK(heldOver(slipping(5), 0.0, 8.0).empty());
 }
+
+TEST_CASE("A hand holds what is near it, stays as far from it for three frames and goes along as it swings") {
+  using Keys = std::vector<rig::OffsetKey>;
+  const double arm = findLimb(test::boxer(), "left-arm")->restLength;
+  // As far away as 1.2 of the arm.
+  const auto apart = [&](double share) {
+    return heldOver(withStick([=](int) { return share * arm; }), 0.0, 5.0);
+  };
+  CHECK(apart(1.19) == Keys{firmness(0.0, 1.0)});
+  CHECK(apart(1.21).empty());
+  // By 0.06 of the arm from frame to frame it slips out.
+  const auto slipping = [&](double share) {
+    return heldOver(withStick([=](int frame) { return 0.1 + share * arm * std::clamp(frame - 6, 0, 5); }),
+                    0.0, 5.0);
+  };
+  CHECK(slipping(0.059) == Keys{firmness(0.0, 1.0)});
+  CHECK(slipping(0.061) ==
+        Keys{firmness(0.0, 1.0), firmness(6.0, 1.0), firmness(9.0, 0.0), firmness(11.0, 1.0)});
+  // Near the hand from one frame to another, far from it else.
+  const auto passing = [&](int first, int last) {
+    return heldOver(withStick([=](int frame) { return first <= frame && frame <= last ? 0.1 : 5.0; }), first,
+                    last);
+  };
+  CHECK(passing(5, 8) ==
+        Keys{firmness(0.0, 0.0), firmness(5.0, 1.0), firmness(8.0, 1.0), firmness(11.0, 0.0)});
+  CHECK(passing(5, 7).empty());
+  // The arm turns by 0.08 radians a frame at first: within three it goes 0.24 of its length, within four
+  // 0.32.
+  CHECK(passing(0, 3).empty());
+  CHECK(passing(0, 4) == Keys{firmness(0.0, 1.0), firmness(4.0, 1.0), firmness(7.0, 0.0)});
+}

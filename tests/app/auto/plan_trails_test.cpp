@@ -543,3 +543,23 @@ TEST_CASE("A trail that is left out takes along what follows it and the grips th
   CHECK(plan.trails.size() == 3);
   CHECK(plan.holds.grips.size() == 4);
 }
+
+TEST_CASE("A clear stroke of what is neither a wing nor a chain is something that a body does in flight",
+          "[plan]") {
+  const auto does = [](rig::LimbKind kind, const rig::Moment& moment) {
+    rig::Limb limb;
+    limb.kind = kind;
+    return isAct(limb, moment);
+  };
+  const rig::Moment clear = stroke("limb", 0, 10, 2.41);
+  CHECK(does(rig::LimbKind::arm, clear));
+  CHECK(does(rig::LimbKind::leg, clear));
+  for (const rig::LimbKind kind : {rig::LimbKind::wing, rig::LimbKind::spine, rig::LimbKind::neck,
+                                   rig::LimbKind::tail, rig::LimbKind::feeler}) {
+    CHECK_FALSE(does(kind, clear));
+  }
+  CHECK_FALSE(does(rig::LimbKind::leg, stroke("limb", 0, 10, 2.39)));
+  rig::Moment round = clear;
+  round.kind = rig::MomentKind::cycle;
+  CHECK_FALSE(does(rig::LimbKind::leg, round));
+}

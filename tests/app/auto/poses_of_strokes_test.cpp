@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -82,6 +83,33 @@ struct PosedLimb {
   }
   [[nodiscard]] Vec2 all() const { return {0.0, ground.lastFrame}; }
 };
+
+/// An arm whose hand goes away from the body by a metre from frame 0 to 1, at ten frames a second, and is so
+/// far from it on each frame after that.
+struct ReachingArm : PosedLimb {
+  explicit ReachingArm(const std::vector<double>& after) : PosedLimb(rig::LimbKind::arm, posesOf(after)) {
+    ground.framesPerSecond = 10.0;
+  }
+
+private:
+  static std::vector<std::vector<Vec3>> posesOf(const std::vector<double>& after) {
+    std::vector<double> distances{1.0, 2.0};
+    distances.insert(distances.end(), after.begin(), after.end());
+    std::vector<std::vector<Vec3>> poses;
+    std::ranges::transform(distances, std::back_inserter(poses), [](double distance) {
+      return std::vector<Vec3>{Vec3(0.0), Vec3(distance, 0.0, 0.0)};
+    });
+    return poses;
+  }
+};
+
+rig::Trail reachingTrail() {
+  rig::Trail trail;
+  trail.limb = "limb";
+  trail.settings.startFrame = 0.0;
+  trail.settings.endFrame = 1.0;
+  return trail;
+}
 
 } // namespace
 
@@ -183,6 +211,23 @@ TEST_CASE("An arm is bent on purpose where it is bent on the last of its way") {
   CHECK(isBent({0.0, 0.0, 0.0, 0.3, 0.3, 0.0}));
   CHECK_FALSE(isBent({0.3, 0.3, 0.0, 0.0, 0.0, 0.0}));
   CHECK_FALSE(isBent({0.5, 0.5, 0.4, 0.3, 0.1, 0.0})); // a punch, straight when it hits
+  CHECK_FALSE(isBent({0.0, 0.0, 0.3, 0.0}));           // on no more than half of it
+}
+
+TEST_CASE("An arm is bent where its hand is nearer than 0.85 of its bones, but not where its elbow would be "
+          "thrown out") {
+  // Two bones of half a metre each, and how far apart their ends are.
+  const auto isBent = [](double apart, double scale) {
+    const double elbow = std::sqrt(0.25 - 0.25 * apart * apart);
+    const std::vector<Vec3> arm{Vec3(0.0), Vec3(0.5 * apart, elbow, 0.0), Vec3(apart, 0.0, 0.0)};
+    const PosedLimb posed(rig::LimbKind::arm, std::vector<std::vector<Vec3>>(2, arm));
+    return isPosedBent(posed.ground, posed.limb, posed.all(), scale);
+  };
+  CHECK(isBent(0.84, 1.0));
+  CHECK_FALSE(isBent(0.86, 1.0));
+  // The elbow is 0.4 from the line between shoulder and hand, and may be 0.7 from it.
+  CHECK(isBent(0.6, 1.74));
+  CHECK_FALSE(isBent(0.6, 1.76));
 }
 
 TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in before the chest") {
@@ -199,6 +244,15 @@ TEST_CASE("A leg that is drawn up is not lengthened, nor is an arm that folds in
   CHECK(folds(rig::LimbKind::arm, {{1.2, 1.4, 0}, {0.5, 1.4, 0}, {0.2, 1.4, 0.6}}));
   CHECK_FALSE(folds(rig::LimbKind::arm, {{1.2, 1.4, 0}, {0.9, 1.4, 0.7}, {0.2, 1.4, 0.6}})); // a swing
   CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.2, 1.4, 1.0}}));   // a punch
+  // To less than six tenths of what it reached, a hand to less than seven tenths of its way to the trunk.
+  CHECK(folds(rig::LimbKind::leg, {{0.2, 0.4, 0}, {0.2, 0.5, 0}, {0.2, 0.81, 0}}));
+  CHECK_FALSE(folds(rig::LimbKind::leg, {{0.2, 0.4, 0}, {0.2, 0.5, 0}, {0.2, 0.79, 0}}));
+  CHECK(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.67, 1.4, 0}, {0.2, 1.4, 0.6}}));
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.69, 1.4, 0}, {0.2, 1.4, 0.6}}));
+  CHECK(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.69, 1.4, 0}}));
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.71, 1.4, 0}}));
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.0, 2.3, 0}})); // over the head
+  CHECK_FALSE(folds(rig::LimbKind::arm, {{1.0, 1.4, 0}, {0.5, 1.4, 0}, {0.0, 0.2, 0}})); // between the legs
 }
 
 TEST_CASE("A leg in the air that does not reach for the ground keeps its foot's height and its knee") {
@@ -215,6 +269,10 @@ TEST_CASE("A leg in the air that does not reach for the ground keeps its foot's 
   CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 0.5, 0.3}}, 0.05)); // on the ground
   CHECK_FALSE(isUp({{0, 0.6, 0}, {0, 0.4, 0.3}}, 0.3));  // reaches for it
   CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 1.2, 0.3}}, 0.3));  // kicks up
+  // By more than 0.06 of the height, and no more than a tenth longer than it was.
+  CHECK(isUp({{0, 0.4, 0}, {0, 0.35, 0}}, 0.061));
+  CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 0.35, 0}}, 0.059));
+  CHECK_FALSE(isUp({{0, 0.4, 0}, {0, 0.33, 0}}, 0.061));
   PosedLimb onABox(rig::LimbKind::leg,
                    {{Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.4, 0.0)}, {Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.5, 0.3)}});
   CHECK(isUpInTheAir(onABox.ground, onABox.limb, onABox.all()));
@@ -265,6 +323,11 @@ TEST_CASE("An arm that points down and is swept along the ground gets longer alo
   CHECK(isLevel({-0.7, -0.4, 0.0}, {0.2, -0.3, 0.7}));
   CHECK_FALSE(isLevel({-0.7, 0.1, 0.0}, {0.2, 0.0, 0.7}));  // at the height of the shoulder
   CHECK_FALSE(isLevel({-0.7, 0.2, 0.0}, {0.2, -0.3, 0.7})); // goes down
+  // By less than a quarter of its way up or down, and down by more than a quarter of its length in the end.
+  CHECK(isLevel({-0.5, -0.75, 0.0}, {0.5, -0.5, 0.0}));
+  CHECK_FALSE(isLevel({-0.5, -0.77, 0.0}, {0.5, -0.5, 0.0}));
+  CHECK(isLevel({-0.97, -0.26, 0.0}, {0.97, -0.26, 0.0}));
+  CHECK_FALSE(isLevel({-0.97, -0.24, 0.0}, {0.97, -0.24, 0.0}));
   const Document document = turnedArms({{0, 0.0}, {10, 1.4}, {20, 0.0}}, {{0, 0.0}, {20, 0.0}});
   ClipGround ground = clipGround(document, 0);
   const auto axesOf = [&] {
@@ -368,4 +431,54 @@ TEST_CASE(
   ground.soles["left-leg"][30] -= 1.0;
   ground.soles["left-leg"][31] += 1.0;
   CHECK_FALSE(whyNot(rig::MomentKind::stroke).empty());
+}
+
+TEST_CASE(
+    "A struck pose is held while the hand stays within 0.15 of its way, or goes on by 0.3, for less than "
+    "0.4 seconds") {
+  const auto held = [](const std::vector<double>& after, double mostFrames = 9.0) {
+    return heldFor(ReachingArm(after).ground, reachingTrail(), mostFrames);
+  };
+  CHECK(held({1.86, 1.0}) == 1.0);
+  CHECK(held({1.84, 1.0}) == 0.0);
+  CHECK(held({2.29, 1.0}) == 1.0);
+  CHECK(held({2.31, 1.0}) == 0.0);
+  CHECK(held({2.2, 2.2, 1.0}) == 1.0); // What does not go on any more has left its pose.
+  CHECK(held({2.0, 2.0, 2.0, 1.0}) == 3.0);
+  CHECK(held({2.0, 2.0, 2.0, 1.0}, 2.9) == 2.0);
+  CHECK(held({2.0, 2.0, 2.0, 2.0, 1.0}) == 0.0); // It stays in it.
+  CHECK(held({2.0, 2.0}) == 0.0);
+}
+
+TEST_CASE("What goes round stands still by a thousandth of its way, and comes back in two frames, or in one "
+          "where half of its way is gone by then") {
+  const auto still = [](const std::vector<double>& after, double mostFrames = 9.0) {
+    return stillFor(ReachingArm(after).ground, reachingTrail(), mostFrames);
+  };
+  CHECK(still({2.0009, 1.0}) == 1.0);
+  CHECK(still({2.0011, 1.0}) == 0.0);
+  CHECK(still({2.0, 2.0, 2.0, 1.49}, 4.0) == 3.0);
+  CHECK(still({2.0, 2.0, 2.0, 1.51}, 4.0) == 2.0);
+}
+
+TEST_CASE("A body without legs crawls while the end of its trunk stays within 0.15 of the height from the "
+          "ground") {
+  const auto isCrawling = [](rig::LimbKind kind, const std::vector<double>& heights, bool hasLegs = false) {
+    std::vector<std::vector<Vec3>> poses;
+    std::ranges::transform(heights, std::back_inserter(poses), [](double height) {
+      return std::vector<Vec3>{Vec3(0.0, 0.5, 0.0), Vec3(0.3, height, 0.0)};
+    });
+    PosedLimb posed(kind, poses);
+    posed.ground.lowest = -0.1;
+    if (hasLegs) {
+      posed.ground.soles.emplace("left-leg", std::vector<double>());
+    }
+    return crawls(posed.ground, posed.limb, posed.all());
+  };
+  CHECK(isCrawling(rig::LimbKind::spine, {0.04, 0.0, 0.04}));
+  CHECK_FALSE(isCrawling(rig::LimbKind::spine, {0.06, 0.0, 0.0}));
+  CHECK_FALSE(isCrawling(rig::LimbKind::spine, {0.0, 0.06, 0.0}));
+  CHECK_FALSE(isCrawling(rig::LimbKind::spine, {0.0, 0.0, 0.06}));
+  CHECK_FALSE(isCrawling(rig::LimbKind::arm, {0.04, 0.0, 0.04}));
+  CHECK_FALSE(isCrawling(rig::LimbKind::spine, {0.04, 0.0, 0.04}, true));
 }

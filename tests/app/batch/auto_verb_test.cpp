@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 
 #include "core/gltf/json/json.h"
 #include "tests/support/app/run_verb.h"
@@ -16,6 +17,18 @@ Json report(const std::vector<std::string>& words) {
   INFO(answer.told);
   REQUIRE(answer.exitCode == 0);
   return Json::parse(answer.output);
+}
+
+/// One line for a moment: what became of it, and why no more.
+std::string momentLine(const Json& moment) {
+  const bool done = moment["exaggerated"].get<bool>();
+  std::string line = fmt::format("  {}, {} from frame {:g} to {:g}: ", moment["limb"].get<std::string>(),
+                                 moment["kind"].get<std::string>(), moment["start"].get<double>(),
+                                 moment["tip"].get<double>());
+  line += done ? fmt::format("scale {:.3g}", moment["length_scale"].get<double>()) : "left out";
+  line += done && moment["along_ground"].get<bool>() ? ", along the ground" : "";
+  line += moment.contains("why") ? (done ? ", with more " : ", ") + moment["why"].get<std::string>() : "";
+  return line + "\n";
 }
 
 } // namespace
@@ -116,4 +129,29 @@ TEST_CASE("In a strong style a loop's seam, standing feet and the floor are as t
     CHECK_FALSE(done["clips"][0]["trails"].empty());
     CHECK(done.value("worse", Json::array()).dump() == "[]");
   }
+}
+
+TEST_CASE("What becomes of every moment is told in words as in numbers, clip by clip") {
+  const test::TemporaryFolder folder;
+  std::vector<std::string> words{"exaggerate", punchPath, "-o",    (folder / "out.glb").string(),
+                                 "--auto",     "--style", "Opera", "--all-clips"};
+  const test::VerbAnswer told = test::runVerb(words);
+  words.emplace_back("--json");
+  const Json done = report(words);
+  REQUIRE(done["clips"].size() == 2);
+  std::string lines;
+  for (const Json& clip : done["clips"]) {
+    lines += clip["clip"].get<std::string>() + ":\n";
+    lines += clip["moments"].empty() ? "  nothing to exaggerate: no limb makes a stroke\n" : "";
+    for (const Json& moment : clip["moments"]) {
+      lines += momentLine(moment);
+    }
+    for (const Json& note : clip["notes"]) {
+      lines += "  " + note.get<std::string>() + "\n";
+    }
+    lines += clip["made_loop"].get<bool>()
+                 ? "  the clip is marked as a loop, so that the way back goes on at its start\n"
+                 : "";
+  }
+  CHECK_THAT(told.output, Catch::StartsWith(lines));
 }

@@ -160,3 +160,20 @@ TEST_CASE("rig --json tells no joint where none was made", "[locators]") {
   CHECK(jointsOf({"rig", test::posedCharacter, "-o", file.places, "--locators-only", "--json"}) == 0);
   CHECK(jointsOf({"rig", test::posedCharacter, "-o", file.output, "--locators", file.places, "--json"}) == 0);
 }
+
+TEST_CASE("rig tells in words how many locators of which body there are, and whether a skeleton has them",
+          "[locators]") {
+  const PersonFile file;
+  const auto told = [&](const std::string& character) {
+    const test::VerbAnswer answer = runVerb({"rig", character, "-o", file.places, "--locators-only"});
+    REQUIRE(answer.exitCode == 0);
+    return answer.output;
+  };
+  const auto count = [&] { return std::to_string(loadLocators(file.places)->list.size()); };
+  const std::string ofSkeleton = told(test::posedCharacter);
+  CHECK_THAT(ofSkeleton, Catch::StartsWith(count() + " locators of ") &&
+                             Catch::Contains(", at the limbs of its skeleton\n") &&
+                             !Catch::Contains("limbs: "));
+  const std::string ofMesh = told(file.mesh);
+  CHECK_THAT(ofMesh, Catch::StartsWith(count() + " locators of ") && !Catch::Contains("skeleton"));
+}

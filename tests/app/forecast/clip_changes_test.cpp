@@ -220,3 +220,44 @@ TEST_CASE("A file whose limbs have other joints is refused by its name") {
   CHECK_THAT(changes.error().line(),
              Catch::Contains("is not the file that the other was made from") && Catch::Contains("dummy.glb"));
 }
+
+TEST_CASE(
+    "How sharply a loop turns at its seam is told in heights a second, on whichever side of it that is") {
+  const Document source = standing();
+  const auto turns = [&](double second, double beforeLast) {
+    const Document result = withTrack(source, guardClip, "Hips", Channel::translation, [&](Track& track) {
+      const std::size_t before = track.times.size() - 2;
+      setKey(track, 1, keyOf(track, 1) + Vec4(second, 0.0, 0.0, 0.0));
+      setKey(track, before, keyOf(track, before) + Vec4(beforeLast, 0.0, 0.0, 0.0));
+    });
+    const std::optional<ClipChange> speed = told(worse(result, source), "loop-seam-speed");
+    return speed ? speed->result - speed->source : 0.0;
+  };
+  const double once = 100.0 * 0.02 * 24.0 / source.body.height; // at 24 frames a second
+  CHECK(turns(0.02, 0.0) == Approx(once).epsilon(1e-3));
+  CHECK(turns(0.0, 0.02) == Approx(once).epsilon(1e-3));
+  CHECK(turns(0.02, 0.02) == Approx(2.0 * once).epsilon(1e-3));
+  CHECK(turns(0.02, -0.02) == 0.0); // It goes on over the seam as it comes to it.
+}
+
+TEST_CASE("A body that morph targets may change is as far below the floor as one without") {
+  const auto morphing = [](Document document) {
+    Scene scene = *document.scene;
+    scene.meshes.front().primitives.front().morphTargets.emplace_back();
+    document.scene = std::make_shared<const Scene>(std::move(scene));
+    REQUIRE(wholeSurface(*document.scene) == nullptr);
+    return document;
+  };
+  const Document source = test::openedFile(test::posedCharacter);
+  const Document lowered = withTrack(source, guardClip, "Hips", Channel::translation, [](Track& track) {
+    for (std::size_t key = 0; key < track.times.size(); ++key) {
+      setKey(track, key, keyOf(track, key) - Vec4(0.0, 0.1, 0.0, 0.0));
+    }
+  });
+  const std::optional<ClipChange> plain = told(worse(lowered, source), "below-floor");
+  const std::optional<ClipChange> morphed = told(worse(morphing(lowered), morphing(source)), "below-floor");
+  REQUIRE(plain);
+  REQUIRE(morphed);
+  CHECK(morphed->result == Approx(plain->result).epsilon(1e-6));
+  CHECK(morphed->source == Approx(plain->source).epsilon(1e-6));
+}

@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include <catch2/catch.hpp>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "app/edits/keys/track_edits.h"
 #include "app/files/save.h"
 #include "app/forecast/clip_changes.h"
 #include "app/forecast/forecast.h"
+#include "app/forecast/shading.h"
 #include "core/gltf/json/json.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/new_trail.h"
@@ -306,13 +309,15 @@ TEST_CASE(
     CHECK(findingsOf(document, "unity-generic", "translation-of-mapped-bones").empty());
     return !findingsOf(document, "unity-humanoid", "translation-of-mapped-bones").empty();
   };
-  for (const char* const held : {"LeftForeArm", "RightForeArm", "LeftHand", "RightLeg", "LeftFoot"}) {
+  for (const char* const held :
+       {"LeftArm", "LeftForeArm", "RightForeArm", "LeftHand", "RightLeg", "LeftFoot", "Head"}) {
     CAPTURE(held);
     CHECK(isTold(held, 0.011));
     CHECK(isTold(held, -0.011));
     CHECK_FALSE(isTold(held, 0.009));
   }
-  for (const char* const free : {"Hips", "LeftUpLeg", "RightUpLeg", "LeftHandThumb1"}) {
+  for (const char* const free :
+       {"Hips", "LeftUpLeg", "RightUpLeg", "LeftHandThumb1", "Spine1", "Neck", "RightShoulder"}) {
     CAPTURE(free);
     CHECK_FALSE(isTold(free, 0.5));
   }
@@ -408,4 +413,88 @@ TEST_CASE("Engines are asked for by their names, some, all, or none") {
         "--engine: 'quake' is no engine that is known here; give " + some + "or all");
   REQUIRE_FALSE(engineIdsOf(""));
   CHECK(engineIdsOf("").error().line() == "--engine: names no engine; give all, or " + some);
+}
+
+TEST_CASE(
+    "A mesh that is more than a twentieth of the height beside its box at rest, on any side, may be culled") {
+  const Result<Document> source = openDocument(punchGlb);
+  REQUIRE(source);
+  const auto told = [&](const Vec3& aside) {
+    const Vec3 place = restOf("Hips") + aside;
+    Document document = withPunchTrack("Hips", Channel::translation, {place});
+    Clip still = clipOf(document, 0);
+    std::erase_if(still.tracks, [](const auto& track) { return track->channel != Channel::translation; });
+    still.endSeconds = 0.0;
+    document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{still});
+    CHECK(findingsOf(document, "godot", "culled-by-the-box-at-rest").empty());
+    const std::vector<ForecastFinding> found = findingsOf(document, "babylon", "culled-by-the-box-at-rest");
+    return found.empty() ? std::string() : found.front().what;
+  };
+  const double height = source->body.height;
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      CAPTURE(axis, side);
+      Vec3 aside(0.0);
+      aside[axis] = 2.0 * side * height;
+      CHECK_THAT(told(aside), Catch::Contains("the clip reaches 2.00 heights beyond the box at rest"));
+      aside[axis] = 0.051 * side * height;
+      CHECK_FALSE(told(aside).empty());
+      aside[axis] = 0.049 * side * height;
+      CHECK(told(aside).empty());
+    }
+  }
+}
+
+TEST_CASE(
+    "Influences that are left out are told with the vertices that have them and the most that one loses") {
+  const test::TemporaryFolder folder;
+  const Result<Document> document = openAsItStands(punchIn(folder, {StretchForm::volume, 8}));
+  REQUIRE(document);
+  std::size_t vertices = 0;
+  std::size_t more = 0;
+  double heaviest = 0.0;
+  for (const Mesh& mesh : document->scene->meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      const std::vector<VertexInfluences>& written =
+          primitive.onCorners.empty() ? primitive.influences : primitive.onCorners;
+      vertices += written.size();
+      for (const VertexInfluences& vertex : written) {
+        const float left = std::accumulate(vertex.weights.begin() + 4, vertex.weights.end(), 0.0F);
+        more += left > 0.0F ? 1 : 0;
+        heaviest = std::max(heaviest, static_cast<double>(left));
+      }
+    }
+  }
+  const std::vector<ForecastFinding> found = findingsOf(*document, "three", "influences-left-out");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].clip.empty());
+  REQUIRE(found[0].share);
+  CHECK(*found[0].share == Approx(static_cast<double>(more) / static_cast<double>(vertices)));
+  const std::string weighs = "the heaviest that is left out weighs ";
+  CHECK_THAT(found[0].what, Catch::StartsWith(fmt::format("three.js reads 4 influences of a vertex: {} of {} "
+                                                          "vertices have more, {}",
+                                                          more, vertices, weighs)));
+  CHECK(std::stod(found[0].what.substr(found[0].what.find(weighs) + weighs.size())) ==
+        Approx(heaviest).margin(0.01));
+}
+
+TEST_CASE("A joint is of the limb that it is part of, ends, or hangs on, and the hips are of none") {
+  const Result<Document> document = openDocument(punchGlb);
+  REQUIRE(document);
+  for (const auto& [name, limb] : {std::pair("LeftArm", "left-arm"),
+                                   {"LeftHand", "left-arm"},
+                                   {"LeftHandThumb1", "left-arm"},
+                                   {"RightFoot", "right-leg"},
+                                   {"RightToeBase", "right-leg"},
+                                   {"Head", "neck"},
+                                   {"Spine2", "spine"},
+                                   {"LeftShoulder", "spine"},
+                                   {"Hips", ""}}) {
+    CAPTURE(name);
+    const auto node = std::ranges::find(document->scene->nodes, name, &Node::name);
+    REQUIRE(node != document->scene->nodes.end());
+    CHECK(limbOfNode(*document, NodeIndex(static_cast<std::size_t>(node - document->scene->nodes.begin()))) ==
+          limb);
+  }
+  CHECK(limbOfNode(*document, NodeIndex::none).empty());
 }
