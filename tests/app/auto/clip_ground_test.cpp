@@ -98,3 +98,52 @@ TEST_CASE(
     CHECK(groundOf(later) == wraps);
   }
 }
+
+TEST_CASE(
+    "A clip's last pose is its first one again within a fiftieth of the height, or goes on to it within two "
+    "and a half frames") {
+  const Document boxer = test::boxer();
+  const auto isLoop = [&](const std::vector<std::pair<double, double>>& keys) {
+    Track arm = turnsOf(boxer, "left-arm");
+    for (const auto& [frame, angle] : keys) {
+      addKey(arm, frame, glm::angleAxis(angle, Vec3(0.0, -1.0, 0.0)));
+    }
+    return clipGround(withTracks(boxer, {arm}), 0).endsMeet;
+  };
+  // The hand of the arm of 0.6 ends as far from where it began as an angle says: 0.036 is a fiftieth.
+  const auto endsAt = [](double angle) {
+    return std::vector<std::pair<double, double>>{{0, 0.0}, {2, 0.0}, {10, 1.0}, {22, angle}, {24, angle}};
+  };
+  CHECK(isLoop(endsAt(0.058)));
+  CHECK_FALSE(isLoop(endsAt(0.062)));
+  // An arm that goes round within 24 frames, whose last frames are left out.
+  const auto goesRoundTo = [](int last) {
+    std::vector<std::pair<double, double>> keys;
+    for (int frame = 0; frame <= last; ++frame) {
+      keys.emplace_back(frame, 2.0 * pi * frame / 24.0);
+    }
+    return keys;
+  };
+  CHECK(isLoop(goesRoundTo(24)));
+  CHECK(isLoop(goesRoundTo(22)));
+  CHECK_FALSE(isLoop(goesRoundTo(21)));
+}
+
+TEST_CASE(
+    "A clip nearly meets its start where one limb of four is not back, by less than 0.15 of the height") {
+  const auto nearlyMeets = [](const std::vector<const char*>& limbs, double angle) {
+    const Document document = twoLeggedStepper();
+    std::vector<Track> tracks;
+    for (const char* const limb : limbs) {
+      tracks.push_back(turnsOf(document, limb));
+      for (const auto& [frame, turned] : {std::pair(0.0, 0.0), {24.0, angle}}) {
+        addKey(tracks.back(), frame, glm::angleAxis(turned, Vec3(0.0, 0.0, 1.0)));
+      }
+    }
+    return clipGround(withTracks(document, tracks), 0).nearlyMeets;
+  };
+  CHECK(nearlyMeets({"right-arm"}, 0.0));
+  CHECK(nearlyMeets({"right-arm"}, 0.44)); // The hand is 0.26 away, and the body 1.8 high.
+  CHECK_FALSE(nearlyMeets({"right-arm"}, 0.47));
+  CHECK_FALSE(nearlyMeets({"right-arm", "left-arm"}, 0.44)); // Two of five limbs.
+}

@@ -573,6 +573,15 @@ TEST_CASE("A style with weight gives it to arms that have a trail") {
   CHECK(weight->settings.stiffness == 0.8);
   CHECK(findWeight(made.document, "spine", 0) == nullptr);
   CHECK(exaggerated(test::boxer(), in("Opera")).document.weights.empty());
+  // No more than all of it, and a limb with weight of its own keeps that.
+  AutoSettings strong = in("Subtle", 2.0);
+  strong.style.weight = {0.8, 0.3, 0.4};
+  Document weighted = exaggerated(test::boxer(), strong).document;
+  REQUIRE(findWeight(weighted, "left-arm", 0) != nullptr);
+  CHECK(findWeight(weighted, "left-arm", 0)->settings.amount == 1.0);
+  CHECK(findWeight(weighted, "left-arm", 0)->settings.damping == 0.4);
+  weighted.trails.clear();
+  CHECK(findWeight(exaggerated(weighted, in("Heavy")).document, "left-arm", 0)->settings.stiffness == 0.3);
 }
 
 TEST_CASE("A style that is taken from a clip gives the same ratios where it is put on again") {

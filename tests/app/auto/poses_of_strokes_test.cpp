@@ -482,3 +482,56 @@ TEST_CASE("A body without legs crawls while the end of its trunk stays within 0.
   CHECK_FALSE(isCrawling(rig::LimbKind::arm, {0.04, 0.0, 0.04}));
   CHECK_FALSE(isCrawling(rig::LimbKind::spine, {0.04, 0.0, 0.04}, true));
 }
+
+TEST_CASE(
+    "Two sides do the same where both start and end within a twelfth of a second or share half of the time, "
+    "at most three times as strongly, as a mirror shows it") {
+  const Document document = test::boxer();
+  ClipGround ground{document, 0};
+  ground.limbs = allLimbs(document);
+  ground.lastFrame = ground.turnFrames = 30.0;
+  // From frame 10 on the left arm points ahead; the right one has gone so many degrees beside that.
+  const auto strikeAside = [&](double degrees) {
+    const double angle = degrees * pi / 180.0;
+    const Vec3 way = std::cos(angle) * Vec3(0.6, 0.0, 0.6) + std::sin(angle) * Vec3(0.0, 0.8485, 0.0);
+    ground.places.clear();
+    for (int frame = 0; frame <= 30; ++frame) {
+      LimbPlaces places;
+      for (const rig::Limb& limb : ground.limbs) {
+        const double side = limb.id == "left-arm" ? 1.0 : -1.0;
+        const Vec3 base(0.2 * side, 1.5, 0.0);
+        const Vec3 struck = limb.id == "left-arm" ? Vec3(-0.6, 0.0, 0.6) : way;
+        places.push_back({base, base + Vec3(0.6 * side, 0.0, 0.0) + (frame < 10 ? Vec3(0.0) : struck)});
+      }
+      ground.places.push_back(places);
+    }
+  };
+  strikeAside(0.0);
+  const rig::Moment left = strike("left-arm", 4, 12, 6.0);
+  const auto withRight = [&](double start, double tip, double strength) {
+    return arePartners(ground, left, strike("right-arm", start, tip, strength));
+  };
+  CHECK(withRight(6.4, 12.0, 6.0));
+  CHECK_FALSE(withRight(6.6, 12.0, 6.0));
+  CHECK(withRight(4.0, 20.0, 6.0)); // Half of the longer one is at the same time.
+  CHECK_FALSE(withRight(4.0, 20.2, 6.0));
+  const rig::Moment quick = strike("left-arm", 9, 10, 6.0);
+  CHECK(arePartners(ground, quick, strike("right-arm", 9, 12.4, 6.0)));
+  CHECK_FALSE(arePartners(ground, quick, strike("right-arm", 9, 12.6, 6.0)));
+  CHECK(withRight(4.0, 12.0, 17.9));
+  CHECK_FALSE(withRight(4.0, 12.0, 18.1));
+  CHECK(withRight(4.0, 12.0, 2.01));
+  CHECK_FALSE(withRight(4.0, 12.0, 1.99));
+  // What goes round is done in turn.
+  CHECK_FALSE(withRight(0.0, 25.0, 6.0));
+  CHECK(arePartners(ground, momentOf("left-arm", rig::MomentKind::cycle, 4, 12, 6.0),
+                    momentOf("right-arm", rig::MomentKind::cycle, 0, 25, 6.0)));
+  for (const char* const none : {"left-arm", "spine", "tail"}) {
+    CHECK_FALSE(arePartners(ground, left, strike(none, 4, 12, 6.0)));
+    CHECK_FALSE(arePartners(ground, strike(none, 4, 12, 6.0), left));
+  }
+  strikeAside(59.0);
+  CHECK(withRight(4.0, 12.0, 6.0));
+  strikeAside(61.0);
+  CHECK_FALSE(withRight(4.0, 12.0, 6.0));
+}

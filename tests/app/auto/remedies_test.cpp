@@ -239,3 +239,16 @@ TEST_CASE("What would pass the other side's limb keeps its way along the line be
   CHECK(single.lowered(FaultKind::sides).axes == allAxes);
   CHECK(single.settings().scale == Approx(1.35));
 }
+
+TEST_CASE(
+    "What a trail adds is what its scale differs from 1 by, and of one that follows how far it is pulled") {
+  Tried arm("left-arm", 10, 24);
+  const auto excess = [&] { return excessOf(arm.ground, arm.plan.trails.front()); };
+  CHECK(excess() == Approx(0.5));
+  arm.settings().scale = 0.7;
+  CHECK(excess() == Approx(0.3));
+  arm.settings().spheres = {{10.0, Vec3(0.0), {}}, {24.0, Vec3(0.0, 0.3, 0.0), {}}};
+  CHECK(excess() == Approx(0.3)); // A foot is lifted so.
+  arm.plan.trails.front().follows = true;
+  CHECK(excess() == Approx(0.3 + 0.3 / 0.6)); // of an arm of 0.6
+}

@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 #include <fmt/core.h>
 
+#include "app/files/save.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
@@ -83,6 +89,11 @@ TEST_CASE("Limbs are exaggerated in every clip in which they can be, and the oth
   const Json& arm = all["clips"][1]["trails"][0];
   CHECK(arm["limb_length_after"].get<double>() == Approx(2.0 * arm["limb_length_before"].get<double>()));
   CHECK(report({"info", out, "--json"})["trails"].size() == 3);
+  const Result<app::Document> saved = app::openDocument(out);
+  REQUIRE(saved);
+  for (const rig::Trail& trail : saved->trails) { // in turn, in each clip anew
+    CHECK(trail.colour == (trail.limb == "left-arm" ? 0 : 1));
+  }
   const test::VerbAnswer told = test::runVerb({"exaggerate", punchPath, "-o", out, "--all-clips", "--limb",
                                                "right-arm", "--range", "40:43", "--scale", "2", "--loops"});
   CHECK(told.exitCode == 0);
@@ -154,4 +165,30 @@ TEST_CASE("What becomes of every moment is told in words as in numbers, clip by 
                  : "";
   }
   CHECK_THAT(told.output, Catch::StartsWith(lines));
+}
+
+TEST_CASE("Trails that are made at once have the colours in turn, named ones in their order") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  const auto coloursOf = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"exaggerate", punchPath, "-o", out});
+    REQUIRE(test::runVerb(words).exitCode == 0);
+    const Result<app::Document> saved = app::openDocument(out);
+    REQUIRE(saved);
+    std::vector<int> colours;
+    std::ranges::transform(saved->trails, std::back_inserter(colours), &rig::Trail::colour);
+    return colours;
+  };
+  CHECK(coloursOf({"--limb", "right-arm", "--range", "40:43", "--scale", "2", "--limb", "left-arm", "--range",
+                   "21:27", "--scale", "2", "--limb", "left-leg", "--range", "21:27", "--scale", "1.5"}) ==
+        std::vector<int>{0, 1, 2});
+  std::vector<int> made = coloursOf({"--auto", "--style", "Subtle"});
+  std::vector<int> inTurn;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    inTurn.push_back(static_cast<int>(i % 5));
+  }
+  std::ranges::sort(made);
+  std::ranges::sort(inTurn);
+  CHECK(made.size() > 1);
+  CHECK(made == inTurn);
 }

@@ -172,6 +172,12 @@ TEST_CASE("A .glb that needs an image beside it says so where it is written to a
   CHECK_THAT(told("out/copy.glb"), Catch::Contains("copy.glb needs red.png, written beside it"));
   CHECK(fs::exists(folder / "out/red.png"));
   CHECK_THAT(told("in/copy.glb"), !Catch::Contains("needs red.png"));
+  test::GlbBuilder two = test::twoSheets("red.png");
+  two.json["images"].push_back(gltf::Json{{"uri", "blue.png"}});
+  two.write(folder / "in/sheets.glb");
+  test::writeBytes(folder / "in/blue.png", {4, 5, 6});
+  CHECK_THAT(told("out/two.glb"), Catch::Contains("two.glb needs blue.png and 1 more, written beside it"));
+  CHECK(fs::exists(folder / "out/blue.png"));
 }
 
 TEST_CASE("A rigged and a bound mesh say which images were written beside them", "[output]") {
