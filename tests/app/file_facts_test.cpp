@@ -35,6 +35,8 @@ TEST_CASE("What is no glTF behind its name is said, and odd JSON is no trouble")
   CHECK(facts("short.glb", "glTF").problem == "cannot be read");
   CHECK(facts("lies.glb", std::string("glTF\2\0\0\0\xff\0\0\0\xff\0\0\0JSON", 20)).problem ==
         "is shorter than it says");
+  CHECK(facts("other.glb", std::string("glTF\2\0\0\0\x18\0\0\0\4\0\0\0BIN\0----", 24)).problem ==
+        "cannot be read");
   CHECK(facts("mesh.obj", "v 0 0 0").kind == "OBJ mesh");
   const FileFacts odd =
       facts("odd.gltf", R"({"skins": {"joints": 3}, "animations": [7, {"samplers": [{"input": 9},

@@ -76,3 +76,17 @@ TEST_CASE("A pose is taken from the first frame of a clip to its last, in a rang
   CHECK_THAT(told({"--pose-frame=9", "--pose-range=4:9"}), isLookedFor);
   CHECK_THAT(told({"--pose-frame=10", "--pose-range=4:9"}), Catch::Contains("does not hold frame 10"));
 }
+
+TEST_CASE("Weight is given in the frames that a clip has, from its first to its last") {
+  const test::TemporaryFolder folder;
+  const auto told = [&](const std::string& range) {
+    return test::runVerb({"elastic", test::posedCharacter, "-o", (folder / "out.glb").string(), "--limb",
+                          "left-arm", "--range=" + range})
+        .told;
+  };
+  const auto isOutside = Catch::Contains("the range lies outside the clip, which has the frames 0 to 60");
+  CHECK_THAT(told("-5:0"), isOutside);
+  CHECK_THAT(told("60:61"), isOutside);
+  CHECK_THAT(told("50:61"), Catch::Contains("the range is cut to the frames 50 to 60"));
+  CHECK_THAT(told("0:60"), !Catch::Contains("the range"));
+}

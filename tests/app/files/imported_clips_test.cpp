@@ -78,3 +78,24 @@ TEST_CASE("A clip of an autosave is refused by any part that makes no sense") {
   CHECK_FALSE(ofClip("clip", 0));                                 // There stands another one.
   CHECK_FALSE(isTaken([](Json& clip) { clip.erase("tracks"); }));
 }
+
+TEST_CASE("Clips that came from other files are kept whole, and come back one after the other") {
+  const std::size_t known = fileWithClips().clips->size();
+  Json list = soundClips();
+  list.push_back(list[0]);
+  list[1]["clip"] = known + 1;
+  list[1]["name"] = "skip";
+  Json own = list[0]; // One that the file has by now.
+  own["clip"] = 0;
+  own["name"] = fileWithClips().clips->front().name;
+  Json all = Json::array({own, list[0], list[1]});
+  const Result<Document> read = withImportedClips(fileWithClips(), all);
+  REQUIRE(read);
+  REQUIRE(read->clips->size() == known + 2);
+  CHECK((*read->clips)[known].name == "hop");
+  CHECK((*read->clips)[known + 1].name == "skip");
+  CHECK(importedClipsToJson(*read) == list);
+  CHECK(importedClipsToJson(fileWithClips()) == Json::array());
+  all[2]["clip"] = known; // Two in one place.
+  CHECK_FALSE(withImportedClips(fileWithClips(), all));
+}

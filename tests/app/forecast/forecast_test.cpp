@@ -9,6 +9,7 @@
 #include "app/edits/keys/track_edits.h"
 #include "app/files/save.h"
 #include "app/forecast/clip_changes.h"
+#include "app/forecast/engines.h"
 #include "app/forecast/forecast.h"
 #include "app/forecast/shading.h"
 #include "core/gltf/json/json.h"
@@ -420,15 +421,20 @@ TEST_CASE(
     "A mesh that is more than a twentieth of the height beside its box at rest, on any side, may be culled") {
   const Result<Document> source = openDocument(punchGlb);
   REQUIRE(source);
-  const auto told = [&](const Vec3& aside) {
+  const auto carried = [](const Vec3& aside) {
     const Vec3 place = restOf("Hips") + aside;
     Document document = withPunchTrack("Hips", Channel::translation, {place});
     Clip still = clipOf(document, 0);
     std::erase_if(still.tracks, [](const auto& track) { return track->channel != Channel::translation; });
     still.endSeconds = 0.0;
     document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{still});
-    CHECK(findingsOf(document, "godot", "culled-by-the-box-at-rest").empty());
-    const std::vector<ForecastFinding> found = findingsOf(document, "babylon", "culled-by-the-box-at-rest");
+    return document;
+  };
+  const auto culledBy = [](const Document& document, const char* engine) {
+    return findingsOf(document, engine, "culled-by-the-box-at-rest");
+  };
+  const auto told = [&](const Vec3& aside) {
+    const std::vector<ForecastFinding> found = culledBy(carried(aside), "babylon");
     return found.empty() ? std::string() : found.front().what;
   };
   const double height = source->body.height;
@@ -443,6 +449,29 @@ TEST_CASE(
       aside[axis] = 0.049 * side * height;
       CHECK(told(aside).empty());
     }
+  }
+  const Document far = carried(Vec3(height, 0.0, 0.0));
+  for (const char* const culls : {"three", "babylon", "unity-generic", "unity-humanoid"}) {
+    CAPTURE(culls);
+    REQUIRE(culledBy(far, culls).size() == 1);
+    CHECK_FALSE(culledBy(far, culls).front().remedy.empty());
+  }
+  for (const char* const shows : {"godot", "unreal", "roblox"}) {
+    CHECK(culledBy(far, shows).empty());
+  }
+}
+
+TEST_CASE("What is not known of an engine is left open, and what is known is not") {
+  for (const Engine& engine : engines()) {
+    CAPTURE(engine.id);
+    const auto isOpen = [&](const char* subject) {
+      return std::ranges::find(engine.notJudged, subject) != engine.notJudged.end();
+    };
+    CHECK(isOpen("number of joints"));
+    CHECK(isOpen("shading") == !engine.turnsNormalsPlainly);
+    CHECK(isOpen("culling") == !engine.cullsByRestBox);
+    CHECK(isOpen("influences of a vertex") == (engine.mostInfluences == 0));
+    CHECK(engine.cullingRemedy.empty() == !engine.cullsByRestBox);
   }
 }
 

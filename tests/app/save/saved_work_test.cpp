@@ -1,5 +1,7 @@
+#include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -321,4 +323,36 @@ TEST_CASE("A chain that a file keeps twice is read once, with a warning") {
   REQUIRE(restored.warnings.size() == 1);
   CHECK(restored.warnings.front() ==
         "the limb Hips..Chest is kept twice in the file: the second is left out");
+}
+
+TEST_CASE("A limb is read by its kind, side and row, or by the number of a biped's, and refused where there "
+          "is none") {
+  const Json work = workOf(trailed());
+  const auto placeOf = [&](const Json& kind) -> std::optional<rig::LimbPlace> {
+    Json changed = work;
+    changed["limbs"][0]["kind"] = kind;
+    Document document = test::boxer();
+    if (!restoreWork(changed, document)) {
+      return std::nullopt;
+    }
+    return static_cast<const rig::LimbPlace&>(document.body.limbs.front());
+  };
+  const auto inBody = [](const char* kind, int side, int row) {
+    return Json{{"kind", kind}, {"side", side}, {"row", row}};
+  };
+  CHECK(placeOf(inBody("leg", 1, 2)) == rig::LimbPlace{rig::LimbKind::leg, rig::LimbSide::right, 2});
+  CHECK(placeOf(inBody("tail", 2, 0)) == rig::LimbPlace{rig::LimbKind::tail, rig::LimbSide::middle, 0});
+  CHECK_FALSE(placeOf(inBody("tail", 3, 0)));
+  CHECK_FALSE(placeOf(inBody("leg", -1, 1)));
+  CHECK_FALSE(placeOf(inBody("leg", 0, -1)));
+  CHECK_FALSE(placeOf(inBody("branch", 0, 1)));
+  const std::vector<rig::LimbPlace> numbered{rig::biped::leftArm,  rig::biped::rightArm, rig::biped::leftLeg,
+                                             rig::biped::rightLeg, rig::biped::spine,    rig::biped::neck,
+                                             rig::LimbPlace{}};
+  for (std::size_t number = 0; number < numbered.size(); ++number) {
+    CAPTURE(number);
+    CHECK(placeOf(number) == numbered[number]);
+  }
+  CHECK_FALSE(placeOf(7));
+  CHECK_FALSE(placeOf(-1));
 }
