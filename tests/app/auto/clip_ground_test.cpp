@@ -63,6 +63,12 @@ TEST_CASE(
     CHECK(*floorOf(dips(share)) == Approx(floor * height).margin(1e-6));
   }
   CHECK_FALSE(floorOf([](int frame) { return frame > 11 ? 1.0 + 0.1 * frame : 1.0; }));
+  // Up and down by less than a hundredth of the height they still do.
+  const auto bobs = [&](double share) {
+    return [=](int frame) { return 1.0 + share * height * (frame % 3 - 1); };
+  };
+  CHECK(floorOf(bobs(0.008)));
+  CHECK_FALSE(floorOf(bobs(0.012)));
   // Without legs nothing slides.
   Document legless = swaying(dips(0.0));
   std::erase_if(legless.body.limbs, [](const rig::Limb& limb) { return isLeg(limb); });
@@ -127,6 +133,9 @@ TEST_CASE(
   CHECK(isLoop(goesRoundTo(24)));
   CHECK(isLoop(goesRoundTo(22)));
   CHECK_FALSE(isLoop(goesRoundTo(21)));
+  // A clip of one frame has no course that could go on.
+  CHECK(isLoop({{0, 0.0}, {2, 0.05}}));
+  CHECK_FALSE(isLoop({{0, 0.0}, {1, 0.05}}));
 }
 
 TEST_CASE(

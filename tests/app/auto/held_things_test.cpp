@@ -155,6 +155,8 @@ TEST_CASE("A hand holds what is near it, stays as far from it for three frames a
   CHECK(passing(5, 8) ==
         Keys{firmness(0.0, 0.0), firmness(5.0, 1.0), firmness(8.0, 1.0), firmness(11.0, 0.0)});
   CHECK(passing(5, 7).empty());
+  CHECK(passing(14, 18) == // The clip ends before the hand has let go.
+        Keys{firmness(0.0, 0.0), firmness(14.0, 1.0), firmness(18.0, 1.0), firmness(20.0, 0.0)});
   // The arm turns by 0.08 radians a frame at first: within three it goes 0.24 of its length, within four
   // 0.32.
   CHECK(passing(0, 3).empty());

@@ -475,6 +475,8 @@ TEST_CASE("The spine goes along with a strike of a limb on it, pulled the limb's
   CHECK(trails({stroke("spine", 0, 10, 9.0)}) == 1);
   CHECK(trails({stroke("left-arm", 0, 10, 9.0), stroke("spine", 5, 15, 9.0)}) == 2);  // It has its own there,
   CHECK(trails({stroke("left-arm", 0, 10, 9.0), stroke("spine", 30, 40, 9.0)}) == 3); // and not there.
+  CHECK(trails({stroke("left-arm", 40, 50, 9.0), stroke("spine", 20, 30, 9.0)}) == 3); // It is back by then,
+  CHECK(trails({stroke("left-arm", 40, 50, 9.0), stroke("spine", 24, 34, 9.0)}) == 2); // and not yet.
   CHECK(trails({stroke("left-arm", 70, 85, 9.0)}) == 2);
   CHECK(trails({stroke("left-arm", 70, 86, 9.0)}) == 1); // Past the clip's end but two frames.
 }

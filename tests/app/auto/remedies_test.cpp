@@ -252,3 +252,15 @@ TEST_CASE(
   arm.plan.trails.front().follows = true;
   CHECK(excess() == Approx(0.3 + 0.3 / 0.6)); // of an arm of 0.6
 }
+
+TEST_CASE("A trail over a loop's first key starts a frame after that, wherever in the clip it stands") {
+  for (const auto& [firstKey, startFrame] :
+       {std::pair(0.0, 2.0), {0.5, 2.0}, {3.5, 5.0}, {16.5, 18.0}, {17.5, 2.0}}) {
+    CAPTURE(firstKey);
+    Tried arm("left-arm", 2, 20);
+    Clip clip = arm.document.clips->front();
+    clip.startSeconds = firstKey / clip.framesPerSecond;
+    arm.document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+    CHECK(arm.lowered(FaultKind::seam).startFrame == startFrame);
+  }
+}

@@ -53,3 +53,14 @@ TEST_CASE("A foot that slides slowly carries until the frame at which it is torn
     CHECK(slidesAt(ground, frame) == slides);
   }
 }
+
+TEST_CASE(
+    "A foot slides from where it is lower than a hundredth of the height, and is in the air before that") {
+  // At frame 1 it is 0.024 above the ground and at frame 2 it is 0.016, of a body of 1.8.
+  const Document document = sliding({-0.26, -0.22, -0.18, -0.14, -0.10, -0.06, -0.02, 0.02});
+  const ClipGround ground = clipGround(document, 0);
+  CHECK_FALSE(slidesAt(ground, 0.0));
+  CHECK_FALSE(slidesAt(ground, 1.0));
+  CHECK(slidesAt(ground, 2.0));
+  CHECK(slidesAt(ground, 7.0));
+}

@@ -218,13 +218,3 @@ TEST_CASE("A pose that cannot be removed says so") {
   pose.file = "/proc/version";
   CHECK_THAT(test::refusal(removePose(pose)), Catch::Contains("the pose cannot be removed"));
 }
-
-TEST_CASE("A file of a name has what every system lets it have, and a short name tells files of two folders "
-          "apart") {
-  CHECK(fileOfName("/poses", "a/b\\c:d*e?f\"g<h>i|j\tk l").string() == "/poses/a_b_c_d_e_f_g_h_i_j_k l.json");
-  const std::string name = nameFor("/takes/one/punch.glb");
-  CHECK_THAT(name, Catch::StartsWith("punch-"));
-  CHECK(name.size() == std::string("punch-").size() + 16);
-  CHECK(nameFor("/takes/two/../one/punch.glb") == name);
-  CHECK(nameFor("/takes/two/punch.glb") != name);
-}

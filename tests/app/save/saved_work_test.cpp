@@ -356,3 +356,13 @@ TEST_CASE("A limb is read by its kind, side and row, or by the number of a biped
   CHECK_FALSE(placeOf(7));
   CHECK_FALSE(placeOf(-1));
 }
+
+TEST_CASE("Limbs of a plan that this version does not know are read all the same") {
+  Json work = workOf(trailed());
+  work["plan"] = "centipede";
+  Document document = test::boxer();
+  const std::string plan = document.body.plan;
+  REQUIRE(restoreWork(work, document));
+  CHECK(document.body.plan == plan);
+  CHECK(document.trails == trailed().trails);
+}
