@@ -261,3 +261,30 @@ TEST_CASE("A body that morph targets may change is as far below the floor as one
   CHECK(morphed->result == Approx(plain->result).epsilon(1e-3));
   CHECK(morphed->source == Approx(plain->source).epsilon(1e-3).margin(1e-3));
 }
+
+TEST_CASE(
+    "What closes a loop worse is told from a thousandth of the height, half a degree and a hundredth of the "
+    "height a second on") {
+  const Document source = standing();
+  const double height = source.body.height;
+  const auto isTold = [&](const Document& result, const char* id) {
+    return told(worse(result, source), id).has_value();
+  };
+  const auto moved = [&](std::size_t keysBeforeLast, double by) {
+    return withTrack(source, guardClip, "Hips", Channel::translation, [&](Track& track) {
+      const std::size_t key = track.times.size() - 1 - keysBeforeLast;
+      setKey(track, key, keyOf(track, key) + Vec4(by, 0.0, 0.0, 0.0));
+    });
+  };
+  const auto turned = [&](double degrees) {
+    return withTrack(source, guardClip, "Head", Channel::rotation,
+                     [&](Track& track) { turnKey(track, track.times.size() - 1, degrees); });
+  };
+  CHECK(isTold(moved(0, 0.0011 * height), "loop-seam-place"));
+  CHECK_FALSE(isTold(moved(0, 0.0009 * height), "loop-seam-place"));
+  CHECK(isTold(turned(0.55), "loop-seam-turn"));
+  CHECK_FALSE(isTold(turned(0.45), "loop-seam-turn"));
+  // Of a frame of 1/24 s.
+  CHECK(isTold(moved(1, 0.011 * height / 24.0), "loop-seam-speed"));
+  CHECK_FALSE(isTold(moved(1, 0.009 * height / 24.0), "loop-seam-speed"));
+}
