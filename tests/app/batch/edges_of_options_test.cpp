@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/batch/options.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
@@ -89,4 +90,11 @@ TEST_CASE("Weight is given in the frames that a clip has, from its first to its 
   CHECK_THAT(told("60:61"), isOutside);
   CHECK_THAT(told("50:61"), Catch::Contains("the range is cut to the frames 50 to 60"));
   CHECK_THAT(told("0:60"), !Catch::Contains("the range"));
+}
+
+TEST_CASE("Moduli name the bones of a limb from 0 to its last one") {
+  CHECK(app::checkModuli({{0, 1, 5000.0}, {2, 2, 9000.0}}, 3, "moduli"));
+  const Status beyond = app::checkModuli({{0, 1, 5000.0}, {2, 3, 9000.0}}, 3, "moduli");
+  REQUIRE_FALSE(beyond);
+  CHECK(beyond.error().line() == "moduli: names bone 3, and the last one is 2; count bones from 0");
 }

@@ -366,3 +366,43 @@ TEST_CASE("Limbs of a plan that this version does not know are read all the same
   CHECK(document.body.plan == plan);
   CHECK(document.trails == trailed().trails);
 }
+
+TEST_CASE("A limb is refused by any part that the file's skeleton cannot have, and taken up to that") {
+  const Json work = workOf(trailed());
+  const auto isTaken = [&](const char* key, const Json& value) {
+    Json changed = work;
+    changed["limbs"][0][key] = value;
+    Document document = test::boxer();
+    return test::refusal(restoreWork(changed, document)) == "accepted";
+  };
+  const int nodes = static_cast<int>(test::boxer().scene->nodes.size());
+  CHECK(isTaken("end", nodes - 1));
+  CHECK(isTaken("end", -1)); // It ends in no joint.
+  CHECK_FALSE(isTaken("end", nodes));
+  CHECK(isTaken("joints", Json::array({nodes - 1})));
+  CHECK_FALSE(isTaken("joints", Json::array({nodes})));
+  CHECK_FALSE(isTaken("joints", Json::array({-1})));
+  CHECK_FALSE(isTaken("joints", Json::array()));
+  CHECK(isTaken("rest_length", 0.001));
+  CHECK_FALSE(isTaken("rest_length", -0.1));
+  CHECK_FALSE(isTaken("end_offset", Json::array({1.0, 2.0})));
+}
+
+TEST_CASE("A rate is refused of a clip that is not there or has one, and where nothing can play so fast") {
+  const auto told = [](const Json& rates) {
+    Json work = workOf(trailed());
+    work["rates"] = rates;
+    Document document = test::boxer();
+    return test::refusal(restoreWork(work, document));
+  };
+  const auto rate = [](int clip, double framesPerSecond) {
+    return Json{{"clip", clip}, {"frames_per_second", framesPerSecond}};
+  };
+  CHECK(told(Json::array({rate(0, 12.0)})) == "accepted");
+  for (const Json& wrong :
+       {Json::array({rate(1, 12.0)}), Json::array({rate(-1, 12.0)}), Json::array({rate(0, 1000001.0)}),
+        Json::array({rate(0, -12.0)}), Json::array({rate(0, 12.0), rate(0, 24.0)})}) {
+    CAPTURE(wrong.dump());
+    CHECK_THAT(told(wrong), Catch::StartsWith("rates: "));
+  }
+}
