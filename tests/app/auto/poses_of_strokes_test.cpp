@@ -84,7 +84,7 @@ struct PosedLimb {
   [[nodiscard]] Vec2 all() const { return {0.0, ground.lastFrame}; }
 };
 
-/// An arm whose hand goes away from the body by a metre from frame 0 to 1, at ten frames a second, and is so
+/// An arm whose hand goes away from the body by a metre from frame 0 to 1, at 10 fps, and is so
 /// far from it on each frame after that.
 struct ReachingArm : PosedLimb {
   explicit ReachingArm(const std::vector<double>& after) : PosedLimb(rig::LimbKind::arm, posesOf(after)) {

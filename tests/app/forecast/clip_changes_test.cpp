@@ -233,7 +233,7 @@ TEST_CASE(
     const std::optional<ClipChange> speed = told(worse(result, source), "loop-seam-speed");
     return speed ? speed->result - speed->source : 0.0;
   };
-  const double once = 100.0 * 0.02 * 24.0 / source.body.height; // at 24 frames a second
+  const double once = 100.0 * 0.02 * 24.0 / source.body.height; // at 24 fps
   CHECK(turns(0.02, 0.0) == Approx(once).epsilon(1e-3));
   CHECK(turns(0.0, 0.02) == Approx(once).epsilon(1e-3));
   CHECK(turns(0.02, 0.02) == Approx(2.0 * once).epsilon(1e-3));
