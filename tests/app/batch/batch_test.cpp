@@ -33,6 +33,9 @@ TEST_CASE("A command is taken apart as a shell does") {
   CHECK(commandWords("info my\\ file ''").value() == Words{"info", "my file", ""});
   CHECK(commandWords("info 'a\\b' a#b").value() == Words{"info", "a\\b", "a#b"});
   CHECK(commandWords("info a.glb\r").value() == Words{"info", "a.glb"});
+  CHECK(commandWords("trail a.glb --clip #1").value() == Words{"trail", "a.glb", "--clip", "#1"});
+  CHECK(commandWords("info a\\").value() == Words{"info", "a\\"}); // before nothing
+  CHECK(commandWords("info ''b'c'\"d\"").value() == Words{"info", "bcd"});
   CHECK(commandWords("# a remark").value().empty());
   CHECK(commandWords("   ").value().empty());
   CHECK(test::refusal(commandWords("info 'a")).find("is not closed") != std::string::npos);
