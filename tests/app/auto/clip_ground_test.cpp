@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/auto/clip_ground.h"
 #include "tests/support/app/auto_clips.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -155,4 +157,17 @@ TEST_CASE(
   CHECK(nearlyMeets({"right-arm"}, 0.44)); // The hand is 0.26 away, and the body 1.8 high.
   CHECK_FALSE(nearlyMeets({"right-arm"}, 0.47));
   CHECK_FALSE(nearlyMeets({"right-arm", "left-arm"}, 0.44)); // Two of five limbs.
+}
+
+TEST_CASE(
+    "Trails and weight that a clip has already are no part of the ground that new ones are measured on") {
+  const Document boxer = test::boxer();
+  Document worked = test::withNewTrail(boxer, {.startFrame = 0.0, .endFrame = 10.0, .scale = 2.0});
+  WeightedLimb weight;
+  weight.limb = "left-arm";
+  worked.weights.push_back(weight);
+  REQUIRE(worked.trails.size() == 1);
+  const ClipGround ground = clipGround(boxer, 0);
+  CHECK(clipGround(worked, 0).places == ground.places);
+  CHECK(glm::length(ground.reachOf("left-arm", 10.0)) == Approx(0.6));
 }

@@ -179,6 +179,12 @@ TEST_CASE("Keys that change the hemisphere are counted") {
   const std::optional<ClipChange> flips = told(worse(result, source), "hemisphere-flips");
   REQUIRE(flips);
   CHECK(flips->result - flips->source == 2.0);
+  const Document once = withTrack(source, guardClip, "Spine", Channel::rotation, [](Track& track) {
+    setKey(track, track.times.size() - 1, -keyOf(track, track.times.size() - 1));
+  });
+  const std::optional<ClipChange> one = told(worse(once, source), "hemisphere-flips");
+  REQUIRE(one);
+  CHECK(one->result - one->source == 1.0);
 }
 
 TEST_CASE("Clips are compared by their names, wherever they stand, and one that is gone with none") {

@@ -308,6 +308,7 @@ TEST_CASE(
     const Vec3 moved = rest + Vec3(share * glm::length(rest), 0.0, 0.0);
     const Document document = withPunchTrack(bone, Channel::translation, {moved, rest});
     CHECK(findingsOf(document, "unity-generic", "translation-of-mapped-bones").empty());
+    CHECK(findingsOf(document, "unity-humanoid", "scale-of-mapped-bones").empty());
     return !findingsOf(document, "unity-humanoid", "translation-of-mapped-bones").empty();
   };
   for (const char* const held :
@@ -330,6 +331,7 @@ TEST_CASE(
     REQUIRE(found.size() == 1);
     CHECK(found[0].what.starts_with("Unity, humanoid rig leaves out 1 channels that scale mapped bones ("));
     CHECK(findingsOf(document, "unity-generic", "scale-of-mapped-bones").empty());
+    CHECK(findingsOf(document, "unity-humanoid", "translation-of-mapped-bones").empty());
   }
 }
 

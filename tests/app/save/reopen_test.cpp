@@ -11,7 +11,9 @@
 #include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
+#include "app/files/saved_work.h"
 #include "core/base/file.h"
+#include "core/gltf/json/json.h"
 #include "core/scene/bind_chains.h"
 #include "rig/limb.h"
 #include "tests/support/temporary_folder.h"
@@ -225,4 +227,24 @@ TEST_CASE("An arm that ends in no joint is stretched from where a clean file has
   CHECK(worstDifference(before, stretched(before, {"left-arm", 21.0, 27.0, 1.0})) < 1e-6);
   const Document again = stretched(before, {"left-arm", 21.0, 27.0, 1.5});
   CHECK(armLength(again, 27.0) == Approx(1.5 * armLength(before, 27.0)).epsilon(1e-4));
+}
+
+TEST_CASE("A file whose work is of a later version opens without it, and says so") {
+  const test::TemporaryFolder folder;
+  const Document before = stretched(opened(dummyPath), {"left-arm", 12.0, 27.0, 2.0});
+  const Document own = opened(saved(before, folder / "own.glb"));
+  CHECK(own.carriedWork);
+  CHECK(own.warnings.empty());
+  gltf::Json work = workOf(before);
+  work["version"] = 2;
+  gltf::Edits edits = editsOf(before, {}).edits;
+  edits.work = work;
+  REQUIRE(saveEdits(before, edits, folder / "later.glb"));
+  const Document later = opened(folder / "later.glb");
+  CHECK_FALSE(later.carriedWork);
+  CHECK(later.trails.empty());
+  REQUIRE(later.warnings.size() == 1);
+  CHECK_THAT(later.warnings[0],
+             Catch::StartsWith("the work kept in the file could not be taken up: extras.stretch_engine: "
+                               "this program does not know this version of the work"));
 }
