@@ -101,6 +101,39 @@ TEST_CASE("A series of parts of frames holds its last one, and each picture has 
   CHECK(ui::numberedName("a/s.png", 2.5) == "a/s-0002.500.png");
 }
 
+TEST_CASE("A series steps forwards, over a hundred thousand and one pictures at most") {
+  CHECK_FALSE(ui::parseFrames("0:3:0"));
+  CHECK_FALSE(ui::parseFrames("0:3:-1"));
+  CHECK_FALSE(ui::parseFrames("3:0"));
+  CHECK(ui::parseFrames("5:5").value() == std::vector<double>{5.0});
+  CHECK(ui::parseFrames("1:6:2").value() == std::vector<double>{1.0, 3.0, 5.0});
+  CHECK(ui::parseFrames("0:100000").value().size() == 100001);
+  const Result<std::vector<double>> tooMany = ui::parseFrames("0:100001");
+  REQUIRE_FALSE(tooMany);
+  CHECK_THAT(tooMany.error().line(), Catch::Contains("100002 pictures are too many"));
+}
+
+TEST_CASE("A picture has 16 to 8192 pixels along each side") {
+  const test::TemporaryFolder folder;
+  constexpr int noSuchFile = 1;
+  constexpr int wrongArgument = 2;
+  for (const auto& [size, exitCode] : std::vector<std::pair<std::string, int>>{{"16x16", noSuchFile},
+                                                                               {"8192x16", noSuchFile},
+                                                                               {"16x8192", noSuchFile},
+                                                                               {"15x16", wrongArgument},
+                                                                               {"16x15", wrongArgument},
+                                                                               {"8193x16", wrongArgument},
+                                                                               {"16x8193", wrongArgument},
+                                                                               {"16", wrongArgument},
+                                                                               {"16x", wrongArgument},
+                                                                               {"16x16x16", wrongArgument}}) {
+    CAPTURE(size);
+    const std::string output = (folder / "r.png").string();
+    CHECK(test::runVerb({"render", "none.glb", "-o", output, "--size", size}, {ui::renderVerb()}).exitCode ==
+          exitCode);
+  }
+}
+
 TEST_CASE("render looks at the place of a picture or a video before it draws") {
   const test::TemporaryFolder folder;
   const auto told = [&](const std::vector<std::string>& words) {

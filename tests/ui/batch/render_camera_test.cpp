@@ -155,6 +155,72 @@ TEST_CASE("two files stand side by side: the source on the left is the source al
   CHECK(halfOf(ui::readImage(folder / "out.png").value(), true) == halfOf(same, true));
 }
 
+TEST_CASE("each picture of a long series beside another file is that of its frame") {
+  const test::TemporaryFolder folder;
+  const std::string file = test::boxerWithCameras(folder);
+  const auto drawSeries = [&](const std::string& name, const std::string& frames) {
+    fs::create_directories(folder / name);
+    const test::VerbAnswer answer =
+        render({file, "-o", (folder / (name + "/s.png")).string(), "--size", "64x32", "--camera", "Side",
+                "--beside", file, "--frames", frames});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+  };
+  // More than the 32 pictures that are drawn of one file before the other has its turn.
+  drawSeries("long", "0:33");
+  drawSeries("short", "31:33");
+  CHECK(std::distance(fs::directory_iterator(folder / "long"), fs::directory_iterator()) == 34);
+  for (const char* const picture : {"/s-0031.png", "/s-0032.png", "/s-0033.png"}) {
+    CAPTURE(picture);
+    CHECK(readFile(folder / (std::string("long") + picture)).value() ==
+          readFile(folder / (std::string("short") + picture)).value());
+  }
+}
+
+TEST_CASE("a contact sheet without frames shows twelve over the whole clip, its first and last among them") {
+  const test::TemporaryFolder folder;
+  const std::string file = test::boxerWithCameras(folder);
+  const auto cellsOf = [&](const std::vector<std::string>& frames, std::size_t count) {
+    std::vector<std::string> words{"--sheet", "--camera", "Side"};
+    words.insert(words.end(), frames.begin(), frames.end());
+    REQUIRE_FALSE(drawn(file, folder, words).empty());
+    const Image sheet = ui::readImage(folder / "out.png").value();
+    const ui::SheetLayout layout = ui::layOutSheet(count, 160, 90, 0);
+    REQUIRE((sheet.width == layout.widthPixels && sheet.height == layout.heightPixels));
+    std::vector<std::vector<std::uint8_t>> cells;
+    for (std::size_t i = 0; i < count; ++i) {
+      Image cell = ui::filled(160, 90, glm::vec3(0.0F));
+      ui::paste(cell, sheet, -layout.left(i), -layout.top(i));
+      cells.push_back(cell.rgba);
+    }
+    return cells;
+  };
+  const auto whole = cellsOf({}, 12);
+  const auto ends = cellsOf({"--frames", "0:60:60"}, 2);
+  CHECK(whole[0] == ends[0]);
+  CHECK(whole[11] == ends[1]);
+  CHECK(whole[5] == cellsOf({"--frames", "27:28"}, 2)[0]); // five elevenths of 60, as a whole frame
+}
+
+TEST_CASE("what a file does not have is refused by its name, and nothing is drawn") {
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const std::string thing = STRETCH_SOURCE_DIR "/tests/ui/things/bat.gltf"; // without a clip
+  const std::string cameras = test::boxerWithCameras(folder);
+  const std::string out = (folder / "out.png").string();
+  for (const auto& [words, reason] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{dummy, "--weights", "Tail"}, "--weights: no mesh follows a joint 'Tail'"},
+           {{thing, "--beside", dummy}, "bat.gltf: has no clip to show beside another"},
+           {{cameras, "--camera", "Side", "--beside", dummy}, "dummy.glb: has no camera 'Side'"}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"-o", out, "--size", "32x32"});
+    const test::VerbAnswer answer = render(all);
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains(reason));
+  }
+  CHECK_FALSE(fs::exists(out));
+}
+
 TEST_CASE("a video has every frame of the clip at its speed, and leaves nothing when it cannot be made") {
   if (!hasFfmpeg()) {
     WARN("skipped: ffmpeg is not installed");

@@ -154,6 +154,21 @@ TEST_CASE("looks that a clip from a file cannot show are refused in one line") {
   CHECK(files.answerTo({files.frames(), "--clip", "walk"}).exitCode == 1);
 }
 
+TEST_CASE("what only characters have is refused to a mesh sequence, each by itself") {
+  const TubeFiles files;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--clip", "walk"},
+                                                {"--trails", "punch.json"},
+                                                {"--ghosts", "1"},
+                                                {"--camera", "Side"},
+                                                {"--beside", "dummy.glb"},
+                                                {"--view", "best"}}) {
+    CAPTURE(words);
+    const test::VerbAnswer answer = files.answerTo({files.frames(), words[0], words[1]});
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains("a mesh sequence has no clips"));
+  }
+}
+
 TEST_CASE("a picture that is too small for its legend is drawn all the same") {
   const TubeFiles files;
   const test::VerbAnswer answer =
