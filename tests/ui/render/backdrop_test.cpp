@@ -6,7 +6,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/temporary_folder.h"
 #include "ui/render/gl/offscreen_context.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/render/picture/viewport_renderer.h"
 #include "ui/viewport/shown/shown_reference.h"
 
@@ -74,6 +76,22 @@ TEST_CASE("A reference stands behind the character, or half as high at the left 
   CHECK(placed(ReferencePlace::right, 2.0).across == 1.0);
   CHECK(placed(ReferencePlace::right, 2.0).height == 1.0);
   CHECK(placed(ReferencePlace::right, 2.0).opacity == 0.25);
+}
+
+TEST_CASE("A reference of more than 2048 pixels along a side is read smaller, but never to nothing") {
+  const test::TemporaryFolder folder;
+  const auto sizeRead = [&](int width, int height) {
+    REQUIRE(writePng(folder / "image.png", filled(width, height, glm::vec3(0.5F))));
+    const Result<Image> image = readReferenceImage(folder / "image.png");
+    REQUIRE(image);
+    return glm::ivec2(image->width, image->height);
+  };
+  CHECK(sizeRead(2048, 4) == glm::ivec2(2048, 4));
+  CHECK(sizeRead(2050, 4) == glm::ivec2(1025, 2));
+  CHECK(sizeRead(4, 2050) == glm::ivec2(2, 1025));
+  CHECK(sizeRead(4098, 6) == glm::ivec2(1366, 2));
+  CHECK(sizeRead(4098, 2) == glm::ivec2(2049, 1)); // A third of it would leave no line.
+  CHECK_FALSE(readReferenceImage(folder / "none.png"));
 }
 
 TEST_CASE("The image is upright, covers the background where it stands, and nothing beside it") {

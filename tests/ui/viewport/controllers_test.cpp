@@ -179,6 +179,35 @@ TEST_CASE("The mouse turns a controller about the ring that it holds, more than 
   finishTool(boxer.session, boxer.tool, false);
 }
 
+TEST_CASE("A ring that is seen from behind turns the other way, and one from its edge along the drag") {
+  PosedBoxer boxer;
+  app::selectController(boxer.session, "spine-top", false);
+  Camera camera;
+  camera.target = Vec3(0.0, 1.0, 0.0);
+  camera.projection = ProjectionKind::orthographic;
+  camera.yawRadians = pi;
+  const View behind = makeView(camera, {800.0, 600.0, 1.0});
+  const auto turnedBy = [&](const View& view, int axis, const Vec2& from, const Vec2& to) {
+    REQUIRE(startControllerTool(boxer.session, boxer.tool,
+                                {app::PullMotion::turn, {axis, false, false}, from, true}));
+    REQUIRE(moveToolMouse(boxer.session, boxer.tool, view, to));
+    const double radians = std::get<ControllerTool>(boxer.tool).modal.mouseRadians;
+    finishTool(boxer.session, boxer.tool, false);
+    return radians;
+  };
+  const Vec3 place = boxer.place("spine-top");
+  // A quarter, to the left as it is seen: from the right up.
+  for (const View& view : {boxersFront(), behind}) {
+    const Vec2 centre = projectToPixels(view, place)->pixels;
+    const double facing = view.forward.z < 0.0 ? 1.0 : -1.0;
+    CHECK(turnedBy(view, 2, centre + Vec2(60.0, 0.0), centre - Vec2(0.0, 60.0)) == Approx(facing * 0.5 * pi));
+  }
+  // The front of a ring about the upright axis goes along with the mouse, a radian on 66 points.
+  const Vec2 centre = projectToPixels(boxersFront(), place)->pixels;
+  CHECK(turnedBy(boxersFront(), 1, centre, centre + Vec2(66.0, 0.0)) == Approx(1.0).epsilon(0.01));
+  CHECK(turnedBy(boxersFront(), 0, centre, centre + Vec2(0.0, 66.0)) == Approx(1.0).epsilon(0.01));
+}
+
 TEST_CASE("With auto-key off what is moved is shown and not keyed, and Escape restores it") {
   PosedBoxer boxer;
   boxer.session.view().autoKey = false;

@@ -6,10 +6,13 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
+#include "tests/support/ui/work.h"
 #include "ui/viewport/cube_marker.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_legend.h"
@@ -225,4 +228,108 @@ TEST_CASE("The legend explains the selected trail first, in its colour, and show
   REQUIRE(other.width() > 0.0F);
   CHECK(own.min.x < other.min.x);
   CHECK(own.min.y == other.min.y);
+}
+
+TEST_CASE(
+    "A pin stands at the place that is held, its head above it, while it holds and not over the original") {
+  OverPicture stage(test::PanelDriver::bundledCharacter());
+  app::selectLimb(stage.session(), "left-arm", false);
+  app::setRangeByHand(stage.session(), {20.0, 30.0});
+  stage.session().view().frame = 25.0;
+  test::run({stage.open, stage.ui, stage.status}, app::command::holdPin);
+  const auto pinAt = [&](double frame) {
+    stage.session().view().frame = frame;
+    stage.draw();
+    return stage.items.find("viewport/pin/left-arm");
+  };
+  CHECK(pinAt(2.0) == nullptr);
+  CHECK(pinAt(58.0) == nullptr);
+  const Item* const pin = pinAt(25.0);
+  REQUIRE(pin != nullptr);
+  const auto& pins = stage.session().motion().holds.pins;
+  REQUIRE((pins.size() == 1 && pins.front()));
+  const auto held = placeOf(stage.viewport, pins.front()->place.position);
+  REQUIRE(held);
+  CHECK(pin->centre().x == Approx(held->x + stage.theme.px(7.0F)).margin(0.5));
+  CHECK(pin->centre().y == Approx(held->y - stage.theme.px(15.0F)).margin(0.5));
+  // Held wholly it is drawn in full: a round head of nine pixels.
+  CHECK(stage.areaOf(stage.theme.colours.accent) == Approx(pi * 4.5 * 4.5).epsilon(0.15));
+  stage.session().view().showOriginal = true;
+  CHECK(pinAt(25.0) == nullptr);
+}
+
+TEST_CASE("What lies beside or above the picture of the file's camera is dimmed, its safe part is outlined") {
+  OverPicture stage(test::boxer());
+  const ImU32 dim = faded(stage.theme.colours.background, 0.6F);
+  const auto isSafePart = [&](const ImVec2& low, const ImVec2& high) {
+    const Item* const safe = stage.items.find("viewport/safe-frame");
+    REQUIRE(safe != nullptr);
+    CHECK(safe->min.x == Approx(low.x));
+    CHECK(safe->min.y == Approx(low.y));
+    CHECK(safe->max.x == Approx(high.x));
+    CHECK(safe->max.y == Approx(high.y));
+  };
+  stage.draw();
+  CHECK(stage.items.find("viewport/safe-frame") == nullptr);
+  stage.ui.overlays.safeFrame = true;
+  stage.draw();
+  CHECK(stage.areaOf(dim) == 0.0);
+  isSafePart({40.0F, 30.0F}, {760.0F, 570.0F});
+  ThroughCamera& camera = stage.viewport.look.through.emplace();
+  camera.lens.aspect = 1.0; // 600 of 800 wide
+  stage.draw();
+  CHECK(stage.areaOf(dim) == Approx(200.0 * 600.0));
+  isSafePart({130.0F, 30.0F}, {670.0F, 570.0F});
+  camera.lens.aspect = 2.0; // 400 of 600 high
+  stage.draw();
+  CHECK(stage.areaOf(dim) == Approx(800.0 * 200.0));
+  isSafePart({40.0F, 120.0F}, {760.0F, 480.0F});
+  camera.lens.aspect.reset();
+  stage.draw();
+  CHECK(stage.areaOf(dim) == 0.0);
+}
+
+TEST_CASE("The box of a selection lies between the press and the mouse, whichever way it is drawn") {
+  OverPicture stage(test::boxer());
+  const ImU32 inside = faded(stage.theme.colours.accent, 0.15F);
+  stage.viewport.pressPixels = Vec2(300.0, 150.0);
+  stage.viewport.mousePixels = Vec2(100.0, 400.0);
+  stage.draw();
+  CHECK(stage.areaOf(inside) == 0.0);
+  stage.viewport.gesture = ViewportGesture::boxSelect;
+  const double pixelsPerUnit = GENERATE(1.0, 2.0);
+  stage.viewport.pixelsPerUnit = pixelsPerUnit;
+  stage.draw();
+  const Rect box = stage.boxOf(inside);
+  CHECK(double(box.min.x) == Approx(100.0 / pixelsPerUnit));
+  CHECK(double(box.min.y) == Approx(150.0 / pixelsPerUnit));
+  CHECK(double(box.max.x) == Approx(300.0 / pixelsPerUnit));
+  CHECK(double(box.max.y) == Approx(400.0 / pixelsPerUnit));
+}
+
+TEST_CASE("The circle around a pulled sphere is as large as the reach of its pull, and goes along") {
+  OverPicture stage(test::boxer());
+  const ImU32 colour = faded(stage.theme.colours.accent, 0.7F);
+  GrabTool grab;
+  grab.anchor = Vec3(0.2, 1.3, 0.0);
+  grab.modal.mouseWorld = Vec3(0.1, 0.2, 0.0);
+  stage.tool = grab;
+  stage.draw();
+  CHECK(stage.areaOf(colour) == 0.0); // It pulls itself alone.
+  grab.falloffRadius = 0.25;
+  stage.tool = grab;
+  stage.draw();
+  const Vec3 middle(0.3, 1.5, 0.0);
+  const auto place = placeOf(stage.viewport, middle);
+  REQUIRE(place);
+  const Rect circle = stage.boxOf(colour);
+  const double across = 2.0 * 0.25 / unitsPerPixel(stage.viewport.view, middle);
+  CHECK(double(circle.width()) == Approx(across).margin(2.5));
+  CHECK(double(circle.height()) == Approx(across).margin(2.5));
+  CHECK(circle.centre().x == Approx(place->x).margin(1.0));
+  CHECK(circle.centre().y == Approx(place->y).margin(1.0));
+  grab.tangent.emplace();
+  stage.tool = grab;
+  stage.draw();
+  CHECK(stage.areaOf(colour) == 0.0); // A tangent has no neighbours.
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/skinning/bodies.h"
+#include "tests/support/skinning/shapes.h"
 #include "tests/support/ui/gui_stage.h"
 #include "ui/render/scene/value_colors.h"
 #include "ui/viewport/segment_shapes.h"
@@ -61,6 +62,96 @@ TEST_CASE("while a sequence plays its vertices move, and nothing else is uploade
   stage.open.sequence()->view().look = app::SequenceLook::segments;
   stage.showViewport();
   CHECK(gpu.uploaded.get() != scene);
+}
+
+TEST_CASE("the original and the result are shown each by itself, and the result goes when it is taken back") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 264.0F, 240.0F);
+  stage.open.open(tubeDocument(true));
+  app::SequenceSession& session = *stage.open.sequence();
+  session.view().look = app::SequenceLook::compare;
+  const auto meshesShown = [&] {
+    stage.showViewport();
+    return painter.viewportGpu().uploaded->meshes.size();
+  };
+  CHECK(meshesShown() == 2);
+  session.view().showOriginal = false;
+  CHECK(meshesShown() == 1);
+  session.view().showOriginal = true;
+  CHECK(meshesShown() == 2);
+  session.view().showSkinned = false;
+  CHECK(meshesShown() == 1);
+  session.view().showSkinned = true;
+  CHECK(meshesShown() == 2);
+  app::SequenceDocument without = session.document();
+  without.result = nullptr;
+  session.edit(std::move(without), "Forget the result");
+  CHECK(meshesShown() == 1);
+}
+
+TEST_CASE("a sequence is framed with all of its frames in the picture, and a small margin") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 264.0F, 240.0F);
+  stage.open.open(tubeDocument(false));
+  const bool all = GENERATE(false, true);
+  stage.viewport.framePending = all;
+  stage.viewport.frameSelectionPending = !all;
+  stage.showViewport();
+  const app::SequenceAnalysis& analysis = *stage.open.sequence()->document().analysis;
+  const View& view = stage.viewport.view;
+  double farthest = 0.0; // of a corner from the picture's middle, in parts of its sides
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 point((corner & 1U) != 0 ? analysis.high.x : analysis.low.x,
+                     (corner & 2U) != 0 ? analysis.high.y : analysis.low.y,
+                     (corner & 4U) != 0 ? analysis.high.z : analysis.low.z);
+    const Vec2 pixels = projectToPixels(view, point).value().pixels;
+    farthest = std::max({farthest, std::abs(pixels.x / view.viewport.widthPixels - 0.5),
+                         std::abs(pixels.y / view.viewport.heightPixels - 0.5)});
+  }
+  CHECK(farthest == Approx(0.44));
+}
+
+TEST_CASE("the cylinders of a centre line lie along it in each frame") {
+  const app::SequenceDocument document = tubeDocument(false);
+  const SegmentCylinders cylinders(*document.analysis, nullptr);
+  for (const std::size_t frame : {0U, 7U}) {
+    CAPTURE(frame);
+    const std::vector<Vec3>& joints = document.analysis->joints[frame];
+    REQUIRE(joints.size() == cylinders.count() + 1);
+    const PlainMesh mesh = cylinders.meshAt(frame);
+    const std::size_t each = mesh.positions.size() / cylinders.count();
+    for (const std::size_t segment : {std::size_t{0}, std::size_t{12}, cylinders.count() - 1}) {
+      Vec3 sum(0.0);
+      for (std::size_t v = segment * each; v < (segment + 1) * each; ++v) {
+        sum += Vec3(mesh.positions[v]);
+      }
+      const Vec3 middle = 0.5 * (joints[segment] + joints[segment + 1]);
+      CHECK(glm::distance(sum / static_cast<double>(each), middle) < 1e-4);
+    }
+  }
+  CHECK(glm::distance(document.analysis->joints[0].back(), document.analysis->joints[7].back()) > 0.1);
+}
+
+TEST_CASE("errors of a clip that was read are coloured up to three times their root mean square") {
+  const MeshSequence body = test::still(test::box({3, 4, 12}, 1.0)); // whose diagonal is 13
+  MeshSequence moved = body;
+  for (glm::vec3& place : moved.positions) {
+    place.y += 0.1F;
+  }
+  app::SequenceView view;
+  view.look = app::SequenceLook::error;
+  const SequencePicture picture({std::make_shared<const MeshSequence>(body), nullptr, nullptr,
+                                 std::make_shared<const MeshSequence>(moved)},
+                                view);
+  REQUIRE(picture.legend());
+  CHECK(picture.legend()->high == "0.3 units and more");
+  CHECK(picture.legend()->detail == "2.31 % of the diagonal");
+  const SceneShape shape = picture.shapeAt(0);
+  REQUIRE(shape.size() == 1);
+  REQUIRE(shape[0].colors.size() == body.vertexCount);
+  for (const glm::vec4& color : shape[0].colors) {
+    CHECK(glm::distance(color, valueColor(ValueScale::error, 1.0 / 3.0)) < 1e-3F);
+  }
 }
 
 TEST_CASE("the segments of a body are cylinders as wide as it is, and stretch as its bones do") {

@@ -131,6 +131,23 @@ TEST_CASE("An axis handle moves along its axis only, the wheel takes the neighbo
   CHECK(stage.settings().spheres.empty());
 }
 
+TEST_CASE("The wheel widens a pull up to ten heights of the character, and gives it up below a fiftieth") {
+  Stage stage; // The boxer is 1.8 high.
+  REQUIRE(startExaggerate(stage.session, stage.tool));
+  stage.type("Enter");
+  stage.session.view().selection.editTrails().spheres = {5.0};
+  REQUIRE(startGrab(stage.session, stage.tool, {{100.0, 100.0}, 5.0, std::nullopt, true, 0.0}));
+  const auto radiusAfter = [&](double steps) {
+    REQUIRE(turnFalloff(stage.session, stage.tool, steps));
+    return std::get<GrabTool>(stage.tool).falloffRadius;
+  };
+  CHECK(radiusAfter(1.0) == Approx(0.02 * 1.8 * 1.2)); // It begins at the least one.
+  CHECK(radiusAfter(2.0) == Approx(0.02 * 1.8 * 1.2 * 1.2 * 1.2));
+  CHECK(radiusAfter(100.0) == Approx(18.0));
+  CHECK(radiusAfter(-1.0) == Approx(15.0));
+  CHECK(radiusAfter(-100.0) == 0.0);
+}
+
 TEST_CASE("Grab by keys: G X 0.2 Enter") {
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
