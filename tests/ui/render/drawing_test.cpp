@@ -81,6 +81,44 @@ TEST_CASE("Outside its window a trail fades out") {
   CHECK(overlay.lines[1].points.back().color.a == 0.0F);
 }
 
+TEST_CASE("A trail is whole within its window, and fades over half a window beside it") {
+  TrailPicture trail = straightTrail();
+  trail.samplesPerFrame = 1;
+  trail.currentSample = 0.0;
+  trail.windowSamples = 4.0;
+  const Overlay overlay = drawTrail(someView, trail);
+  REQUIRE(overlay.markers.size() == 20); // Nine for each path, the original first, and the playhead on both.
+  const std::vector<float> opacities{1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 0.5F, 0.0F, 0.0F, 0.0F};
+  for (std::size_t sample = 0; sample < opacities.size(); ++sample) {
+    CAPTURE(sample);
+    CHECK(overlay.markers[sample].fill.a == Approx(opacities[sample]).margin(1e-6));
+  }
+}
+
+TEST_CASE("Spheres keep apart on the screen, and shrink far from the playhead, but not where one is meant") {
+  const Vec3 place(0.0, 1.0, 0.0);
+  const Vec3 tenPixels(10.0 * unitsPerPixel(someView, place), 0.0, 0.0);
+  const auto radii = [&](const std::vector<TrailSphere>& spheres) {
+    TrailPicture trail;
+    trail.spheres = spheres;
+    std::vector<double> found;
+    for (const Marker& mark : drawTrail(someView, trail, {.sphereRadiusPoints = 8.0F}).markers) {
+      found.push_back(static_cast<double>(mark.radiusPoints));
+    }
+    return found;
+  };
+  const auto lone = radii({{place}});
+  REQUIRE(lone.size() == 1);
+  CHECK(lone[0] == Approx(8.0));
+  CHECK(radii({{place, false, false, false}})[0] == Approx(0.6 * 8.0));
+  // Two and their gap have ten points together.
+  const auto close = radii({{place}, {place + tenPixels, true}, {place - tenPixels, false, true}});
+  REQUIRE(close.size() == 3);
+  CHECK(close[0] == Approx(4.5).epsilon(1e-3));
+  CHECK(close[1] == Approx(1.25 * 8.0));
+  CHECK(close[2] == Approx(1.15 * 8.0));
+}
+
 TEST_CASE("A trail of one point or none is drawn without harm") {
   TrailPicture trail;
   CHECK(drawTrail(someView, trail).markers.empty());
@@ -190,6 +228,69 @@ TEST_CASE("The floor under a shadow reaches from the feet to the shadow's end") 
   CHECK(area.centre.x + area.halfSize.x > 0.3 + 1.8);
 }
 
+TEST_CASE("The floor under a shadow is square, and lies about the feet and the shadow's end") {
+  Box box;
+  box.add({-0.3, 0.0, -0.2});
+  box.add({0.3, 1.8, 0.2});
+  const Vec3 towardsLight = glm::normalize(Vec3(0.0, 1.0, -1.0)); // Shadows are as long as things are high.
+  const double floorHeight = GENERATE(0.0, -1.0);
+  const double end = 0.2 + 1.8 - floorHeight;
+  const FloorArea area = shadowedFloor(box, floorHeight, towardsLight);
+  CHECK(area.centre.x == Approx(0.0).margin(1e-12));
+  CHECK(area.centre.y == Approx(0.5 * (-0.2 + end)));
+  CHECK(area.halfSize.y == Approx((0.5 + 0.14) * (0.2 + end))); // With a margin for the blur.
+  CHECK(area.halfSize.x == area.halfSize.y);
+}
+
+TEST_CASE("The camera at the light sees the whole box and little beside it, the lit side nearest") {
+  Box box;
+  box.add({-0.4, 0.2, -0.3});
+  box.add({0.5, 1.8, 0.2});
+  const Vec3 towardsLight = glm::normalize(Vec3(-0.55, 1.15, 0.75));
+  const Mat4 projection = lightProjection(box, towardsLight);
+  Box seen;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 point((corner & 1U) != 0 ? box.maximum.x : box.minimum.x,
+                     (corner & 2U) != 0 ? box.maximum.y : box.minimum.y,
+                     (corner & 4U) != 0 ? box.maximum.z : box.minimum.z);
+    seen.add(Vec3(projection * Vec4(point, 1.0)));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    CHECK(seen.minimum[axis] == Approx(-1.0 / 1.04)); // A fiftieth of it stays free at each end.
+    CHECK(seen.maximum[axis] == Approx(1.0 / 1.04));
+  }
+  const Vec3 lit(box.minimum.x, box.maximum.y, box.maximum.z);
+  CHECK((projection * Vec4(lit, 1.0)).z == Approx(-1.0 / 1.04));
+}
+
+TEST_CASE(
+    "Arrows reach from foot to tip, with a head as large as asked for, and the farthest is drawn first") {
+  const Arrow near{{0.0, 1.0, 1.0}, {0.0, 2.0, 1.0}, glm::vec4(1.0F, 0.0F, 0.0F, 1.0F), 3.0F, 13.0F};
+  const Arrow far{{0.0, 1.0, -1.0}, {0.0, 2.0, -1.0}, glm::vec4(0.0F, 0.0F, 1.0F, 1.0F), 3.0F, 13.0F};
+  const std::vector<SolidVertex> vertices = arrowMeshes(someView, std::vector<Arrow>{near, far});
+  REQUIRE_FALSE(vertices.empty());
+  CHECK(vertices.front().color == far.color);
+  CHECK(vertices.back().color == near.color);
+  const auto boxOf = [](const std::vector<SolidVertex>& corners) {
+    Box box;
+    for (const SolidVertex& corner : corners) {
+      box.add(Vec3(corner.position) + someView.eye);
+    }
+    return box;
+  };
+  const Box whole = boxOf(arrowMeshes(someView, std::vector<Arrow>{near}));
+  CHECK(whole.minimum.y == Approx(1.0).epsilon(1e-5));
+  CHECK(whole.maximum.y == Approx(2.0).epsilon(1e-5));
+  const double point = unitsPerPixel(someView, near.from);
+  CHECK(whole.size().x == Approx(2.0 * 0.38 * 13.0 * point).epsilon(1e-3)); // Its head, the widest part.
+  Arrow stub = near; // Shorter than its head: nothing of it stands out at its foot.
+  stub.to = near.from + Vec3(0.0, 5.0 * point, 0.0);
+  const Box head = boxOf(arrowMeshes(someView, std::vector<Arrow>{stub}));
+  CHECK(head.minimum.y == Approx(1.0).epsilon(1e-5));
+  CHECK(head.size().x == Approx(2.0 * 0.38 * 5.0 * point).epsilon(1e-3));
+}
+
 TEST_CASE("Arrows are closed solids whose faces look outwards") {
   const std::vector<Arrow> arrows{{{0.0, 1.0, 0.0}, {0.0, 2.0, 0.0}, glm::vec4(1.0F), 3.0F, 13.0F}};
   const std::vector<SolidVertex> vertices = arrowMeshes(someView, arrows);
@@ -221,6 +322,31 @@ TEST_CASE("Quality falls when frames stay slow, rises when they stay fast, and d
   CHECK(fast.level() == highestQualityLevel);
   fast.frameTook(0.2);
   CHECK(fast.level() == highestQualityLevel);
+}
+
+TEST_CASE("The sixth slow frame in a row lowers the quality, the ninetieth fast one raises it") {
+  const auto take = [](QualityGovernor& governor, int frames, double seconds) {
+    for (int i = 0; i < frames; ++i) {
+      governor.frameTook(seconds);
+    }
+    return governor.level();
+  };
+  constexpr double slow = 1.0 / 20.0;
+  constexpr double usual = 1.0 / 60.0;
+  constexpr double fast = 1.0 / 120.0;
+  QualityGovernor falling(2);
+  CHECK(take(falling, 5, slow) == 2);
+  CHECK(take(falling, 1, usual) == 2); // It begins anew.
+  CHECK(take(falling, 5, slow) == 2);
+  CHECK(take(falling, 1, slow) == 1);
+  CHECK(take(falling, 5, slow) == 1);
+  CHECK(take(falling, 1, slow) == 0);
+  QualityGovernor rising(1);
+  CHECK(take(rising, 89, fast) == 1);
+  CHECK(take(rising, 1, usual) == 1);
+  CHECK(take(rising, 89, fast) == 1);
+  CHECK(take(rising, 1, fast) == 2);
+  CHECK(take(rising, 1000, usual) == 2);
 }
 
 TEST_CASE("Renderers that draw in software are told from graphics cards by their name") {

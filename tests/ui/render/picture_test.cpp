@@ -229,6 +229,26 @@ TEST_CASE("Sheets come out about square, whatever the shape of their pictures") 
   CHECK(layOutSheet(1, 100, 100, 0).widthPixels == 100);
 }
 
+TEST_CASE("A sheet has at least one picture, and at most 16384 pixels along each side") {
+  CHECK(checkSheet({.widthPixels = 16384, .heightPixels = 16384}, 1));
+  CHECK_FALSE(checkSheet({.widthPixels = 16385, .heightPixels = 16384}, 1));
+  CHECK_FALSE(checkSheet({.widthPixels = 16384, .heightPixels = 16385}, 1));
+  CHECK_FALSE(checkSheet({.widthPixels = 16, .heightPixels = 16}, 0));
+  const SheetLayout layout = layOutSheet(7, 100, 50, 3);
+  CHECK((layout.widthPixels == 304 && layout.heightPixels == 154)); // two pixels between three by three
+  CHECK((layout.left(5) == 204 && layout.top(5) == 52));
+}
+
+TEST_CASE("Reducing a picture rounds to the nearest, and leaves out what makes no whole block") {
+  Image image = filled(5, 3, glm::vec3(0.0F));
+  image.rgba[0] = 1; // Of four: a quarter is nothing, a half is one.
+  image.rgba[8] = 2;
+  const Image half = reduced(image, 2);
+  CHECK((half.width == 2 && half.height == 1));
+  CHECK(half.rgba[0] == 0);
+  CHECK(half.rgba[4] == 1);
+}
+
 TEST_CASE("Reducing a picture averages its blocks") {
   Image image = filled(4, 2, glm::vec3(0.0F));
   image.rgba[0] = 200;

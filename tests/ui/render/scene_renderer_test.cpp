@@ -183,6 +183,66 @@ TEST_CASE("Of a blended surface with two sides the far side is seen through the 
   CHECK(middleOf(scene).g > 115); // half of the white, not a quarter of it
 }
 
+TEST_CASE("Of two see-through things the near one is seen over the far one, whichever the file has first") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  const auto seen = [](bool nearFirst) {
+    Scene scene = triangleScene();
+    scene.materials[0].alphaMode = AlphaMode::blend;
+    scene.materials[0].baseColor = {0.0F, 0.0F, 1.0F, 0.5F};
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].baseColor = {1.0F, 0.0F, 0.0F, 0.5F};
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes[1].primitives[0].material = 1;
+    scene.nodes.push_back(scene.nodes[0]);
+    scene.roots.emplace_back(1);
+    scene.nodes[0].mesh = nearFirst ? 0 : 1; // The blue one is near.
+    scene.nodes[1].mesh = nearFirst ? 1 : 0;
+    scene.nodes[0].rest.translation.z = nearFirst ? 0.5 : -0.5;
+    scene.nodes[1].rest.translation.z = nearFirst ? -0.5 : 0.5;
+    return middleOf(scene);
+  };
+  CHECK(seen(true).b > seen(true).r + 20);
+  CHECK(seen(true) == seen(false));
+}
+
+TEST_CASE("What no root of the scene leads to is not drawn, what hangs below one is") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.roots.clear();
+  CHECK(middleOf(scene).r < 80);
+  Node group;
+  group.children.emplace_back(0);
+  scene.nodes.push_back(group);
+  scene.nodes[0].parent = NodeIndex(1);
+  scene.roots.emplace_back(1);
+  CHECK(middleOf(scene).r == 255);
+}
+
+TEST_CASE("Seen from the front the floor is a line at its height") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  const Scene empty;
+  const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
+  SceneStyle style = plainStyle();
+  style.measures.floorHeight = GENERATE(0.0, 0.6);
+  style.measures.characterHeight = 1.8;
+  const FrameState frame = frameOf(empty, restPose(empty), 0.0);
+  const Image without = pictureOf(empty, frame, view, style);
+  style.floor = true;
+  const Image with = pictureOf(empty, frame, view, style);
+  const double wanted = projectToPixels(view, {0.0, style.measures.floorHeight, 0.0})->pixels.y;
+  int rows = 0;
+  for (int y = 0; y < 64; ++y) {
+    const bool isDrawn = !isNear(colorAt(with, 32, y), colorAt(without, 32, y));
+    rows += isDrawn ? 1 : 0;
+    CAPTURE(y, wanted);
+    CHECK((!isDrawn || std::abs(y + 0.5 - wanted) < 2.0));
+  }
+  CHECK(rows > 0);
+}
+
 TEST_CASE("An opaque material shows no alpha") {
   const auto context = OffscreenContext::create();
   REQUIRE(context);

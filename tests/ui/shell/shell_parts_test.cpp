@@ -151,6 +151,24 @@ TEST_CASE("Every setting of the view is remembered") {
   }
 }
 
+TEST_CASE("Panes and a window of settings that no screen has are brought to the nearest that one has") {
+  UiState ui;
+  PaneSizes panes;
+  WindowMemory window;
+  readSettings(R"({"panes": {"left": 5000, "right": 1, "bottom": 901, "graph": -3},
+                   "window": {"width": 10, "height": 99999}})",
+               ui, panes, window);
+  CHECK(panes.left == 900.0F);
+  CHECK(panes.right == smallestPane);
+  CHECK(panes.bottom == 900.0F);
+  CHECK(panes.graph == 0.0F); // As high as the window makes it.
+  CHECK(window.width == 320);
+  CHECK(window.height == 16384);
+  readSettings(R"({"window": {"width": 99999, "height": 10}})", ui, panes, window);
+  CHECK(window.width == 16384);
+  CHECK(window.height == 240);
+}
+
 TEST_CASE("Settings of earlier versions name theme and navigation by number") {
   UiState ui;
   PaneSizes panes;
