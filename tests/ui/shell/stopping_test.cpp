@@ -184,6 +184,67 @@ TEST_CASE("A clip for a character that is not open any more is told and left out
         "dummy_swing.glb was for a character that is not open any more");
 }
 
+namespace {
+
+/// Another character in place of the one that is open, as its file would be opened.
+void openLeap(Working& working) {
+  Result<app::Document> other = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy_leap.glb");
+  REQUIRE(other);
+  working.shell.open.open(app::Opened{std::move(*other)});
+}
+
+} // namespace
+
+TEST_CASE("Weights and locators that are ready when another character is open are left out", "[jobs]") {
+  const bool binds = GENERATE(false, true);
+  Working working(binds ? test::PanelDriver::bundledCharacter() : statue());
+  runCommand(working.shell, binds ? command::bindMesh : command::locatorsFit);
+  REQUIRE(isBusy(working.shell));
+  openLeap(working);
+  working.waitUntilDone();
+  CHECK_FALSE(working.session().history().canUndo());
+  CHECK(working.shell.ui.toasts.empty());
+}
+
+TEST_CASE("Locators that are found while something is dragged come in when the drag is over", "[jobs]") {
+  Working working(statue());
+  runCommand(working.shell, command::locatorsFit);
+  app::Session& session = *working.shell.open.character();
+  session.begin("Drag");
+  while (!working.shell.beside.fitting.job->isFinished()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  updateFitting(working.shell);
+  CHECK(session.isDragging());
+  CHECK(working.shell.beside.fitting.job != nullptr);
+  session.cancel();
+  updateFitting(working.shell);
+  CHECK(working.shell.beside.fitting.job == nullptr);
+  CHECK(session.document().locators.list.size() == 22);
+  CHECK(session.history().undoLabel() == "Fit locators");
+}
+
+TEST_CASE("Weights that are ready while something is dragged come in when the drag is over", "[jobs]") {
+  Working working(test::PanelDriver::bundledCharacter());
+  app::Session& session = *working.shell.open.character();
+  const auto source = session.document().source;
+  working.press("Ctrl+B");
+  session.begin("Drag");
+  while (!working.shell.beside.binding.job->isFinished()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  updateBinding(working.shell);
+  CHECK(session.isDragging());
+  CHECK(session.document().source == source);
+  session.cancel();
+  updateBinding(working.shell);
+  CHECK(session.document().source != source);
+  CHECK(session.history().undoLabel() == "Bind again");
+  REQUIRE_FALSE(working.shell.ui.toasts.empty());
+  CHECK_THAT(working.shell.ui.toasts.front().text,
+             Catch::StartsWith("Bound: ") && Catch::EndsWith("Undo (Ctrl+Z) brings them back"));
+}
+
 TEST_CASE("The panel of a mesh fits the locators of the body that is chosen, and undo takes them back",
           "[locators][panels]") {
   Working editor(statue(test::tubeInsect(4)));

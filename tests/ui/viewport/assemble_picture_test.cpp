@@ -183,6 +183,64 @@ TEST_CASE("Spheres stand on the selected trail only, handles on its last selecte
   CHECK(held.trails.at(0).path.spheres.at(1).selected);
 }
 
+TEST_CASE(
+    "A trail stands out while it is selected or under the mouse, but not an applied one that is selected") {
+  BoxersWindow window;
+  const int trail = window.session.document().trails.front().id;
+  const auto standsOut = [&] { return window.picture().trails.at(0).style.emphasised; };
+  CHECK_FALSE(standsOut());
+  window.viewport.hoveredTrail = trail;
+  CHECK(standsOut());
+  window.viewport.hoveredTrail = 0;
+  app::selectTrail(window.session, trail);
+  CHECK(standsOut());
+  app::Document document = window.session.document();
+  document.trails.front().applied = true;
+  window.session.edit(document, "Apply");
+  CHECK_FALSE(standsOut());
+  window.viewport.hoveredTrail = trail;
+  CHECK(standsOut());
+}
+
+TEST_CASE("The pose at a trail's tip is one ghost more, in a colour of its own") {
+  BoxersWindow window; // at 30 frames a second
+  window.viewport.tipFrame = 12.0;
+  const std::vector<Ghost> ghosts = window.picture().ghosts;
+  REQUIRE(ghosts.size() == 1);
+  CHECK(ghosts[0].frame.timeSeconds == Approx(12.0 / 30.0));
+  CHECK(glm::vec3(ghosts[0].tint) == glm::vec3(darkPalette().ghostTip));
+  window.viewport.tipFrame = 21.0; // The clip ends at 20.
+  CHECK(window.picture().ghosts.empty());
+}
+
+TEST_CASE("The way of a moment that is pointed at is drawn beside the trails, with its end as the tip") {
+  BoxersWindow window;
+  REQUIRE(window.picture().trails.size() == 1);
+  window.viewport.shown.momentPath = {{0.0, 1.0, 0.0}, {0.5, 1.0, 0.0}, {1.0, 1.5, 0.0}};
+  const std::vector<StyledTrail> trails = window.picture().trails;
+  REQUIRE(trails.size() == 2);
+  CHECK(trails[1].path.original == window.viewport.shown.momentPath);
+  CHECK(trails[1].path.exaggerated == window.viewport.shown.momentPath);
+  CHECK(trails[1].path.tip == Vec3(1.0, 1.5, 0.0));
+}
+
+TEST_CASE("The selected limb lights up in full, the one under the mouse less, and no other") {
+  BoxersWindow window;
+  const Scene& scene = *window.session.document().scene;
+  const auto lightOf = [&](const char* joint) {
+    return window.picture().style.highlight.at(at(nodeNamed(scene, joint)));
+  };
+  window.viewport.hoveredLimb = "left-arm";
+  const float hovered = lightOf("LeftForeArm");
+  CHECK((hovered > 0.0F && hovered < 1.0F));
+  CHECK(lightOf("RightForeArm") == 0.0F);
+  app::selectLimb(window.session, "left-arm", false);
+  CHECK(lightOf("LeftForeArm") == 1.0F); // Under the mouse it does not fade.
+  window.viewport.hoveredLimb = "right-arm";
+  CHECK(lightOf("LeftForeArm") == 1.0F);
+  CHECK(lightOf("RightForeArm") == hovered);
+}
+
 TEST_CASE("The original beside the work has neither trails nor ghosts nor skeleton, but the same look") {
   BoxersWindow window;
   window.overlays.ghosts = true;

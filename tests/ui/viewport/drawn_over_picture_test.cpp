@@ -333,3 +333,34 @@ TEST_CASE("The circle around a pulled sphere is as large as the reach of its pul
   stage.draw();
   CHECK(stage.areaOf(colour) == 0.0); // A tangent has no neighbours.
 }
+
+TEST_CASE("The end of a tangent that is pulled stays under the mouse, the other one where it was") {
+  OverPicture stage(test::boxer());
+  const Vec3 sphere(0.2, 1.4, 0.0);
+  const Vec3 tipBefore(0.0, 1.4, 0.0);
+  const Vec3 tipAfter(0.4, 1.4, 0.0);
+  stage.viewport.tangents.handles = {{{.frames = -2.0, .sphereWorld = sphere}, tipBefore},
+                                     {{.frames = 2.0, .sphereWorld = sphere}, tipAfter}};
+  const auto stands = [&](const char* id, const Vec3& world) {
+    CAPTURE(id);
+    const Item* const item = stage.items.find(id);
+    const auto place = placeOf(stage.viewport, world);
+    REQUIRE((item != nullptr && place));
+    CHECK(item->centre().x == Approx(place->x).margin(0.5));
+    CHECK(item->centre().y == Approx(place->y).margin(0.5));
+  };
+  stage.draw();
+  stands("viewport/tangent/before", tipBefore);
+  stands("viewport/tangent/after", tipAfter);
+  const Vec3 pulled(0.05, 0.3, 0.0);
+  for (const bool after : {false, true}) {
+    GrabTool grab;
+    grab.tangent = stage.viewport.tangents.handles[after ? 1 : 0].handle;
+    grab.anchor = after ? tipAfter : tipBefore;
+    grab.modal.mouseWorld = pulled;
+    stage.tool = grab;
+    stage.draw();
+    stands("viewport/tangent/before", after ? tipBefore : tipBefore + pulled);
+    stands("viewport/tangent/after", after ? tipAfter + pulled : tipAfter);
+  }
+}

@@ -132,6 +132,22 @@ TEST_CASE("the cylinders of a centre line lie along it in each frame") {
   CHECK(glm::distance(document.analysis->joints[0].back(), document.analysis->joints[7].back()) > 0.1);
 }
 
+TEST_CASE("the bones of a centre line are drawn from joint to joint, each joint once") {
+  const app::SequenceDocument document = tubeDocument(false);
+  const std::vector<Vec3>& joints = document.analysis->joints[7];
+  const Overlay overlay = drawBones(contentOf(document), 7, darkPalette());
+  REQUIRE(overlay.lines.size() == joints.size() - 1);
+  REQUIRE(overlay.markers.size() == joints.size());
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+    const std::vector<LinePoint>& bone = overlay.lines[i].points;
+    REQUIRE(bone.size() == 2);
+    CHECK((bone[0].world == joints[i] && bone[1].world == joints[i + 1]));
+    CHECK(bone[1].widthPoints < bone[0].widthPoints); // It tapers away from its joint.
+    CHECK(overlay.markers[i].world == joints[i]);
+  }
+  CHECK(overlay.markers.back().world == joints.back());
+}
+
 TEST_CASE("errors of a clip that was read are coloured up to three times their root mean square") {
   const MeshSequence body = test::still(test::box({3, 4, 12}, 1.0)); // whose diagonal is 13
   MeshSequence moved = body;

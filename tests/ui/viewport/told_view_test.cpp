@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/files/save.h"
+#include "tests/support/app/camera_file.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/render/picking/picking.h"
@@ -89,4 +91,49 @@ TEST_CASE("The colours of a stretch are explained at length, in one row where th
   CHECK(row.x < whole.x);
   CHECK(legendAt(std::ceil(1.5F * row.x) + 2.0F).y == row.y);
   CHECK(legendAt(std::floor(1.5F * row.x) - 2.0F).x == 0.0F);
+}
+
+TEST_CASE(
+    "A camera of the file is looked through where it stands at the playhead, one that is gone no longer") {
+  const test::TemporaryFolder folder;
+  Result<app::Document> document = app::openDocument(test::boxerWithCameras(folder));
+  REQUIRE(document);
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 320.0F, 240.0F);
+  stage.open.open(std::move(document).value());
+  stage.viewport.look.name = "Front"; // which comes from the side to the front until frame 27
+  const auto eyeAt = [&](double frame) {
+    stage.open.character()->view().frame = frame;
+    stage.showViewport();
+    REQUIRE(stage.viewport.look.through);
+    CHECK(glm::distance(stage.open.character()->view().camera.position, stage.viewport.view.eye) < 1e-9);
+    return stage.viewport.view.eye;
+  };
+  CHECK(glm::distance(eyeAt(0.0), Vec3(4.0, 1.2, 0.5)) < 1e-5);
+  CHECK(glm::distance(eyeAt(27.0), Vec3(0.0, 1.2, 5.0)) < 1e-5);
+  stage.viewport.framePending = true; // Framing is done by the view's own camera.
+  stage.showViewport();
+  CHECK(stage.viewport.look.name.empty());
+  CHECK_FALSE(stage.viewport.look.through);
+  stage.viewport.look.name = "Shot";
+  stage.showViewport();
+  CHECK(stage.viewport.look.name.empty());
+}
+
+TEST_CASE(
+    "What a camera of the file looks at is as far as the hips, or half the character's height near them") {
+  const test::TemporaryFolder folder;
+  const Result<app::Document> document = app::openDocument(test::boxerWithCameras(folder));
+  REQUIRE(document);
+  app::Session session(*document);
+  const FrameState& frame = session.shownAt(0.0);
+  SceneCamera camera = *cameraNamed(*document->scene, "Side");
+  const auto side = throughCamera(*document, camera, frame);
+  REQUIRE(side);
+  const Vec3 hips = positionOf(frame.worlds[at(document->body.hips)]);
+  CHECK(side->reach == Approx(glm::distance(hips, Vec3(4.0, 1.2, 0.5))).epsilon(1e-4));
+  camera.node = document->body.hips;
+  const auto inside = throughCamera(*document, camera, frame);
+  REQUIRE(inside);
+  CHECK(inside->reach == Approx(0.5 * document->body.height));
 }
