@@ -18,6 +18,7 @@
 #include "ui/batch/render_verb.h"
 #include "ui/batch/video_writer.h"
 #include "ui/render/picture/image_edits.h"
+#include "ui/render/picture/text.h"
 
 using namespace stretch;
 namespace fs = std::filesystem;
@@ -153,6 +154,25 @@ TEST_CASE("two files stand side by side: the source on the left is the source al
               .exitCode == 0);
   REQUIRE_FALSE(drawn(fast, folder, {"--frame", "54", "--no-trails", "--beside", dummy}).empty());
   CHECK(halfOf(ui::readImage(folder / "out.png").value(), true) == halfOf(same, true));
+}
+
+TEST_CASE("of two files beside each other the left one is told to be the one before") {
+  if (ui::TextFace(11).widthOf("before") == 0) {
+    return; // A system without any font writes nothing.
+  }
+  const test::TemporaryFolder folder;
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  REQUIRE_FALSE(drawn(dummy, folder, {"--frame", "0", "--beside", dummy}).empty());
+  const Image image = ui::readImage(folder / "out.png").value();
+  int differing = 0;
+  for (int y = 0; y < 30; ++y) { // where a label stands
+    for (int x = 0; x < image.width / 2 - 1; ++x) {
+      const std::size_t left = 4 * static_cast<std::size_t>(y * image.width + x);
+      const std::size_t right = left + 4 * static_cast<std::size_t>(image.width / 2 + 1);
+      differing += image.rgba[left] != image.rgba[right] ? 1 : 0;
+    }
+  }
+  CHECK(differing > 10);
 }
 
 TEST_CASE("each picture of a long series beside another file is that of its frame") {

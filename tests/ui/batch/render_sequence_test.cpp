@@ -9,6 +9,7 @@
 #include "tests/support/app/run_verb.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
+#include "tests/support/skinning/shapes.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/batch/render_verb.h"
 #include "ui/batch/sequence_pictures.h"
@@ -152,6 +153,24 @@ TEST_CASE("looks that a clip from a file cannot show are refused in one line") {
   CHECK(shaded.exitCode == 1);
   CHECK_THAT(shaded.told, Catch::Contains("--shade-as: a mesh sequence has no joints"));
   CHECK(files.answerTo({files.frames(), "--clip", "walk"}).exitCode == 1);
+}
+
+TEST_CASE("a look that a surface has nothing for is refused, and nothing is drawn") {
+  const test::TemporaryFolder folder;
+  MeshSequence sheet = test::still(test::plane(4, 0.0)); // which encloses nothing that were thick
+  const std::vector<glm::vec3> first = sheet.positions;
+  sheet.positions.insert(sheet.positions.end(), first.begin(), first.end());
+  test::writeObjFrames(sheet, folder / "sheet", "sheet");
+  const auto drawnAs = [&](const std::string& look) {
+    return test::runVerb({"render", (folder / "sheet").string(), "-o", (folder / (look + ".png")).string(),
+                          "--size", "32x32", "--look", look},
+                         {ui::renderVerb()});
+  };
+  CHECK(drawnAs("material").exitCode == 0);
+  const test::VerbAnswer refused = drawnAs("thickness");
+  CHECK(refused.exitCode == 1);
+  CHECK_THAT(refused.told, Catch::Contains("sheet: there is nothing to show for this look"));
+  CHECK_FALSE(std::filesystem::exists(folder / "thickness.png"));
 }
 
 TEST_CASE("what only characters have is refused to a mesh sequence, each by itself") {

@@ -183,6 +183,27 @@ TEST_CASE("The same picture twice has the same bytes") {
   CHECK(*encodePng(*first) == *encodePng(*second));
 }
 
+TEST_CASE("A standard view makes room for ghosts and for both paths of trails") {
+  const Scene scene = bipedScene();
+  PictureFrame picture = atRest(scene);
+  const Box alone = boxOfPictures(scene, std::vector<PictureFrame>{picture});
+  FrameState beside = picture.content.frame;
+  for (Mat4& world : beside.worlds) {
+    world[3].x += 3.0;
+  }
+  picture.content.ghosts = {{beside, glm::vec4(1.0F)}};
+  StyledTrail trail;
+  trail.path.original = {{0.0, 1.0, 0.0}, {-5.0, 1.0, 0.0}};
+  trail.path.exaggerated = {{0.0, 1.0, 0.0}, {0.0, 9.0, 4.0}};
+  picture.content.trails = {trail};
+  const Box box = boxOfPictures(scene, std::vector<PictureFrame>{atRest(scene), picture});
+  CHECK(box.maximum.x == Approx(alone.maximum.x + 3.0));
+  CHECK(box.minimum.x == -5.0);
+  CHECK(box.maximum.y == 9.0);
+  CHECK(box.maximum.z == 4.0);
+  CHECK(box.minimum.y == Approx(alone.minimum.y).margin(1e-9));
+}
+
 TEST_CASE("A contact sheet holds every picture in its cell") {
   const Scene scene = bipedScene();
   PictureOptions options = smallPicture(ViewDirection::front);

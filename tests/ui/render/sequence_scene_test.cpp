@@ -97,6 +97,25 @@ TEST_CASE("pictures of a sequence show the frames that were asked for, one scene
   CHECK(pictures->pictures[1].label == "frame 5");
 }
 
+TEST_CASE("a frame between two shows the nearer one, by whose number it is told beside others") {
+  const auto tube = std::make_shared<const MeshSequence>(test::shorteningTube(6, 2.0, 0.0, 0.0));
+  const SequenceContent content{tube, nullptr, nullptr, nullptr};
+  const auto labels = [&](const std::string& name, const std::vector<double>& frames) {
+    std::vector<std::string> found;
+    const auto drawn = picturesOfSequence(content, {}, {false, name}, frames, {});
+    REQUIRE(drawn);
+    for (const PictureFrame& picture : drawn->pictures) {
+      found.push_back(picture.label);
+    }
+    return found;
+  };
+  CHECK(labels("", {1.4, 2.6}) == std::vector<std::string>{"frame 1", "frame 3"});
+  CHECK(labels("mesh", {1.4, 5.4}) == std::vector<std::string>{"mesh, frame 1", "mesh, frame 5"});
+  CHECK(labels("mesh", {2.6}) == std::vector<std::string>{"mesh"});
+  CHECK(labels("", {2.6}) == std::vector<std::string>{""});
+  CHECK_FALSE(picturesOfSequence(content, {}, {}, {5.6}, {}));
+}
+
 TEST_CASE("frames that are not there and clips of other meshes are refused") {
   const auto tube = std::make_shared<const MeshSequence>(test::shorteningTube(6, 2.0, 0.0, 0.0));
   const auto shorter = std::make_shared<const MeshSequence>(test::shorteningTube(5, 2.0, 0.0, 0.0));

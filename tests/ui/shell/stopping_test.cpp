@@ -199,7 +199,7 @@ TEST_CASE("Weights and locators that are ready when another character is open ar
   const bool binds = GENERATE(false, true);
   Working working(binds ? test::PanelDriver::bundledCharacter() : statue());
   runCommand(working.shell, binds ? command::bindMesh : command::locatorsFit);
-  REQUIRE(isBusy(working.shell));
+  CHECK(statusOf(working.shell).busyText == (binds ? "Binding the mesh" : "Fitting locators"));
   openLeap(working);
   working.waitUntilDone();
   CHECK_FALSE(working.session().history().canUndo());

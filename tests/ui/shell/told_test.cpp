@@ -120,6 +120,32 @@ TEST_CASE("A playblast beside the original shows as much of either side as a pla
   CHECK(stage.isTold("Drawn: " + (folder / "both.png").string() + ", frames 26 to 27, beside the original"));
 }
 
+TEST_CASE("A playblast shows what the view shows: from its side, with skeleton, ghosts and safe frame") {
+  const test::TemporaryFolder folder;
+  Told stage;
+  app::setRangeByHand(stage.session(), {27.0, 27.0});
+  Shell& shell = stage.shell;
+  const auto filmed = [&](const std::string& name) {
+    startFilm(shell, folder / (name + ".png"));
+    while (shell.beside.film.job != nullptr) {
+      stage.settle();
+      updateFilm(shell);
+    }
+    const Result<Image> picture = readImage(folder / (name + "-0027.png"));
+    REQUIRE(picture);
+    return picture->rgba;
+  };
+  const std::vector<std::uint8_t> plain = filmed("plain");
+  for (bool* const shown :
+       {&shell.ui.overlays.skeleton, &shell.ui.overlays.ghosts, &shell.ui.overlays.safeFrame}) {
+    *shown = true;
+    CHECK(filmed("changed") != plain);
+    *shown = false;
+  }
+  shell.viewport.camera.yawRadians += 0.5;
+  CHECK(filmed("turned") != plain);
+}
+
 TEST_CASE("The original side of a playblast shows no pin") {
   const test::TemporaryFolder folder;
   Told stage;

@@ -236,6 +236,44 @@ TEST_CASE("Turning what only moves is refused with a line that says what turns")
   CHECK_FALSE(isRunning(boxer.tool));
 }
 
+TEST_CASE("Rings have room for half the way to the nearest other one, and are marked each by itself") {
+  const auto ringAt = [](const char* id, double x) {
+    ShownController shown;
+    shown.placed.id = id;
+    shown.picture.ring = Vec3(x, 1.0, 0.0);
+    return shown;
+  };
+  ShownController pole;
+  pole.placed.id = "pole";
+  pole.picture.knob = Vec3(0.1, 1.0, 0.0);
+  const std::vector<ControllerPicture> pictures =
+      controllerPictures({ringAt("a", 0.0), ringAt("b", 1.0), ringAt("c", 3.0), pole}, {"b"}, "c");
+  REQUIRE(pictures.size() == 4);
+  CHECK(pictures[0].ringRoom == 0.5);
+  CHECK(pictures[1].ringRoom == 0.5);
+  CHECK(pictures[2].ringRoom == 1.0);
+  CHECK_FALSE(pictures[3].ringRoom);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    CAPTURE(i);
+    CHECK(pictures[i].selected == (i == 1));
+    CHECK(pictures[i].hovered == (i == 2));
+  }
+  CHECK_FALSE(controllerPictures({ringAt("a", 0.0), pole}, {}, "")[0].ringRoom);
+}
+
+TEST_CASE("A box takes a controller on its edge, and none beside any of its sides") {
+  PosedBoxer boxer;
+  const View view = boxersFront();
+  const Vec2 hand = projectToPixels(view, boxer.place("left-hand"))->pixels;
+  const std::vector<ShownController> one{
+      *findShown(shownControllers(boxer.session, boxer.overlays), "left-hand")};
+  CHECK(controllersInBox(view, one, hand, hand).size() == 1);
+  for (const Vec2& aside : {Vec2(20.0, 0.0), Vec2(-20.0, 0.0), Vec2(0.0, 20.0), Vec2(0.0, -20.0)}) {
+    CAPTURE(aside.x, aside.y);
+    CHECK(controllersInBox(view, one, hand + aside - Vec2(10.0), hand + aside + Vec2(10.0)).empty());
+  }
+}
+
 TEST_CASE("A box selects the controllers that stand in it") {
   PosedBoxer boxer;
   const View view = boxersFront();

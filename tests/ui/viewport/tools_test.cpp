@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "app/commands/keys/keys.h"
 #include "app/commands/table/selection.h"
 #include "tests/support/app/boxer.h"
 #include "ui/viewport/tools.h"
@@ -146,6 +147,37 @@ TEST_CASE("The wheel widens a pull up to ten heights of the character, and gives
   CHECK(radiusAfter(100.0) == Approx(18.0));
   CHECK(radiusAfter(-1.0) == Approx(15.0));
   CHECK(radiusAfter(-100.0) == 0.0);
+}
+
+TEST_CASE("The mouse moves keys by its way from where it began, and scales them about the playhead") {
+  const auto begin = [](Stage& stage, app::KeysModal::Kind kind) {
+    const std::vector<app::KeyRow> rows = app::rowsOfSelection(stage.session);
+    app::pickKeys(stage.session, app::keysBetween(stage.session.document(), 0, rows, 4.0, 11.0), false);
+    app::KeysModal modal;
+    modal.kind = kind;
+    modal.valuesShown = false;
+    modal.aboutFrame = 6.0;
+    REQUIRE(startKeys(stage.session, stage.tool, modal));
+  };
+  const auto mouseAt = [](Stage& stage, double frame, double value) {
+    REQUIRE(moveKeysMouse(stage.session, stage.tool, {frame, value}));
+    return std::get<KeysTool>(stage.tool).modal;
+  };
+  Stage moving;
+  begin(moving, app::KeysModal::Kind::move);
+  CHECK(mouseAt(moving, 10.0, 0.5).mouseFrames == 0.0);
+  const app::KeysModal moved = mouseAt(moving, 13.0, 0.75);
+  CHECK(moved.mouseFrames == 3.0);
+  CHECK(moved.mouseValue == 0.25);
+  Stage scaling;
+  begin(scaling, app::KeysModal::Kind::scale);
+  CHECK(mouseAt(scaling, 10.0, 0.0).mouseFactor == Approx(1.0));
+  CHECK(mouseAt(scaling, 14.0, 0.0).mouseFactor == Approx(2.0));
+  CHECK(mouseAt(scaling, 8.0, 0.0).mouseFactor == Approx(0.5));
+  Stage atPlayhead; // There a frame of the mouse is a tenth.
+  begin(atPlayhead, app::KeysModal::Kind::scale);
+  CHECK(mouseAt(atPlayhead, 6.25, 0.0).mouseFactor == Approx(1.0));
+  CHECK(mouseAt(atPlayhead, 9.25, 0.0).mouseFactor == Approx(1.3));
 }
 
 TEST_CASE("Grab by keys: G X 0.2 Enter") {
