@@ -203,7 +203,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The pose at a trail's tip is one ghost more, in a colour of its own") {
-  BoxersWindow window; // at 30 frames a second
+  BoxersWindow window; // with 30 frames per second
   window.viewport.tipFrame = 12.0;
   const std::vector<Ghost> ghosts = window.picture().ghosts;
   REQUIRE(ghosts.size() == 1);
