@@ -53,6 +53,34 @@ TEST_CASE("In a small picture the handles are small enough to be seen whole") {
   }
 }
 
+TEST_CASE("While a handle is held the others step back, and the far half of a ring always does") {
+  const View view = seenFrom(5.0);
+  const auto alphas = [](const Polyline& line) {
+    const auto [least, most] =
+        std::minmax_element(line.points.begin(), line.points.end(),
+                            [](const LinePoint& a, const LinePoint& b) { return a.color.a < b.color.a; });
+    return std::pair(least->color.a, most->color.a);
+  };
+  // For each axis its ring, then its square; then the arrows.
+  const Overlay free = drawControllerHandles(view, {}, std::nullopt);
+  REQUIRE((free.lines.size() == 6 && free.arrows.size() == 3));
+  CHECK(alphas(free.lines[0]).second == 1.0F);
+  CHECK(alphas(free.lines[0]).first == Approx(0.22));
+  CHECK(alphas(free.lines[1]).first == 1.0F); // A square has no far half.
+  CHECK(free.arrows[0].color.a == 1.0F);
+  const Overlay ring = drawControllerHandles(view, {}, HandlePart{HandleKind::ring, 1});
+  CHECK(alphas(ring.lines[2]).second == 1.0F);
+  CHECK(ring.lines[2].points.front().widthPoints > ring.lines[0].points.front().widthPoints);
+  CHECK(alphas(ring.lines[0]).second == Approx(0.45));
+  CHECK(alphas(ring.lines[3]).second == Approx(0.45));
+  CHECK(ring.arrows[1].color.a == Approx(0.45));
+  const Overlay arrow = drawControllerHandles(view, {}, HandlePart{HandleKind::axis, 2});
+  CHECK(arrow.arrows[2].color.a == 1.0F);
+  CHECK(arrow.arrows[2].headPoints > arrow.arrows[0].headPoints);
+  CHECK(arrow.arrows[0].color.a == Approx(0.45));
+  CHECK(alphas(arrow.lines[4]).second == Approx(0.45)); // The ring about the same axis.
+}
+
 TEST_CASE("A controller has handles only for what it can do") {
   const auto count = [](bool moves, bool turns) { return partsOf({Vec3(0.0), moves, turns}).size(); };
   CHECK(count(true, true) == 9);

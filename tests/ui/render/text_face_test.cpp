@@ -29,6 +29,19 @@ Channels channelsOf(const Image& image) {
 
 } // namespace
 
+TEST_CASE(
+    "A letter of two bytes is one letter, and a byte that makes none is drawn as one that is not known") {
+  const TextFace face(64);
+  const int unknown = face.widthOf("\xEF\xBF\xBD");
+  if (unknown == 0) {
+    return; // A system without any font writes nothing.
+  }
+  CHECK(face.widthOf("\xC3\xA9") == face.widthOf("e")); // an e with an accent
+  CHECK(face.widthOf("I\xC3") == face.widthOf("I") + unknown);
+  CHECK(face.widthOf("\xA9I") == unknown + face.widthOf("I"));
+  CHECK(face.widthOf("\xF0\x9F\x98") == 3 * unknown);
+}
+
 TEST_CASE("Letters have the colour that they are asked for, over whatever lies under them") {
   const TextFace face(64);
   if (face.widthOf("I") == 0) {

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/command_ids.h"
+#include "app/files/user_poses.h"
 #include "tests/support/ui/editor_stage.h"
 #include "ui/render/picture/image_edits.h"
 #include "ui/shell/film_work.h"
@@ -53,6 +55,17 @@ TEST_CASE("While a playblast is drawn no other is begun, which is told, and the 
   CHECK(stage.timesTold("shot.mp4 is still being drawn") == 1);
   CHECK(stage.shell.beside.film.job.get() == first);
   CHECK(stage.shell.beside.film.path.filename() == "shot.mp4");
+}
+
+TEST_CASE(
+    "While a playblast is drawn no pose is kept, whose picture would be drawn beside it, which is told") {
+  EndlessFilm stage;
+  stage.run(app::command::poseKeep);
+  CHECK(std::ranges::any_of(stage.shell.ui.toasts, [](const Toast& toast) {
+    return toast.text.find("another picture is still being drawn") != std::string::npos;
+  }));
+  CHECK(app::posesIn(app::posesFolder()).poses.empty());
+  CHECK_FALSE(stage.shell.ui.body.library.open);
 }
 
 TEST_CASE("While the picture of a pose is drawn no playblast is begun, which is told") {

@@ -240,6 +240,21 @@ TEST_CASE("Where another file is opened the library is closed with what it tried
   CHECK(stage.session().document().adjustments.empty());
 }
 
+TEST_CASE("The library opens with whole poses, none of them mirrored or chosen, however it was left") {
+  Library stage;
+  stage.tryFirst();
+  REQUIRE(stage.library().chosen == 0);
+  stage.library().amount = 0.3;
+  stage.library().mirrored = true;
+  stage.pressWidgetKey(ImGuiKey_Escape);
+  stage.frames(3);
+  REQUIRE_FALSE(stage.library().open);
+  stage.open();
+  CHECK(stage.library().amount == 1.0);
+  CHECK_FALSE(stage.library().mirrored);
+  CHECK(stage.library().chosen == -1);
+}
+
 TEST_CASE("Page up and down change how far a pose is taken, and Space mirrors it") {
   Library stage;
   stage.tryFirst();
