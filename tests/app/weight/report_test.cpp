@@ -11,7 +11,7 @@ using namespace stretch::app;
 
 namespace {
 
-/// What is told of a clip of 30 frames a second whose bone has these factors, frame 0 first.
+/// What is told of a clip of 30 frames per second whose bone has these factors, frame 0 first.
 WeightReport reportOfBone(const std::vector<skinning::StretchFactors>& frames) {
   WeightReport report;
   report.limb = "left-arm";
