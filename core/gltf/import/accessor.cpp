@@ -69,16 +69,21 @@ void forEachComponent(const ElementRun& run, const AccessorShape& shape, Take&& 
 }
 
 template <typename Number, typename Convert>
-std::vector<Number> readAll(const Source& source, int accessor, Convert&& convert) {
+void readAll(const Source& source, int accessor, std::vector<Number>& values, Convert&& convert) {
   const std::optional<AccessorShape> shape = shapeOf(source, accessor);
   check(shape.has_value(), "only accessors of known shape are read");
   const auto width = static_cast<std::size_t>(shape->width);
-  std::vector<Number> values(shape->count * width);
+  const std::size_t count = shape->count * width;
   const std::optional<ElementRun> run = denseRun(source, accessor, *shape);
   constexpr auto own = std::is_same_v<Number, float> ? ComponentType::float32 : ComponentType::uint32;
-  if (run && shape->component == own && run->stride == width * sizeof(Number)) { // the numbers themselves
-    std::memcpy(values.data(), run->first, values.size() * sizeof(Number));
-  } else if (run) {
+  const bool isPlain = run && shape->component == own && run->stride == width * sizeof(Number);
+  if (isPlain) { // the numbers themselves
+    values.resize(count);
+    std::memcpy(values.data(), run->first, count * sizeof(Number));
+  } else {
+    values.assign(count, Number{});
+  }
+  if (run && !isPlain) {
     forEachComponent(*run, *shape,
                      [&](std::size_t element, std::size_t component, const std::uint8_t* bytes) {
                        values[element * width + component] = convert(bytes, *shape);
@@ -91,7 +96,6 @@ std::vector<Number> readAll(const Source& source, int accessor, Convert&& conver
                        values[targets[element] * width + component] = convert(bytes, *shape);
                      });
   }
-  return values;
 }
 
 } // namespace
@@ -104,16 +108,24 @@ std::vector<std::uint32_t> sparseTargets(const SparseRuns& sparse) {
   return targets;
 }
 
-std::vector<float> readFloats(const Source& source, int accessor) {
-  return readAll<float>(source, accessor, [](const std::uint8_t* bytes, const AccessorShape& shape) {
+void readFloats(const Source& source, int accessor, std::vector<float>& values) {
+  readAll(source, accessor, values, [](const std::uint8_t* bytes, const AccessorShape& shape) {
     return componentAsFloat(bytes, shape.component, shape.isNormalized);
   });
 }
 
+std::vector<float> readFloats(const Source& source, int accessor) {
+  std::vector<float> values;
+  readFloats(source, accessor, values);
+  return values;
+}
+
 std::vector<std::uint32_t> readIntegers(const Source& source, int accessor) {
-  return readAll<std::uint32_t>(source, accessor, [](const std::uint8_t* bytes, const AccessorShape& shape) {
+  std::vector<std::uint32_t> values;
+  readAll(source, accessor, values, [](const std::uint8_t* bytes, const AccessorShape& shape) {
     return componentAsInteger(bytes, shape.component);
   });
+  return values;
 }
 
 } // namespace stretch::gltf

@@ -46,6 +46,8 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
 
 /// All components as numbers; normalised integers become fractions. The accessor has to be validated.
 [[nodiscard]] std::vector<float> readFloats(const Source& source, int accessor);
+/// Likewise, in place of what `values` holds, in its memory where that is enough.
+void readFloats(const Source& source, int accessor, std::vector<float>& values);
 
 /// All components of an accessor of unsigned integers. The accessor has to be validated.
 [[nodiscard]] std::vector<std::uint32_t> readIntegers(const Source& source, int accessor);

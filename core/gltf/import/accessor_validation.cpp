@@ -190,14 +190,24 @@ struct Bounds {
   std::vector<float> most;
 };
 
-Bounds boundsOf(const std::vector<float>& values, std::size_t width) {
-  Bounds bounds{{values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)},
-                {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)}};
-  for (std::size_t element = 0; element < values.size(); element += width) {
-    for (std::size_t i = 0; i < width; ++i) {
-      bounds.least[i] = std::min(bounds.least[i], values[element + i]);
-      bounds.most[i] = std::max(bounds.most[i], values[element + i]);
+// Of each component; nothing where a value is no finite number. Component by component: opening a file asks
+// this for all that it holds.
+std::optional<Bounds> boundsOf(const std::vector<float>& values, std::size_t width) {
+  Bounds bounds;
+  for (std::size_t i = 0; i < width; ++i) {
+    float least = values[i];
+    float most = values[i];
+    bool areFinite = true;
+    for (std::size_t k = i; k < values.size(); k += width) {
+      areFinite = areFinite && std::isfinite(values[k]);
+      least = std::min(least, values[k]);
+      most = std::max(most, values[k]);
     }
+    if (!areFinite) {
+      return std::nullopt;
+    }
+    bounds.least.push_back(least);
+    bounds.most.push_back(most);
   }
   return bounds;
 }
@@ -223,22 +233,22 @@ struct AccessorUse {
   bool holdsWeights = false;
 };
 
-void validateValues(const Source& source, std::size_t index, const AccessorShape& shape,
-                    const AccessorUse& use, Problems& problems) {
+// `values`: of that accessor.
+void validateValues(const Source& source, std::size_t index, const std::vector<float>& values,
+                    const AccessorShape& shape, const AccessorUse& use, Problems& problems) {
   const Json& json = element(source.json, "accessors", index);
-  const std::vector<float> values = readFloats(source, static_cast<int>(index));
-  if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) {
+  const std::optional<Bounds> bounds = boundsOf(values, static_cast<std::size_t>(shape.width));
+  if (!bounds) {
     if (use.holdsWeights) {
       return;
     }
     problems.violation(at("accessors", index), "holds values that are no finite numbers");
     return;
   }
-  const Bounds bounds = boundsOf(values, static_cast<std::size_t>(shape.width));
   // What min and max mean for normalised integers is read both ways in the wild.
   const bool isComparable = !shape.isNormalized && !use.isRounded;
-  if (isComparable && (!agrees(numbersOf(json, "min"), bounds.least, bounds) ||
-                       !agrees(numbersOf(json, "max"), bounds.most, bounds))) {
+  if (isComparable && (!agrees(numbersOf(json, "min"), bounds->least, *bounds) ||
+                       !agrees(numbersOf(json, "max"), bounds->most, *bounds))) {
     problems.violation(at("accessors", index), "has a min or max that its values do not have");
   }
 }
@@ -296,10 +306,12 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
   // Weights that are no numbers are told where the mesh is read, which can do without.
   const std::set<int> weights = weightAccessors(source.json);
   DecodeBudget compared(source);
+  std::vector<float> values; // of one accessor after the other, in the same memory
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
     const std::optional<AccessorShape> shape = AccessorCheck(source, i, used[i], problems).run();
     if (shape && compared.take(shape->count * static_cast<std::size_t>(shape->width))) {
-      validateValues(source, i, *shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
+      readFloats(source, static_cast<int>(i), values);
+      validateValues(source, i, values, *shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
                      problems);
     }
   }
