@@ -25,8 +25,8 @@ app::Document withTrail() {
   return test::withNewTrail(PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
 }
 
-struct TrailPanels {
-  TrailPanels() : driver(withTrail()) {
+struct PanelsWithTrail {
+  PanelsWithTrail() : driver(withTrail()) {
     app::selectTrail(*driver.open.character(), trailId());
     driver.frames(2);
   }
@@ -87,7 +87,7 @@ TEST_CASE("A click on a limb that was not found asks for its joints") {
 }
 
 TEST_CASE("Dragging the scale is one undo step, however many frames it takes") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.drag("trail/scale", 40.0F, 0.0F);
   CHECK(panels.settings().scale > 2.2);
   CHECK_FALSE(panels.driver.open.character()->isDragging());
@@ -97,7 +97,7 @@ TEST_CASE("Dragging the scale is one undo step, however many frames it takes") {
 }
 
 TEST_CASE("Esc during a drag gives the value back and leaves no undo step") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.moveTo("trail/scale");
   panels.driver.pressMouse();
   panels.driver.moveBy(30.0F, 0.0F);
@@ -110,7 +110,7 @@ TEST_CASE("Esc during a drag gives the value back and leaves no undo step") {
 }
 
 TEST_CASE("A scale is typed after a double click, with a comma as well") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.doubleClick("trail/scale");
   panels.driver.type("3,25");
   panels.driver.pressKey(ImGuiKey_Enter);
@@ -122,14 +122,14 @@ TEST_CASE("A scale is typed after a double click, with a comma as well") {
 }
 
 TEST_CASE("A click that does not move changes nothing") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.click("trail/scale");
   CHECK(panels.settings().scale == 2.0);
   CHECK_FALSE(panels.driver.open.character()->history().canUndo());
 }
 
 TEST_CASE("Axes are switched one by one, or Shift leaves only one on") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.click("trail/axes/Y");
   CHECK(panels.settings().axes == std::array<bool, 3>{true, false, true});
   panels.driver.shift = true;
@@ -138,7 +138,7 @@ TEST_CASE("Axes are switched one by one, or Shift leaves only one on") {
 }
 
 TEST_CASE("Choices and switches of the trail settings reach the document") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.click("trail/pivot/End");
   CHECK(panels.settings().pivot == rig::Pivot::end);
   panels.driver.click("trail/space/Root");
@@ -156,7 +156,7 @@ TEST_CASE("Choices and switches of the trail settings reach the document") {
 }
 
 TEST_CASE("The space of the view takes the camera's axes") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   const Mat3 fromTheSide = Mat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
   panels.driver.open.character()->view().cameraAxes = fromTheSide;
   panels.driver.click("trail/space/View");
@@ -165,7 +165,7 @@ TEST_CASE("The space of the view takes the camera's axes") {
 }
 
 TEST_CASE("An ease point is dragged out of its corner") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.drag("trail/remap-curve/ease-in", 60.0F, -30.0F);
   CHECK(panels.settings().easeIn.percent > 0.1);
   CHECK(panels.settings().easeIn.value > 0.05);
@@ -175,7 +175,7 @@ TEST_CASE("An ease point is dragged out of its corner") {
 }
 
 TEST_CASE("The ends of a trail are dragged in the timeline") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   const std::string bar = "timeline/trail-" + std::to_string(panels.trailId());
   const double pixelsPerFrame =
       static_cast<double>(panels.driver.centreOf(bar + "/end").x - panels.driver.centreOf(bar + "/start").x) /
@@ -212,7 +212,7 @@ TEST_CASE("Buttons ask for commands and do not run them") {
 }
 
 TEST_CASE("A trail is hidden, pinned and deleted from its row") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   const std::string row = "trails/" + std::to_string(panels.trailId());
   panels.driver.click(row + "/visible");
   CHECK_FALSE(panels.driver.open.character()->document().trails.front().visible);
@@ -223,7 +223,7 @@ TEST_CASE("A trail is hidden, pinned and deleted from its row") {
 }
 
 TEST_CASE("While another part of the program drags, panels leave the document alone") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.open.character()->begin("a tool of the viewport");
   panels.driver.drag("trail/scale", 40.0F, 0.0F);
   panels.driver.click("trail/pivot/End");
@@ -233,7 +233,7 @@ TEST_CASE("While another part of the program drags, panels leave the document al
 }
 
 TEST_CASE("No two widgets have the same id") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph, ui::BottomTab::dopeSheet}) {
     panels.driver.ui.time.tab = tab;
     panels.driver.frames(2);
@@ -253,7 +253,7 @@ TEST_CASE("Without a file the panels say what to do") {
 }
 
 TEST_CASE("The graph shows the curves of the selected limb, with the source beside them where a trail acts") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.ui.time.tab = ui::BottomTab::graph;
   panels.driver.ui.time.graph.channels = ui::GraphChannels::stretch;
   panels.driver.frames(2);
@@ -294,7 +294,7 @@ TEST_CASE("The playhead's time is told apart from the working range") {
 }
 
 TEST_CASE("The menu of a key leaves trails alone") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   PanelDriver& driver = panels.driver;
   driver.ui.menu.asked = ui::MenuTarget::key;
   driver.frames(3);
@@ -303,7 +303,7 @@ TEST_CASE("The menu of a key leaves trails alone") {
 }
 
 TEST_CASE("Every widget that can be used says what it does") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph}) {
     panels.driver.ui.time.tab = tab;
     panels.driver.frames(2);
@@ -320,14 +320,14 @@ TEST_CASE("Every widget that can be used says what it does") {
 }
 
 TEST_CASE("A style gives the limb the scale that was measured in its cartoon") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   panels.driver.click("trail/style");
   panels.driver.click("trail/style/Tortoise Wins by a Hare (1943)");
   CHECK(panels.settings().scale == Approx(2.4));
 }
 
 TEST_CASE("Another clip starts at its first frame, with nothing selected in time") {
-  TrailPanels panels;
+  PanelsWithTrail panels;
   REQUIRE(panels.driver.open.character()->document().clips->size() > 1);
   panels.driver.open.character()->view().frame = 8.0;
   panels.driver.click("rig/clip");
