@@ -1,6 +1,7 @@
 // What is told of a sequence and its result, by values: nothing is compressed here.
 #include "app/sequence/sequence_document.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -51,10 +52,9 @@ std::shared_ptr<const app::Compression> resultOf(skinning::SkinnedSequence skinn
 }
 
 std::vector<bool> lastsOf(const std::vector<app::ShownBone>& bones) {
-  std::vector<bool> lasts;
-  for (const app::ShownBone& bone : bones) {
-    lasts.push_back(bone.isLast);
-  }
+  std::vector<bool> lasts(bones.size());
+  std::transform(bones.begin(), bones.end(), lasts.begin(),
+                 [](const app::ShownBone& bone) { return bone.isLast; });
   return lasts;
 }
 

@@ -1,6 +1,7 @@
 // What becomes of frames, and of what names them, when a stretch of a clip takes another length.
 #include "app/things/time_map.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -27,10 +28,8 @@ rig::OffsetKey slopingKey(double frame) {
 }
 
 std::vector<double> framesOfKeys(const std::vector<rig::OffsetKey>& keys) {
-  std::vector<double> frames;
-  for (const rig::OffsetKey& key : keys) {
-    frames.push_back(key.frame);
-  }
+  std::vector<double> frames(keys.size());
+  std::ranges::transform(keys, frames.begin(), &rig::OffsetKey::frame);
   return frames;
 }
 

@@ -299,11 +299,7 @@ TEST_CASE("Space and the switch show the tried pose mirrored at once, and both t
 TEST_CASE("The arrows bring the chosen pose into sight, and the wheel goes on from there") {
   Library stage;
   stage.open();
-  std::vector<app::LibraryPose> many;
-  for (int i = 0; i < 30; ++i) {
-    many.push_back(stage.library().poses.front());
-  }
-  stage.library().poses = many;
+  stage.library().poses = std::vector<app::LibraryPose>(30, stage.library().poses.front());
   stage.frames(2);
   const auto topOf = [&](int place) {
     const Item* const card = stage.shell.items.find("pose-library/pose-" + std::to_string(place));
