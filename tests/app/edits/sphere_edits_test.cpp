@@ -207,7 +207,7 @@ TEST_CASE("A limb is made of joints that the character has, with an end that it 
     rig::Limb limb = chain;
     limb.joints = joints;
     limb.endNode = end;
-    const std::string told = test::refusal(addChain(document, limb));
+    std::string told = test::refusal(addChain(document, limb));
     static_cast<rig::LimbPlace&>(limb) = rig::biped::leftArm;
     CHECK(test::refusal(correctLimb(document, limb)) == told);
     return told;
