@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
@@ -96,4 +98,26 @@ TEST_CASE("a point lies in the picture by its depth in perspective, and not behi
     CHECK(glm::length(glm::cross(looking.right, looking.up) + looking.forward) < 1e-12);
     CHECK(looking.up.y > -1e-12);
   }
+}
+
+TEST_CASE("seen from straight above and from straight below the world's x runs to the right") {
+  const CameraPlace above = cameraFrom(Vec3(0.0, 3.0, 0.0));
+  CHECK(glm::length(above.right - Vec3(1.0, 0.0, 0.0)) < 1e-12);
+  CHECK(glm::length(above.up - Vec3(0.0, 0.0, -1.0)) < 1e-12);
+  const CameraPlace below = cameraFrom(Vec3(0.0, -3.0, 0.0));
+  CHECK(glm::length(below.right - Vec3(1.0, 0.0, 0.0)) < 1e-12);
+  CHECK(glm::length(below.up - Vec3(0.0, 0.0, 1.0)) < 1e-12);
+}
+
+TEST_CASE(
+    "nobody looks through a camera that stands at no number, or whose axes are too long to be counted") {
+  CHECK(cameraPlace(CameraKind::perspective, Mat4(1.0)));
+  for (int axis = 0; axis < 3; ++axis) {
+    Mat4 nowhere(1.0);
+    nowhere[3][axis] = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(cameraPlace(CameraKind::perspective, nowhere));
+  }
+  Mat4 huge(1.0);
+  huge[2] *= 1e200;
+  CHECK_FALSE(cameraPlace(CameraKind::perspective, huge));
 }

@@ -133,6 +133,20 @@ TEST_CASE("One key in ten may lie off the frames, by more than 2 hundredths of o
   CHECK(withOdd(4, 0.021) != 24.0);
 }
 
+TEST_CASE(
+    "Keys name a rate that are within a fiftieth of a frame of its frames, and none below one a second") {
+  const auto offBy = [](float share) {
+    std::vector<float> times;
+    for (int frame = 0; frame < 13; ++frame) {
+      times.push_back((static_cast<float>(frame) + (frame % 2 == 0 ? share : -share)) / 24.0F);
+    }
+    return times;
+  };
+  CHECK(guessed({offBy(0.015F)}) == 24.0);
+  CHECK(guessed({offBy(0.03F)}) == 30.0);
+  CHECK(guessed({onFrames(1.0 / 1.737, 13)}) == 30.0);
+}
+
 TEST_CASE("Keys that lie between frames on some tracks do not double the rate") {
   const std::vector<float> plain = onFrames(30.0, 11);
   const std::vector<float> rekeyed = onFrames(60.0, 21);

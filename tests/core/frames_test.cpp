@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/anim/key_time.h"
 #include "core/anim/track_names.h"
 #include "core/math/polyline.h"
 
@@ -56,4 +57,30 @@ TEST_CASE("A line is as long as its pieces together, and its points lie at the s
   CHECK(lengthsAlong(corner) == std::vector<double>{0.0, 3.0, 3.0, 7.0});
   CHECK(polylineLength({}) == 0.0);
   CHECK(lengthsAlong({}) == std::vector<double>{0.0});
+}
+
+TEST_CASE("Times of keys are of single precision, and a border is met by the next of them on either side") {
+  constexpr double aboveTenth = 0.100000001490116119384765625; // the nearest one to 0.1
+  CHECK(asKeyTime(0.1) == aboveTenth);
+  CHECK(keyTimeAtLeast(0.1) == aboveTenth);
+  CHECK(keyTimeAtMost(0.1) == 0.0999999940395355224609375);
+  CHECK(keyTimeAtMost(0.7) == 0.699999988079071044921875); // the nearest one to 0.7
+  CHECK(keyTimeAtLeast(0.7) == 0.7000000476837158203125);
+  CHECK(keyTimeAtMost(-0.1) == -aboveTenth);
+  CHECK(keyTimeAtLeast(-0.7) == -0.699999988079071044921875);
+  for (const double exact : {-1.5, 0.0, 0.25, 3.0}) {
+    CHECK(keyTimeAtMost(exact) == exact);
+    CHECK(keyTimeAtLeast(exact) == exact);
+  }
+}
+
+TEST_CASE("Within the rounding of a time lies the next time of a key, before and after, however late") {
+  CHECK(keyTimeRounding(0.0) == 2e-7);
+  CHECK(keyTimeRounding(0.5) == 2e-7);
+  CHECK(keyTimeRounding(8.0) == Approx(1.6e-6));
+  CHECK(keyTimeRounding(-8.0) == Approx(1.6e-6));
+  for (const double time : {0.1, 0.7, 9.3, 1234.1}) {
+    CHECK(keyTimeAtLeast(time) < time + keyTimeRounding(time));
+    CHECK(keyTimeAtMost(time) > time - keyTimeRounding(time));
+  }
 }

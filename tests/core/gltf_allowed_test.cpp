@@ -181,3 +181,27 @@ TEST_CASE("Vertices whose weights are no numbers follow their neighbours, with a
     CHECK(vertex.weights[0] == 1.0F);
   }
 }
+
+TEST_CASE(
+    "A file opens for readers of glTF 2, whatever comes behind the point, and is refused for those of 3") {
+  struct Case {
+    const char* version;
+    const char* least; ///< That a reader needs; "": nothing is said of it.
+    bool isRead;
+  };
+  for (const Case& one : {Case{"2.0", "", true},
+                          {"2.1", "", true},
+                          {"2.0", "2.1", true},
+                          {"2.0", "3.0", false},
+                          {"3.0", "", false}}) {
+    CAPTURE(one.version, one.least);
+    GlbBuilder file = armBuilder();
+    file.json["asset"]["version"] = one.version;
+    if (*one.least != '\0') {
+      file.json["asset"]["minVersion"] = one.least;
+    }
+    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+    CHECK(loaded.ok() == one.isRead);
+    CHECK((loaded || loaded.error().where == "asset.version"));
+  }
+}

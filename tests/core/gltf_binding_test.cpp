@@ -3,8 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/anim/frame_state.h"
+#include "core/gltf/import/accessor.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/patch/added_skeleton.h"
 #include "core/gltf/patch/edits.h"
@@ -322,7 +325,9 @@ TEST_CASE("Joints that hang on nothing stand in every scene that shows the mesh 
   const TemporaryFolder folder;
   GlbBuilder glb = twoSleeves();
   glb.json["nodes"].push_back({{"name", "lamp"}});
-  glb.json["scenes"] = gltf::Json::parse(R"([{"nodes":[0]},{"nodes":[4]},{"nodes":[4,0]}])");
+  const bool areThree = GENERATE(true, false);
+  glb.json["scenes"] = Json::parse(areThree ? R"([{"nodes":[0]},{"nodes":[4]},{"nodes":[4,0]}])"
+                                            : R"([{"nodes":[4]},{"nodes":[0]}])");
   const gltf::Loaded file = test::loaded(glb);
   const std::vector<Mat4> worlds = frameOf(*file.scene, restPose(*file.scene), 0.0).worlds;
   const std::vector<Mat4> joints = gltf::skeletonWorlds(*file.scene, column(), NodeIndex::none);
@@ -336,8 +341,67 @@ TEST_CASE("Joints that hang on nothing stand in every scene that shows the mesh 
   edits.addedSkins = {skin};
   edits.boundMeshes = {{NodeIndex(left), 0, influences()}};
   const gltf::Loaded after = bound(folder, file, edits);
-  const gltf::Json& scenes = after.source->json->at("scenes");
-  CHECK(scenes[0]["nodes"] == gltf::Json::array({0, 5}));
-  CHECK(scenes[1]["nodes"] == gltf::Json::array({4}));
-  CHECK(scenes[2]["nodes"] == gltf::Json::array({4, 0, 5}));
+  // The first scene is the one that is shown: new roots are there anyway.
+  CHECK(after.source->json->at("scenes") ==
+        Json::parse(areThree ? R"([{"nodes":[0,5]},{"nodes":[4]},{"nodes":[4,0,5]}])"
+                             : R"([{"nodes":[4,5]},{"nodes":[0,5]}])"));
+}
+
+TEST_CASE(
+    "Parts of a mesh over the same places follow each what it is bound by, be it other joints or shares") {
+  const bool haveOtherJoints = GENERATE(true, false);
+  CAPTURE(haveOtherJoints);
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  gltf::Edits edits = boundSleeves(*file.scene);
+  VertexInfluences other = both(haveOtherJoints ? 0.75F : 0.25F);
+  if (haveOtherJoints) {
+    std::swap(other.joints[0], other.joints[1]);
+  }
+  for (gltf::BoundMesh& mesh : edits.boundMeshes) {
+    mesh.influences[0].assign(4, both(0.75F));
+    mesh.influences[1].assign(4, other);
+  }
+  const gltf::Loaded result = bound(folder, file, edits);
+  for (const Mesh& mesh : result.scene->meshes) {
+    REQUIRE(mesh.primitives.size() == 3);
+    for (const VertexInfluences& vertex : mesh.primitives[0].influences) {
+      CHECK(vertex.joints == both(0.75F).joints);
+      CHECK(vertex.weights == both(0.75F).weights);
+    }
+    for (const VertexInfluences& vertex : mesh.primitives[1].influences) {
+      CHECK(vertex.joints == other.joints);
+      CHECK(vertex.weights == other.weights);
+    }
+  }
+}
+
+TEST_CASE(
+    "What a vertex does not follow is written as the first joint, and weights that nothing names any more "
+    "are emptied") {
+  const bool areNamedElsewhere = GENERATE(true, false);
+  CAPTURE(areNamedElsewhere);
+  const TemporaryFolder folder;
+  GlbBuilder arm = test::armBuilder();
+  const Json before = arm.json["meshes"][0]["primitives"][0]["attributes"];
+  if (areNamedElsewhere) {
+    arm.json["meshes"][1]["primitives"][0]["attributes"]["WEIGHTS_0"] = before["WEIGHTS_0"];
+  }
+  const gltf::Loaded file = test::loaded(arm);
+  VertexInfluences last;
+  last.joints = {2, 1};
+  last.weights = {1.0F, 0.0F};
+  gltf::Edits edits;
+  edits.boundMeshes = {{NodeIndex(4), 0, {std::vector<VertexInfluences>(6, last)}}};
+  const gltf::Loaded result = bound(folder, file, edits);
+  const Json& json = result.source->json;
+  const int joints = json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"].get<int>();
+  const std::vector<std::uint32_t> numbers = gltf::readIntegers(*result.source, joints);
+  REQUIRE(numbers.size() == 24);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    CHECK(numbers[i] == (i % 4 == 0 ? 2U : 0U));
+  }
+  CHECK(json["accessors"][before["WEIGHTS_0"].get<std::size_t>()].contains("bufferView") ==
+        areNamedElsewhere);
+  CHECK(json["accessors"][before["JOINTS_0"].get<std::size_t>()].contains("bufferView"));
 }

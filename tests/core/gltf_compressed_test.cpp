@@ -400,3 +400,16 @@ TEST_CASE("A packed view that says another length than its data have breaks the 
   CHECK(test::warnsOf(*file, told));
   CHECK(tubeOf(*file).positions == tubeOf(opened(packedByMeshopt(tubeBuilder(), Filters::none))).positions);
 }
+
+TEST_CASE("A packed mesh has the vertices that its data hold, whatever number its accessor says") {
+  GlbBuilder glb = packedByDraco(tubeBuilder(), DracoMethod::sequential);
+  const std::size_t vertices = tubeOf(opened(glb)).positions.size();
+  const auto accessor = glb.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>();
+  glb.json["accessors"][accessor]["count"] = vertices - 5;
+  const Result<gltf::Loaded> file = test::loadBytes(glb.bytes());
+  REQUIRE(file);
+  CHECK(tubeOf(*file).positions.size() == vertices);
+  CHECK(test::warnsOf(*file, "accessors[" + std::to_string(accessor) + "]: says " +
+                                 std::to_string(vertices - 5) + " elements, but its compressed data hold " +
+                                 std::to_string(vertices) + ", which are read"));
+}

@@ -261,3 +261,19 @@ TEST_CASE("Colours of vertices are read from floats and from normalised integers
   REQUIRE(file.scene->meshes[0].primitives[0].colors.size() == 6);
   CHECK(glm::distance(file.scene->meshes[0].primitives[0].colors[5], {1.0F, 0.2F, 0.0F, 1.0F}) < 1e-5F);
 }
+
+TEST_CASE("The WebP picture of a texture may be the first one of the file") {
+  GlbBuilder glb = texturedArm(webpUri({9, 8, 7, 255}, 1, 1).c_str());
+  glb.json["images"].push_back({{"uri", picture}});
+  glb.json["textures"][0] = {{"source", 1}, {"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+  const gltf::Loaded file = loaded(glb);
+  CHECK(file.scene->materials[0].baseColorTexture.image == 0);
+  CHECK(file.scene->images[0].rgba == std::vector<std::uint8_t>{9, 8, 7, 255});
+  CHECK(file.scene->images[1].rgba.empty());
+}
+
+TEST_CASE("A strength of light below 0 is none") {
+  GlbBuilder glb = texturedArm(picture);
+  glb.json["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = -2;
+  CHECK(loaded(glb).scene->materials[0].emissive == glm::vec3(0.0F));
+}

@@ -177,8 +177,12 @@ TEST_CASE("A box is empty until a point is in it, and as long as its longest sid
 }
 
 TEST_CASE("A colour goes to linear light as the standard's table has it, and back") {
-  for (const auto& [encoded, linear] :
-       {std::pair(0.0, 0.0), {0.04, 0.04 / 12.92}, {0.5, 0.214041140}, {0.8, 0.603827339}, {1.0, 1.0}}) {
+  for (const auto& [encoded, linear] : {std::pair(0.0, 0.0),
+                                        {0.04, 0.04 / 12.92},
+                                        {0.06, 0.004896310},
+                                        {0.5, 0.214041140},
+                                        {0.8, 0.603827339},
+                                        {1.0, 1.0}}) {
     CHECK(linearFromSrgb(encoded) == Approx(linear).margin(1e-8));
     CHECK(srgbFromLinear(linear) == Approx(encoded).margin(1e-7));
   }

@@ -28,3 +28,21 @@ TEST_CASE("The hash is that of its authors' examples") {
   CHECK(hashOf("") == 0xcbf29ce484222325U);
   CHECK(hashOf("foobar") == 0x85944171f73967e8U);
 }
+
+TEST_CASE("Each byte that is mixed into a hash counts, whether they are whole eights or not") {
+  const auto mixedOf = [](const std::vector<std::uint8_t>& bytes) {
+    Hash hash;
+    hash.mix(std::span(bytes));
+    return hash.value();
+  };
+  for (std::size_t size = 1; size <= 17; ++size) {
+    std::vector<std::uint8_t> bytes(size, 7);
+    const std::uint64_t before = mixedOf(bytes);
+    for (std::uint8_t& byte : bytes) {
+      byte = 8;
+      CHECK(mixedOf(bytes) != before);
+      byte = 7;
+    }
+    CHECK(mixedOf(bytes) == before);
+  }
+}

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
 #include "core/gltf/read/read.h"
 #include "core/gltf/source/problems.h"
 #include "tests/support/core/glb_builder.h"
@@ -105,4 +106,35 @@ TEST_CASE("A buffer that says more bytes than there are is refused, a chunk may 
   const ReadBuffers two = buffersOf(Json::parse(R"([{"byteLength": 2}, {"byteLength": 1}])"), {1, 2});
   checkTold(two, gltf::Severity::warning, "buffers[1]",
             "has neither a uri nor a BIN chunk; its values are taken as zeros");
+}
+
+TEST_CASE(
+    "What an edit adds goes behind the first buffer, and into a new one where that one's file is missing") {
+  const bool isThere = GENERATE(true, false);
+  CAPTURE(isThere);
+  const test::TemporaryFolder folder;
+  test::GlbBuilder glb = test::armBuilder();
+  glb.json["buffers"] = {{{"uri", "first.bin"}, {"byteLength", 8}},
+                         {{"uri", "second.bin"}, {"byteLength", glb.binary.size()}}};
+  for (Json& view : glb.json["bufferViews"]) {
+    view["buffer"] = 1;
+  }
+  if (isThere) {
+    test::writeBytes(folder / "first.bin", Bytes(8, 1));
+  }
+  test::writeBytes(folder / "second.bin", glb.binary);
+  const Result<gltf::Loaded> file = gltf::load(folder.write("model.gltf", glb.json.dump()));
+  REQUIRE(file);
+  gltf::Edits edits;
+  edits.clips = {{0, {{NodeIndex(1), Channel::scale, Interpolation::linear, 3, {0.0F}, {1, 2, 3}, -1}}}};
+  const Result<gltf::Source> changed = gltf::patched(*file->source, edits);
+  REQUIRE(changed);
+  const Json& json = changed->json;
+  const std::size_t grown = isThere ? 0 : 2;
+  CHECK(changed->buffers.size() == (isThere ? 2 : 3));
+  CHECK(json["bufferViews"].back()["buffer"] == grown);
+  CHECK(json["buffers"][0].contains("uri") == !isThere);
+  CHECK(changed->buffers[0].empty() == !isThere);
+  CHECK(changed->buffers[1] == file->source->buffers[1]);
+  CHECK(changed->buffers[grown].size() == (isThere ? 8U : 0U) + 4 * sizeof(float));
 }

@@ -183,3 +183,18 @@ TEST_CASE(
   CHECK_FALSE(encoded(R"({"uri": "c.png"})"));
   CHECK_FALSE(encoded("{}"));
 }
+
+TEST_CASE(
+    "A picture has 67 million pixels at most however many bytes it has, a file's together have four times "
+    "as many") {
+  constexpr std::size_t text = 300000;
+  CHECK(Told({pngOf(8192, 8192, text)}).isShown(0));
+  CHECK_FALSE(Told({pngOf(8192, 8193, text)}).isShown(0));
+  const Bytes largest = pngOf(8192, 8192, text);
+  const Told six({largest, largest, largest, largest, largest, pngOf(2, 2, text)});
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(six.isShown(i));
+  }
+  CHECK_FALSE(six.isShown(4));
+  CHECK_FALSE(six.isShown(5));
+}

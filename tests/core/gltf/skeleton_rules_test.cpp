@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -47,4 +48,57 @@ TEST_CASE("A clip whose values are no finite numbers is told, and the file is no
   const auto file = test::loadBytes(glb.bytes());
   REQUIRE_FALSE(file);
   CHECK_THAT(file.error().line(), Catch::Contains("holds values that are no finite numbers"));
+}
+
+TEST_CASE("A bind matrix that is no number is told, and the file is not opened for it, tolerated or not") {
+  GlbBuilder glb = armBuilder();
+  const auto accessor = glb.json["skins"][0]["inverseBindMatrices"].get<std::size_t>();
+  const auto view = glb.json["accessors"][accessor]["bufferView"].get<std::size_t>();
+  const auto offset = glb.json["bufferViews"][view]["byteOffset"].get<std::size_t>();
+  const float broken = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(glb.binary.data() + offset + 16 * sizeof(float) + 12 * sizeof(float), &broken, sizeof(broken));
+  const auto file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE_FALSE(file);
+  CHECK(file.error().where == "skins[0].inverseBindMatrices");
+  CHECK(file.error().what == "holds matrices that are not affine or not finite");
+}
+
+TEST_CASE("Keys before the beginning of time break the rules, and are kept where that is tolerated") {
+  GlbBuilder glb = armBuilder();
+  glb.json["animations"][0]["samplers"][0]["input"] = glb.floats({-0.5F, 0.0F, 0.5F}, "SCALAR", 1);
+  const auto refused = test::loadBytes(glb.bytes());
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().where == "animations[0].samplers[0].input");
+  CHECK(refused.error().what == "has key times before 0");
+  const auto file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE(file);
+  CHECK(file->clips[0].tracks[0]->times == std::vector<float>{-0.5F, 0.0F, 0.5F});
+}
+
+TEST_CASE("Channels of a small file that share their keys are refused before they fill the memory") {
+  // 8192 keys of 4 numbers: 160 KiB, for which 13631488 values may be read, 40960 of them for each channel.
+  const auto [channels, isTaken] = GENERATE(table<std::size_t, bool>({{332, true}, {333, false}}));
+  constexpr std::size_t keys = 8192;
+  GlbBuilder glb;
+  glb.json = gltf::Json{{"asset", {{"version", "2.0"}}}};
+  std::vector<float> times;
+  std::vector<float> turns;
+  for (std::size_t key = 0; key < keys; ++key) {
+    times.push_back(static_cast<float>(key) / 8.0F);
+    turns.insert(turns.end(), {0.0F, 0.0F, 0.0F, 1.0F});
+  }
+  const int input = glb.floats(times, "SCALAR", 1);
+  const int output = glb.floats(turns, "VEC4", 4);
+  gltf::Json clip{{"samplers", {{{"input", input}, {"output", output}}}}};
+  for (std::size_t node = 0; node < channels; ++node) {
+    glb.json["nodes"].push_back({{"name", "bone"}});
+    clip["channels"].push_back({{"sampler", 0}, {"target", {{"node", node}, {"path", "rotation"}}}});
+  }
+  glb.json["animations"] = gltf::Json::array({clip});
+  const auto file = test::loadBytes(glb.bytes());
+  CHECK(file.ok() == isTaken);
+  if (!file) {
+    CHECK(file.error().where == "animations[0].samplers[0]");
+    CHECK(file.error().what == "the animations decode to more data than the program takes into memory");
+  }
 }

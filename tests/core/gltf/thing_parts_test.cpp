@@ -248,6 +248,31 @@ TEST_CASE("Joints that a skin gets stand behind its own, each with its matrix") 
   }
 }
 
+TEST_CASE("A joint that a skin gets has its own matrix where the file has more matrices than joints") {
+  GlbBuilder glb = test::armBuilder();
+  std::vector<float> numbers;
+  for (int matrix = 0; matrix < 5; ++matrix) {
+    numbers.insert(numbers.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, static_cast<float>(matrix), 0, 0, 1});
+  }
+  glb.json["skins"][0]["inverseBindMatrices"] = glb.floats(numbers, "MAT4", 16);
+  const gltf::Loaded arm = test::loaded(glb);
+  Mat4 own(1.0);
+  own[3] = Vec4(7.0, 8.0, 9.0, 1.0);
+  gltf::Edits edits;
+  edits.addedSlots = {{0, NodeIndex(3), own}};
+  const Result<gltf::Source> patched = gltf::patched(*arm.source, edits);
+  REQUIRE(patched);
+  const test::TemporaryFolder folder;
+  REQUIRE(gltf::save(*patched, folder.path() / "grown.glb"));
+  const Result<gltf::Loaded> grown = gltf::load(folder.path() / "grown.glb", gltf::Tolerance::warn);
+  INFO(test::refusal(grown));
+  REQUIRE(grown);
+  const Skin& skin = grown->scene->skins[0];
+  REQUIRE(skin.inverseBind.size() == 4);
+  CHECK(skin.inverseBind[2] == arm.scene->skins[0].inverseBind[2]);
+  CHECK(skin.inverseBind[3] == own);
+}
+
 TEST_CASE("Instances of a thing's mesh are left out, and told once for all of its nodes") {
   GlbBuilder glb = test::twoSheets();
   const Json instances{{"attributes", {{"TRANSLATION", glb.floats({0, 0, 0, 1, 0, 0, 2, 0, 0}, "VEC3", 3)}}}};

@@ -372,3 +372,64 @@ TEST_CASE("A mesh with a single target plays its weights, too") {
   CHECK(trackOf(made, "head", Channel::weights).values == std::vector<float>{0.75F});
   CHECK(trackOf(made, "head", Channel::weights).times == std::vector<float>{0.5F});
 }
+
+TEST_CASE(
+    "How far a joint has to move before it has keys is a share of the figure's height, in its own lengths") {
+  // A ten millionth of 1000, and under a parent a hundred times as large the hundredth part of that.
+  const auto [isLarge, way, keys] = GENERATE(table<bool, double, std::size_t>(
+      {{false, 5e-5, 1}, {false, 2e-4, 2}, {true, 5e-7, 1}, {true, 2e-6, 2}}));
+  CAPTURE(isLarge, way);
+  ForeignScene scene;
+  scene.addNode(scene.root(), "far", Vec3(0.0, 1000.0, 0.0));
+  aiNode& parent = scene.addNode(scene.root(), "parent", Mat4(Mat3(isLarge ? 100.0 : 1.0)));
+  scene.addNode(parent, "tip");
+  test::setPlaces(scene.addChannel(scene.addClip("creep", 10.0), "tip"),
+                  {{0.0, Vec3(0.0)}, {10.0, Vec3(way, 0.0, 0.0)}});
+  const MadeOfForeign made = test::madeOfForeign(scene);
+  CHECK(trackOf(made, "tip", Channel::translation).times.size() == keys);
+}
+
+TEST_CASE("Two pivots that scale, or turn about two axes, make the joint do at every frame what they say "
+          "together") {
+  const bool isTurned = GENERATE(true, false);
+  CAPTURE(isTurned);
+  ForeignScene scene;
+  aiNode& first = scene.addNode(scene.root(), "arm_$AssimpFbx$_Rotation");
+  aiNode& second = scene.addNode(first, "arm_$AssimpFbx$_PostRotation");
+  scene.addNode(second, "arm");
+  aiAnimation& clip = scene.addClip("swing", 10.0);
+  aiNodeAnim& ofFirst = scene.addChannel(clip, "arm_$AssimpFbx$_Rotation");
+  aiNodeAnim& ofSecond = scene.addChannel(clip, "arm_$AssimpFbx$_PostRotation");
+  if (isTurned) {
+    test::setTurns(ofFirst, {{0.0, about({1, 0, 0}, 0.0)}, {10.0, about({1, 0, 0}, 90.0)}});
+    test::setTurns(ofSecond, {{0.0, about({0, 1, 0}, 0.0)}, {10.0, about({0, 1, 0}, 90.0)}});
+  } else {
+    test::setScales(ofFirst, {{0.0, Vec3(1.0)}, {10.0, Vec3(3.0)}});
+    test::setScales(ofSecond, {{0.0, Vec3(1.0)}, {10.0, Vec3(3.0)}});
+  }
+  const MadeOfForeign made = test::madeOfForeign(scene);
+  const Scene& figure = *made.file.scene;
+  REQUIRE(figure.nodes.size() == 1);
+  for (int frame = 0; frame <= 10; ++frame) {
+    INFO(frame);
+    const Transform local = samplePose(figure, made.file.clips.at(0), 0.1 * frame).locals[0];
+    if (isTurned) {
+      const Quat wanted = about({1, 0, 0}, 9.0 * frame) * about({0, 1, 0}, 9.0 * frame);
+      CHECK(std::abs(glm::dot(local.rotation, wanted)) > 1.0 - 1e-7);
+    } else {
+      const double each = 1.0 + 0.2 * frame;
+      CHECK(local.scale.x == Approx(each * each).margin(2e-4));
+    }
+  }
+}
+
+TEST_CASE("Of keys that fall on one time in single precision the first is kept") {
+  Legs legs;
+  test::setPlaces(
+      legs.scene.addChannel(legs.clip, "hip"),
+      {{0.0, Vec3(0.0, 4.0, 0.0)}, {1e6, Vec3(1.0, 4.0, 0.0)}, {1e6 + 1e-4, Vec3(9.0, 4.0, 0.0)}});
+  const MadeOfForeign made = test::madeOfForeign(legs.scene);
+  const Track& places = trackOf(made, "hip", Channel::translation);
+  CHECK(places.times == std::vector<float>{0.0F, 1e5F});
+  CHECK(places.values == std::vector<float>{0, 4, 0, 1, 4, 0});
+}

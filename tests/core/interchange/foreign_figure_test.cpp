@@ -256,3 +256,13 @@ TEST_CASE("A figure is as high as its nodes reach, else as its meshes do, in met
   scene.addNode(scene.root(), "b", Vec3(4.0, -3.0, 0.0));
   CHECK(interchange::figureOf(scene.scene(), Format::collada).height == Approx(10.0));
 }
+
+TEST_CASE("What a BVH carries its root by is counted from where the root rests") {
+  const auto [carried, lift] = GENERATE(table<double, double>({{60.0, 0.0}, {80.0, 0.5}}));
+  CAPTURE(carried);
+  ForeignScene scene("Hips", toMatrix({Vec3(0.0, 50.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), Vec3(1.0)}));
+  scene.addNode(scene.root(), "foot", Vec3(0.0, -100.0, 0.0)); // half a metre below the floor
+  scene.addNode(scene.root(), "head", Vec3(0.0, 70.0, 0.0));
+  test::setPlaces(scene.addChannel(scene.addClip("walk", 30.0), "Hips"), {{0.0, Vec3(0.0, carried, 0.0)}});
+  CHECK(interchange::figureOf(scene.scene(), Format::bvh).nodes[0].restLift == Approx(lift).margin(1e-6));
+}

@@ -365,3 +365,48 @@ TEST_CASE("Lengths of a mesh, its targets and its bones are in metres where the 
   CHECK(Vec3(bind[3]) == Vec3(0.0, -1.0, 0.0));
   CHECK(Vec3(bind[0]) == Vec3(1.0, 0.0, 0.0));
 }
+
+TEST_CASE("A mesh without bones that two nodes show at other scales is written for each in its own lengths") {
+  ForeignScene scene; // an FBX without a unit: centimetres
+  scene.addTriangle("flag", corners);
+  scene.show(scene.addNode(scene.root(), "in metres", Mat4(Mat3(100.0))), 0); // undoes the unit
+  scene.show(scene.addNode(scene.root(), "in centimetres"), 0);
+  const MadeOfForeign made = test::madeOfForeign(scene, interchange::Format::fbx);
+  const Scene& figure = *made.file.scene;
+  REQUIRE(figure.meshes.size() == 2);
+  const auto heightAt = [&](std::size_t node) {
+    return figure.meshes.at(at(figure.nodes.at(node).mesh)).primitives.at(0).positions.at(2).y;
+  };
+  CHECK(heightAt(0) == 3.0F);
+  CHECK(heightAt(1) == Approx(0.03));
+}
+
+TEST_CASE("Two nodes whose meshes follow one bone from other places have a skin each") {
+  Body body;
+  body.scene.addNode(body.scene.root(), "upper");
+  const std::vector<aiVertexWeight> all{{0, 1.0F}, {1, 1.0F}, {2, 1.0F}};
+  const Mat4 offset = toMatrix({Vec3(0.0, 1.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), Vec3(1.0)});
+  body.scene.addBone(body.mesh, "upper", all);
+  body.scene.addBone(body.scene.addTriangle("coat", corners), "upper", all, offset);
+  body.scene.show(body.scene.addNode(body.scene.root(), "second"), 1);
+  const MadeOfForeign made = test::madeOfForeign(body.scene);
+  const Scene& scene = *made.file.scene;
+  REQUIRE(scene.skins.size() == 2);
+  CHECK(scene.skins[at(scene.nodes[0].skin)].inverseBind[0] == Mat4(1.0));
+  CHECK(scene.skins[at(scene.nodes[2].skin)].inverseBind[0] == offset);
+}
+
+TEST_CASE("Bones agree as near as single precision has them, which is more where the joint is far away") {
+  const auto [miss, meshes] = GENERATE(table<double, std::size_t>({{0.005, 1}, {0.02, 2}}));
+  CAPTURE(miss);
+  const auto movedBy = [](double x) {
+    return toMatrix({Vec3(x, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0), Vec3(1.0)});
+  };
+  Body body;
+  body.scene.addNode(body.scene.root(), "upper");
+  const std::vector<aiVertexWeight> all{{0, 1.0F}, {1, 1.0F}, {2, 1.0F}};
+  body.scene.addBone(body.mesh, "upper", all, movedBy(1000.0));
+  body.scene.addBone(body.scene.addTriangle("coat", corners), "upper", all, movedBy(1000.0 + miss));
+  body.scene.show(body.node, 1);
+  CHECK(test::madeOfForeign(body.scene).file.scene->meshes.size() == meshes);
+}

@@ -160,3 +160,14 @@ TEST_CASE("A node of a Collada moves by its own channel, whatever other nodes ar
   }
   CHECK(std::ranges::count(names, "post") == 1);
 }
+
+TEST_CASE("Joints of a BVH may be called by the words that name them") {
+  const std::string text = "HIERARCHY\nROOT ROOT\n{\nJOINT JOINT\n{\nJOINT JOINT\n{\n}\n}\n}\nMOTION\n";
+  const interchange::NamesApart names = apart(text, Format::bvh);
+  REQUIRE(names.original.size() == 1);
+  const auto& [given, name] = *names.original.begin();
+  CHECK(name == "JOINT");
+  std::string wanted = text;
+  wanted.replace(text.rfind("JOINT"), 5, given);
+  CHECK(textOf(names) == wanted);
+}

@@ -176,3 +176,10 @@ TEST_CASE("Weights of one joint come together in the place of the first, and tho
   CHECK(withoutRepeats(apart).weights == apart.weights);
   CHECK(withoutRepeats(VertexInfluences{}).weights == VertexInfluences{}.weights);
 }
+
+TEST_CASE("A joint that takes its leaf's slot at the end of a skin's list stays there") {
+  const Scene scene = folded([](Scene& made) { made.skins[0].joints = {other, endLeaf}; });
+  CHECK(scene.bindChains.size() == 1);
+  CHECK(scene.skins[0].joints == std::vector{other, joint});
+  CHECK(scene.skins[0].inverseBind.size() == 2);
+}
