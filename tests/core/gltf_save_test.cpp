@@ -103,6 +103,17 @@ TEST_CASE("The files that an output in another folder needs are known, but for i
   CHECK(gltf::filesBeside(*source, folder / "out.glb").empty());
 }
 
+TEST_CASE("Of the files that an output needs each is told once, by the order of their names") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path() / "in");
+  test::writeBytes(folder / "in/textures/hair.png", {4});
+  gltf::Source source = *sourceAt(folder / "in/model.gltf");
+  (*source.json)["images"] = Json::parse(
+      R"([{"uri": "textures/skin.png"}, {"uri": "textures/hair.png"}, {"uri": "./textures/skin.png"}])");
+  CHECK((gltf::filesBeside(source, folder / "out.glb") ==
+         std::vector<fs::path>{"textures/hair.png", "textures/skin.png"}));
+}
+
 TEST_CASE("Saving over the source leaves its files whole") {
   const TemporaryFolder folder;
   writeSeparateFiles(folder.path());

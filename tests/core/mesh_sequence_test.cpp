@@ -73,6 +73,7 @@ TEST_CASE("The extent of a sequence is that of its first frame, or of the first 
   };
   CHECK(extentWith({2.0F, 100.0F, 1.0F}) == std::pair(std::size_t{0}, 2.0F));
   CHECK(extentWith({0.0F, 0.5F, 3.0F, 100.0F}) == std::pair(std::size_t{2}, 3.0F));
+  CHECK(extentWith({1.0F, 100.0F}) == std::pair(std::size_t{0}, 1.0F)); // a hundredth is no speck
   CHECK(extentWith({0.0F, 0.0F}) == std::pair(std::size_t{0}, 0.0F));
   CHECK(extentWith({}) == std::pair(std::size_t{0}, 0.0F));
 }
