@@ -127,3 +127,48 @@ TEST_CASE(
   }
   CHECK(turning == 4); // two steps of each leaf
 }
+
+TEST_CASE(
+    "a joint that one of several clips stretches along another axis has leaves that turn in all of them") {
+  Scene scene;
+  scene.nodes.resize(1);
+  scene.nodes[0].name = "arm";
+  scene.skins.push_back({"skin", {NodeIndex(0)}, {Mat4(2.0)}});
+  const StretchKeys along = stretchAlong(axisOfTheFile, thinner);
+  const StretchKeys aside = stretchAlong(axisAngle(Vec3(0.0, 1.0, 0.0), 1.0), thinner);
+  gltf::Edits edits;
+  addBindLeaves(scene, {{0, {along}}, {3, {aside}}, {4, {along}}}, edits);
+  REQUIRE(edits.addedNodes.size() == 2);
+  CHECK(edits.addedNodes[0].name == "arm_bind");
+  CHECK(edits.addedNodes[0].parent == NodeIndex(0));
+  CHECK(same(edits.addedNodes[0].rest.rotation, axisOfTheFile));
+  CHECK(edits.addedNodes[1].name == "arm_bind_end");
+  CHECK(edits.addedNodes[1].parent == NodeIndex(1));
+  CHECK(same(edits.addedNodes[1].rest.rotation, glm::inverse(axisOfTheFile)));
+  REQUIRE(edits.skinSlots.size() == 1);
+  CHECK(edits.skinSlots[0].node == NodeIndex(2));
+  CHECK(edits.skinSlots[0].inverseBind == Mat4(2.0)); // the second leaf turns back
+  REQUIRE(edits.clips.size() == 3);
+  CHECK(edits.clips[1].clip == 3);
+  CHECK(edits.clips[2].clip == 4);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::scale) == 3);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 3);
+  CHECK(countTracks(edits, NodeIndex(2), Channel::rotation) == 3);
+}
+
+TEST_CASE(
+    "a rigid mesh on a stretched joint moves to a leaf that turns back, a joint that moves none has none") {
+  Scene scene;
+  scene.nodes.resize(1);
+  const StretchKeys along = stretchAlong(axisOfTheFile, thinner);
+  CHECK(saved(scene, along).addedNodes.empty());
+  CHECK(saved(scene, along).clips.empty());
+  scene.nodes[0].mesh = 0;
+  const gltf::Edits edits = saved(scene, along);
+  REQUIRE(edits.addedNodes.size() == 2);
+  CHECK_FALSE(edits.addedNodes[0].meshFrom.exists());
+  CHECK(edits.addedNodes[1].meshFrom == NodeIndex(0));
+  CHECK(same(edits.addedNodes[1].rest.rotation, glm::inverse(axisOfTheFile)));
+  CHECK(countTracks(edits, NodeIndex(1), Channel::scale) == 1);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 0);
+}

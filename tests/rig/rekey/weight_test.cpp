@@ -150,3 +150,16 @@ TEST_CASE("weight over a whole clip of stepped keys has no key before the clip b
     CHECK(track.times.front() >= 0.0F);
   }
 }
+
+TEST_CASE("a trail without release jumps at once where its range ends inside that of weight, or begins") {
+  const Pivot pivot = GENERATE(Pivot::start, Pivot::end);
+  CAPTURE(pivot == Pivot::start);
+  const MovingBiped moving = punchingBiped();
+  std::vector<Trail> trails{connectedTrail("left-arm", 6, 15, 2.0)};
+  trails[0].settings.releaseFrames = 0.0;
+  trails[0].settings.pivot = pivot;
+  const Rekeyed rekeyed = keyed(moving, softMotion(moving, trails, {softLimb(moving, "left-arm", turning)}));
+  const double beside = pivot == Pivot::start ? 15.0 + 1e-3 : 6.0 - 1e-3;
+  CHECK(largestNodeMiss(poseOf(moving, rekeyed.clip, beside), atFrame(moving, rekeyed.motion, beside)) <
+        1e-3 * moving.body.height);
+}
