@@ -290,6 +290,7 @@ TEST_CASE(
   }
   CHECK(fingerJoints(moving.scene, arm).empty());
   moving.scene.nodes[at(joints[0])].children = {joints[1]};
+  CHECK(fingerJoints(moving.scene, arm).empty()); // one chain alone twists, too
   moving.scene.nodes[at(joints[2])].children = {joints[3]};
   CHECK(fingerJoints(moving.scene, arm).size() == 4);
 }
@@ -309,6 +310,8 @@ TEST_CASE("a sword that hangs on a joint of the hand is no finger") {
   moving.scene.skins.front().joints.push_back(slot);
   moving.scene.skins.front().inverseBind.emplace_back(1.0);
   CHECK(fingerJoints(moving.scene, moving.limb("right-arm")) == fingers);
+  moving.scene.nodes[at(sword)].skin = 0; // part of a glove that the joints bend
+  CHECK(fingerJoints(moving.scene, moving.limb("right-arm")).size() == fingers.size() + 1);
 }
 
 TEST_CASE("a limb whose stretch is off falls short of what is too far, and points at it") {

@@ -191,3 +191,18 @@ TEST_CASE("any controller and attribute of the right side does what the left one
   }
   CHECK(pairs >= 15);
 }
+
+TEST_CASE("a value beyond the least or the most of its attribute does what that does") {
+  const MovingBiped moving = punchingBiped();
+  for (const Attribute& attribute : Keyed(moving).attributes) {
+    CAPTURE(attribute.id);
+    const auto at = [&](double value) {
+      std::vector<Adjustment> all = strained();
+      all.push_back(valued(attribute.id, value, 4.0));
+      return atFrame(moving, adjusted(moving, all), 4.0);
+    };
+    const double beyond = 0.5 * (attribute.maximum - attribute.minimum);
+    CHECK(difference(at(attribute.minimum - beyond), at(attribute.minimum)) < 1e-12);
+    CHECK(difference(at(attribute.maximum + beyond), at(attribute.maximum)) < 1e-12);
+  }
+}

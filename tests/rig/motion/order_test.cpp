@@ -5,6 +5,7 @@
 
 #include "rig/limb.h"
 #include "rig/motion/order.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/soft_limbs.h"
 
@@ -133,4 +134,22 @@ TEST_CASE("limbs give way from the root outwards, chains included") {
       softMotion(moving, {}, {softLimb(moving, "left-arm", firm), softLimb(moving, spineChain, firm)});
   REQUIRE(motion.weights.size() == 2);
   CHECK(motion.weights.front().limb.id == spineChain);
+}
+
+TEST_CASE("of limbs that carry none of each other the trunk acts first, then arms, legs and all others") {
+  Scene scene;
+  std::vector<Limb> limbs;
+  for (const LimbPlace& place : {LimbPlace{LimbKind::tail}, biped::leftLeg, biped::rightArm, biped::leftArm,
+                                 biped::neck, biped::spine}) {
+    Limb limb;
+    static_cast<LimbPlace&>(limb) = place;
+    limb.joints = {addNode(scene, "base", NodeIndex::none, Vec3(0.0))};
+    limbs.push_back(limb);
+  }
+  const std::vector<double> starts{0.0, 1.0, 3.0, 2.0, 4.0, 5.0};
+  std::vector<ActingLimb> acting;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    acting.push_back({&limbs[i], starts[i]});
+  }
+  CHECK(actingOrder(scene, acting) == std::vector<std::size_t>{5, 4, 3, 2, 1, 0});
 }

@@ -7,6 +7,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/body/evidence/bind_pose.h"
+#include "rig/reach/limb_topology.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
@@ -223,4 +224,23 @@ TEST_CASE(
         Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
   checkGoesWithEnd(moving, motion, "finger1a.l", arm.endNode);
   CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.body.height);
+}
+
+TEST_CASE(
+    "a box that hangs elsewhere goes with the hand within a fifth of the arm, unless it is much larger") {
+  const auto goesWithHand = [](double away, double side) { // lengths of the arm
+    MovingBiped moving = still(namedBody());
+    const Limb& arm = moving.limb("left-arm");
+    const Vec3 middle =
+        endPosition(arm, bindPoseWorlds(moving.scene)) + Vec3(0.0, away * arm.restLength, 0.0);
+    const Vec3 half(0.5 * side * arm.restLength);
+    const NodeIndex box = hangBox(moving.scene, moving.node.at("root"), middle - half, middle + half);
+    const std::vector<NodeIndex> companions =
+        limbTopology(moving.scene, arm, moving.body.limbs, bindPlaces(moving.scene)).companions;
+    return std::ranges::find(companions, box) != companions.end();
+  };
+  CHECK(goesWithHand(0.18, 0.1));
+  CHECK_FALSE(goesWithHand(0.22, 0.1));
+  CHECK(goesWithHand(0.0, 0.58));
+  CHECK_FALSE(goesWithHand(0.0, 0.62));
 }

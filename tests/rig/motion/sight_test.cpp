@@ -122,6 +122,19 @@ TEST_CASE("a camera that is not there is told, and the scale counts in the limb'
         Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12.0))).epsilon(1e-4));
 }
 
+TEST_CASE("a view that a trail keeps judges it where no camera is named, and not in place of a lost one") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 6, 12, 2.0);
+  trail.settings.sight.asSeen = true;
+  trail.settings.sight.view = cameraFrom(Vec3(1.0, 0.0, 0.0));
+  CHECK((solved(moving, {trail}).trails.front().camera == trail.settings.sight.view));
+  trail.settings.sight.camera = "Lost";
+  const MotionState motion = solved(moving, {trail});
+  CHECK_FALSE(motion.trails.front().camera.has_value());
+  REQUIRE(motion.trails.front().warnings.size() == 1);
+  CHECK_THAT(motion.trails.front().warnings.front(), Catch::Contains("'Lost'"));
+}
+
 TEST_CASE("turned to the view, the limb is as long as the scale says and more of it is seen") {
   const MovingBiped moving = punchingBiped();
   const CameraPlace front = cameraFrom(Vec3(0.3, 0.0, 1.0));

@@ -1,5 +1,7 @@
 // What a limb does at the plane where it stops.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -156,4 +158,33 @@ TEST_CASE("rests are where the end of a limb keeps its place, a moment's hold is
   CHECK(rests[0].endSeconds == Approx(1.0));
   CHECK(glm::length(rests[0].place - handOfSource(moving, strikes)) < 1e-6 * arm.restLength);
   CHECK(restsOf(punchingBiped()).empty());
+}
+
+TEST_CASE(
+    "rests are looked for two seconds around a range, and around a long one twice as long as it lasts") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex hips = moving.body.hips;
+  const Vec3 start = moving.scene.nodes[at(hips)].rest.translation;
+  // The body comes forward by a unit a second and stands still for a while five times.
+  const std::vector<std::pair<double, double>> ways{{0.0, 0.0}, {1.0, 1.0},   {1.5, 1.0},   {2.5, 2.0},
+                                                    {3.0, 2.0}, {5.75, 4.75}, {6.25, 4.75}, {7.0, 5.5},
+                                                    {8.0, 5.5}, {11.0, 8.5},  {11.5, 8.5},  {12.5, 9.5}};
+  VectorKeys keys;
+  for (const auto& [seconds, way] : ways) {
+    keys.emplace_back(seconds, start + Vec3(0.0, 0.0, way));
+  }
+  moving.clip.tracks.emplace_back(vectorTrack(hips, Channel::translation, Interpolation::linear, keys));
+  setEndsFromKeys(moving.clip);
+  const auto restsAround = [&](double startFrame, double endFrame) {
+    Trail trail = connectedTrail("left-arm", startFrame, endFrame, 2.0);
+    trail.settings.stopAt = StopPlane{Vec3(0.0), Vec3(0.0, 1.0, 0.0)};
+    const MotionState motion = solved(moving, {trail});
+    std::vector<double> starts;
+    for (const Rest& rest : motion.trails.front().rests.value()) {
+      starts.push_back(std::round(1000.0 * rest.startSeconds) / 1000.0);
+    }
+    return starts;
+  };
+  CHECK(restsAround(96.0, 108.0) == std::vector<double>{2.5, 5.75}); // from 2 to 6.5 seconds
+  CHECK(restsAround(48.0, 144.0) == std::vector<double>{1.0, 2.5, 5.75, 7.0, 11.0});
 }

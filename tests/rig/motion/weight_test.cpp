@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/soft_limbs.h"
 
@@ -303,4 +304,26 @@ TEST_CASE("what rides on the hips hangs on them and on no limb with weight") {
     CHECK(riding.size() < motion.outline.body.size());
     CHECK(motion.outline.riding == riding);
   }
+}
+
+TEST_CASE("what hangs on the hips gets no lower than the floor, however far the legs give way") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex hips = moving.body.hips;
+  const double hipsHeight = sourceAtFrame(moving, 0.0).worlds[at(hips)][3].y;
+  const NodeIndex tail = addNode(moving.scene, "tail", hips, Vec3(0.0));
+  const auto low = static_cast<float>(0.05 - hipsHeight); // of the hips; 0.05 in the world
+  Primitive primitive;
+  primitive.positions = {{0.0F, 0.0F, -0.3F}, {0.05F, low, -0.3F}, {-0.05F, low, -0.3F}};
+  moving.scene.nodes[at(tail)].mesh = static_cast<int>(moving.scene.meshes.size());
+  moving.scene.meshes.push_back({"tail", {primitive}, {}});
+  moving.clip.endSeconds = 1.0;
+  const MotionState motion = softMotion(
+      moving, {}, {softLimb(moving, "left-leg", squashed), softLimb(moving, "right-leg", squashed)});
+  const FrameState source = sourceAtFrame(moving, 24.0);
+  const std::optional<double> floor = lowestOf(motion.outline, motion.outline.body, source);
+  REQUIRE(floor);
+  const double room = 0.05 - *floor;
+  REQUIRE(room < 0.1 * lengthOf(moving.limb("left-leg"), source)); // the legs would give way by more
+  const FrameState soft = atFrame(moving, motion, 24.0);
+  CHECK(hipsHeight - soft.worlds[at(hips)][3].y == Approx(room).margin(1e-6));
 }

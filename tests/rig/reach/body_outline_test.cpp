@@ -79,3 +79,18 @@ TEST_CASE("a vertex that alone sticks out of a mesh is in its outline, the first
   CHECK(std::ranges::any_of(points,
                             [](const Vec3& point) { return glm::length(point - Vec3(0, 4, 0)) < 1e-5; }));
 }
+
+TEST_CASE("a part of the body is as low as its stretched mesh") {
+  Scene scene;
+  const NodeIndex bone = addNode(scene, "bone", NodeIndex::none, Vec3(0.0, 5.0, 0.0));
+  Primitive primitive;
+  primitive.positions = {{0.0F, -1.0F, 0.0F}, {0.2F, 0.5F, 0.0F}, {0.0F, 0.5F, 0.2F}};
+  scene.nodes[at(bone)].mesh = 0;
+  scene.meshes.push_back({"bone", {primitive}, {}});
+  const BodyOutline outline = outlineOf(scene);
+  FrameState frame = frameOf(scene, restPose(scene), 0.0);
+  CHECK(lowestOf(outline, {bone}, frame).value() == Approx(4.0));
+  frame.stretch.assign(1, Mat3(1.0));
+  frame.stretch[0][1][1] = 3.0;
+  CHECK(lowestOf(outline, {bone}, frame).value() == Approx(2.0));
+}

@@ -91,3 +91,42 @@ TEST_CASE("a limb bends at the joint that does, be it in the first or in the las
   const BindPlaces places = bindPlaces(scene);
   CHECK(reachingLimb({scene, clip, limbs, places}, rope).bendPoint == 3); // else in the middle, at the second
 }
+
+TEST_CASE("a limb that never bends has its elbow at the joint nearest to its middle") {
+  const auto [along, elbow] = GENERATE(table<std::vector<double>, std::size_t>(
+      {{{0, 3, 4, 5, 6}, 1}, {{0, 1, 2, 3, 4}, 2}, {{0, 1, 2, 3, 6}, 3}}));
+  Scene scene;
+  Limb rope;
+  rope.kind = LimbKind::chain;
+  rope.id = "rope";
+  rope.restLength = along.back();
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const NodeIndex above = i == 0 ? NodeIndex::none : rope.joints.back();
+    rope.joints.push_back(addNode(scene, "joint", above, Vec3(i == 0 ? 0.0 : along[i] - along[i - 1], 0, 0)));
+  }
+  rope.endNode = rope.joints.back();
+  rope.joints.pop_back();
+  const Clip clip;
+  const std::vector<Limb> limbs{rope};
+  const BindPlaces places = bindPlaces(scene);
+  CHECK(reachingLimb({scene, clip, limbs, places}, rope).bendPoint == elbow);
+}
+
+TEST_CASE("a body faces as its legs say, as its arms do where its legs stand in one place, and else ahead") {
+  Scene scene;
+  std::vector<Limb> limbs;
+  // Arms that are crossed in the bind pose.
+  for (const auto& [place, x] : {std::pair(biped::leftArm, -0.2), std::pair(biped::rightArm, 0.2),
+                                 std::pair(biped::leftLeg, 0.1), std::pair(biped::rightLeg, -0.1)}) {
+    Limb limb;
+    static_cast<LimbPlace&>(limb) = place;
+    limb.joints = {addNode(scene, "base", NodeIndex::none, Vec3(x, 1.0, 0.0))};
+    limbs.push_back(limb);
+  }
+  const auto facing = [&] { return facingInBind(limbs, bindPlaces(scene)); };
+  CHECK(glm::length(facing() - Vec3(0.0, 0.0, 1.0)) < 1e-12);
+  scene.nodes[at(limbs[2].joints[0])].rest.translation.x = -0.1;
+  CHECK(glm::length(facing() - Vec3(0.0, 0.0, -1.0)) < 1e-12);
+  limbs.clear();
+  CHECK(facing() == Vec3(0.0, 0.0, 1.0));
+}

@@ -295,6 +295,25 @@ TEST_CASE("the keys of a limb in a range are those of its nodes that move, its e
   CHECK(frames({moving.node.at("upperArm.r")}, 0, 24).empty());
 }
 
+TEST_CASE("how a mesh that a joint carries changes its shape neither moves nor keys the joint") {
+  MovingBiped moving = punchingBiped();
+  const NodeIndex arm = moving.node.at("upperArm.l");
+  Track shapes;
+  shapes.node = arm;
+  shapes.channel = Channel::weights;
+  shapes.width = 1;
+  shapes.times = {0.1F, 0.4F};
+  shapes.values = {0.0F, 1.0F};
+  const Clip before = moving.clip;
+  moving.clip.tracks.emplace_back(shapes);
+  CHECK(keyTimesOf(moving.clip, {arm}, 0.0, 1.0) == keyTimesOf(before, {arm}, 0.0, 1.0));
+  FrameState with;
+  FrameState without;
+  NodeSampler(moving.scene, moving.clip, {arm}).sample(0.3, with);
+  NodeSampler(moving.scene, before, {arm}).sample(0.3, without);
+  CHECK(with.worlds[at(arm)] == without.worlds[at(arm)]);
+}
+
 TEST_CASE(
     "a path is drawn at every frame, or so many times in one, from where the trail begins to where it ends") {
   const MovingBiped moving = punchingBiped();
