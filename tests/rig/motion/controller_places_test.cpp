@@ -70,6 +70,7 @@ TEST_CASE("what a controller leads is told to be where it was asked for, and not
   const MovingBiped moving = punchingBiped();
   const double step = 0.02 * moving.body.height;
   for (const auto& [id, way] : {std::pair<std::string, Vec3>{"hips", Vec3(0.0, -1.0, 0.0)},
+                                {"spine-low", Vec3(0.5, -1.0, 0.5)},
                                 {"spine-top", Vec3(0.5, -1.0, 0.5)},
                                 {"head", Vec3(0.5, -1.0, 0.5)},
                                 {"left-hand", Vec3(0.0, 0.0, -1.0)},

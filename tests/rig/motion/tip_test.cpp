@@ -260,6 +260,27 @@ TEST_CASE("a new trail starts at the hips where the body travels, else in the wo
   CHECK(startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 1e30)) == TrailSpace::root);
 }
 
+TEST_CASE("a new trail starts at the hips where the body travels within its range, not before or after it") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex hips = moving.body.hips;
+  const Vec3 stands = moving.scene.nodes[at(hips)].rest.translation;
+  const Vec3 arrived = stands + Vec3(0.0, 0.0, 2.0);
+  moving.clip.tracks.emplace_back(
+      vectorTrack(hips, Channel::translation, Interpolation::linear,
+                  {{0.0, stands}, {0.25, stands}, {0.75, arrived}, {1.0, arrived}}));
+  moving.clip.tracks.emplace_back(
+      rotationTrack(moving.node.at("upperArm.l"), Interpolation::linear,
+                    {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, axisAngle(Vec3(0.0, 0.0, 1.0), 1.0)}}));
+  setEndsFromKeys(moving.clip);
+  const auto space = [&](double startFrame, double endFrame) {
+    return startingSpace(moving.scene, moving.clip, moving.limb("left-arm"), hips,
+                         Vec2(startFrame, endFrame));
+  };
+  CHECK(space(0.0, 6.0) == TrailSpace::world);
+  CHECK(space(6.0, 18.0) == TrailSpace::root);
+  CHECK(space(18.0, 24.0) == TrailSpace::world);
+}
+
 TEST_CASE("a body whose hips carry no arm travels as they do") {
   MovingBiped moving = still(namedBody());
   const NodeIndex hips = moving.body.hips;

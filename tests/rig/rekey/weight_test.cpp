@@ -163,3 +163,26 @@ TEST_CASE("a trail without release jumps at once where its range ends inside tha
   CHECK(largestNodeMiss(poseOf(moving, rekeyed.clip, beside), atFrame(moving, rekeyed.motion, beside)) <
         1e-3 * moving.body.height);
 }
+
+TEST_CASE("weight that does not fade on one side of its range jumps there at once, its stretch too") {
+  const bool jumpsIn = GENERATE(true, false);
+  CAPTURE(jumpsIn);
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  LimbWeight weight = softLimb(moving, "left-arm", [](double) { return SoftBones{1.3, 0.9, 0.9}; });
+  weight.startSeconds = 0.25;
+  weight.endSeconds = 0.75;
+  (jumpsIn ? weight.fadeOutSeconds : weight.fadeInSeconds) = 0.125;
+  const Rekeyed rekeyed = keyed(moving, softMotion(moving, {}, {weight}));
+  const double border = jumpsIn ? 6.0 : 18.0;
+  const double beside = jumpsIn ? 6.0 - 1e-3 : 18.0 + 1e-3;
+  CHECK(largestNodeMiss(poseOf(moving, rekeyed.clip, beside), sourceAtFrame(moving, beside)) < 1e-6);
+  CHECK(lengthOf(arm, poseOf(moving, rekeyed.clip, border)) ==
+        Approx(1.3 * lengthOf(arm, sourceAtFrame(moving, border))).epsilon(1e-3));
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+  REQUIRE_FALSE(rekeyed.keys.stretches.empty());
+  for (const StretchKeys& keys : rekeyed.keys.stretches) {
+    CHECK(glm::length(keys.scales.front() - Vec3(1.0)) < 1e-6);
+    CHECK(glm::length(keys.scales.back() - Vec3(1.0)) < 1e-6);
+  }
+}
