@@ -216,6 +216,7 @@ KeyedPart heldLimbPart(const MotionState& motion, std::size_t limb) {
 KeyedPart propPart(const MotionState& motion, const SolvedProp& prop) {
   KeyedPart part{{prop.node}, 0.0, {}, {}};
   addProp(motion, prop, part);
+  joinWindows(part.windows);
   return part;
 }
 

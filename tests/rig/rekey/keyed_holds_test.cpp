@@ -32,3 +32,26 @@ TEST_CASE("a pin that comes or goes at once jumps in the keys as well, and blend
   CHECK(largestNodeMiss(poseOf(moving, rekeyed.clip, beside), sourceAtFrame(moving, beside)) < 1e-6);
   CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
 }
+
+TEST_CASE("a prop that is held all through a loop is keyed over it once, not again for the turns beside it") {
+  MovingBiped moving = bipedWithBat();
+  std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    return track->node == moving.body.hips; // the body stays in its place
+  });
+  OffsetKey firm;
+  firm.value = 1.0;
+  Prop prop;
+  prop.node = "bat";
+  prop.time = heldOver(0, 24, 4, 4);
+  prop.hands.push_back({"left-arm", {firm}});
+  Holds holds;
+  holds.props = {prop};
+  const MotionState motion = held(motionInput(moving, {}, true), holds);
+  const std::vector<KeyedPart> parts = keyedParts(motion);
+  const auto part = std::ranges::find_if(
+      parts, [&](const KeyedPart& one) { return one.nodes == std::vector{moving.node.at("bat")}; });
+  REQUIRE(part != parts.end());
+  REQUIRE(part->windows.size() == 1);
+  CHECK(part->windows[0].startSeconds == 0.0);
+  CHECK(part->windows[0].endSeconds == 1.0);
+}
