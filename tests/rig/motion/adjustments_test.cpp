@@ -167,6 +167,18 @@ TEST_CASE("a key that stands at the end of its range is held to there and not be
                     placeOf(moving, sourceAtFrame(moving, 12.5), "hand.r")) < 1e-4);
 }
 
+TEST_CASE("a key that stands at the start of its range counts from there and not before") {
+  const MovingBiped moving = punchingBiped();
+  const Rekeyed rekeyed = rekeyedOf(moving, {within(moved("right-hand", {0.0, 0.1, 0.0}, 6.0), 6.0, 12.0)});
+  const auto away = [&](double frame) {
+    return glm::length(placeOf(moving, poseOf(moving, rekeyed.clip, frame), "hand.r") -
+                       placeOf(moving, sourceAtFrame(moving, frame), "hand.r"));
+  };
+  CHECK(away(6.0) > 0.09);
+  CHECK(away(5.99) < 1e-4);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < heightShare * moving.body.height);
+}
+
 TEST_CASE("a trail starts from the adjusted clip") {
   const MovingBiped moving = punchingBiped();
   const Vec3 move(0.0, 0.15, 0.1);

@@ -123,6 +123,33 @@ TEST_CASE("a prop stays in its hands, one or both, where the weight of one of th
   }
 }
 
+TEST_CASE("a prop in two hands goes along where weight moves one of them by that one's share of firmness") {
+  const double left = GENERATE(1.0, 0.25);
+  const double right = 0.5;
+  CAPTURE(left);
+  const MovingBiped moving = bipedWithBat();
+  Prop prop;
+  prop.node = "bat";
+  prop.boundFrame.reset(); // it stays where the clip has it as long as no weight moves a hand
+  prop.hands = {handOfProp("left-arm", left), handOfProp("right-arm", right)};
+  Holds holds;
+  holds.props = {prop};
+  const MotionState motion = weightedMotion(moving, holds, {softLimb(moving, "left-arm", longerBones)});
+  MotionState free = motion;
+  free.holds = {};
+  for (const double frame : {0.0, 7.5, 12.0}) {
+    CAPTURE(frame);
+    const FrameState source = sourceAtFrame(moving, frame);
+    const Vec3 handMove = endPlaceOf(moving, "left-arm", atFrame(moving, free, frame)).position -
+                          endPlaceOf(moving, "left-arm", source).position;
+    REQUIRE(glm::length(handMove) > 0.01);
+    const Vec3 batMove =
+        placeOfBat(moving, atFrame(moving, motion, frame)).position - placeOfBat(moving, source).position;
+    const double share = left / (left + right) * std::min(1.0, left + right);
+    CHECK(glm::length(batMove - share * handMove) < unseenApart);
+  }
+}
+
 TEST_CASE("weight that does not give way leaves every number of what is held alone") {
   const MovingBiped moving = bipedWithBat();
   Holds holds;
