@@ -165,7 +165,7 @@ TEST_CASE(
   MovingBiped moving = still(namedBody());
   const NodeIndex hips = moving.body.hips;
   const Vec3 start = moving.scene.nodes[at(hips)].rest.translation;
-  // The body comes forward by a unit a second and stands still for a while five times.
+  // The body comes forward by one unit per second and stands still for a while five times.
   const std::vector<std::pair<double, double>> ways{{0.0, 0.0}, {1.0, 1.0},   {1.5, 1.0},   {2.5, 2.0},
                                                     {3.0, 2.0}, {5.75, 4.75}, {6.25, 4.75}, {7.0, 5.5},
                                                     {8.0, 5.5}, {11.0, 8.5},  {11.5, 8.5},  {12.5, 9.5}};
