@@ -97,6 +97,10 @@ TEST_CASE("the volumes of a body's segments are even along a tube and make up wh
   }
   const double inside = enclosedVolume(inwards.frame(0), inwards.triangles);
   CHECK(inside == Approx(-whole));
+  const BodyMotion turned = analysed(inwards);
+  for (std::size_t s = 0; s < body.segmentCount(); ++s) {
+    CHECK(turned.volumes[s] == Approx(body.volumes[s]));
+  }
 }
 
 TEST_CASE("a tube is as thick along its whole length as it was made") {

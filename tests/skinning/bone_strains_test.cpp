@@ -62,3 +62,14 @@ TEST_CASE("where nothing gives way the strain is exactly zero") {
       boneStrains({{loaded(0.0, 1.0, Vec3(0.6, 0.8, 0.0), Vec3(0.0, 0.0, 1.0))}}, {{Mat3(1.0)}});
   CHECK(strains[0][0] == Mat3(0.0));
 }
+
+TEST_CASE("of loads from two sides a bone gives way to the stronger one, and to none of the other") {
+  const Vec3 axis = glm::normalize(Vec3(0.2, 1.0, -0.4));
+  const Vec3 strong = glm::normalize(glm::cross(axis, Vec3(0.3, 0.1, 0.9)));
+  // Half of a right angle aside it changes nothing along the axes of the stronger one.
+  const Vec3 weak = glm::normalize(strong + glm::cross(axis, strong));
+  const std::vector<std::vector<Mat3>> strains = boneStrains(
+      {{loaded(0.2, 1.0, axis, strong)}, {loaded(0.05, 1.0, axis, weak)}}, {{Mat3(1.0)}, {Mat3(1.0)}});
+  CHECK(glm::length(strains[0][0] * strong + 0.2 * strong) < 1e-12);
+  CHECK(test::largestDifference(strains[1][0], Mat3(0.0)) < 1e-12);
+}

@@ -49,6 +49,8 @@ TEST_CASE("axial strain is force over stiffness and section, within a half and t
   CHECK(axialScale(1e9, 1000.0, 0.2, 2.0) == 2.0);
   CHECK(axialScale(-1e9, 1000.0, 0.2, 2.0) == 0.5);
   CHECK(axialScale(10.0, 0.0, 0.2, 2.0) == 1.0);
+  CHECK(axialScale(10.0, 1000.0, 0.0, 2.0) == 1.0);
+  CHECK(axialScale(10.0, 1000.0, 0.2, 0.0) == 1.0);
 }
 
 TEST_CASE("moduli by segment are read, later ranges win, mistakes are named") {

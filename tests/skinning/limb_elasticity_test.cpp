@@ -225,3 +225,36 @@ TEST_CASE("settings of a limb out of their range are refused by what they are") 
   REQUIRE_FALSE(refused);
   CHECK(refused.error().line().starts_with(wrong + ";"));
 }
+
+TEST_CASE("a limb that is carried along evenly is as long as a still one, in its first and last frame too") {
+  const auto still = solve(hanging(12, [](double) { return Vec3(0.0); }));
+  const auto carried = solve(hanging(12, [](double t) { return Vec3(3.0 * t, 1.0 - 2.0 * t, 0.5 * t); }));
+  for (std::size_t k = 0; k < carried.size(); ++k) {
+    for (const std::size_t segment : {0U, 1U}) {
+      CAPTURE(k, segment);
+      CHECK(carried[k][segment].factors.along == Approx(still[k][segment].factors.along).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a standing limb is pressed by what it carries, by the segments above and half of the own one") {
+  LimbMotion motion = hanging(6, [](double) { return Vec3(0.0); });
+  motion.carriedMass.assign(6, 10.0);
+  const double area = 0.25 * pi * 0.08 * 0.08;
+  const double mass = 1000.0 * area * 0.3;
+  for (const double planted : {0.0, 0.5, 1.0}) {
+    for (const double amount : {0.5, 1.0}) {
+      CAPTURE(planted, amount);
+      motion.planted.assign(6, planted);
+      LimbElasticity settings;
+      settings.amount = amount;
+      const std::vector<LimbStretch> middle = solve(motion, settings)[3];
+      for (const std::size_t segment : {0U, 1U}) {
+        const double above = static_cast<double>(segment) + 0.5; // in masses of a segment
+        const double below = 2.0 - above;
+        const double pulling = (1.0 - planted) * below * mass - planted * (10.0 + above * mass);
+        CHECK(middle[segment].factors.along - 1.0 == Approx(amount * pulling * 9.81 / (3e5 * area)));
+      }
+    }
+  }
+}

@@ -112,6 +112,11 @@ TEST_CASE("bad MDD caches are refused with one clear line, before memory is take
   CHECK_THAT(refusalOf(file), Contains("cut short"));
   file.points = -3;
   CHECK_THAT(refusalOf(file), Contains("-3 points"));
+  file.points = 0;
+  CHECK_THAT(refusalOf(file), Contains("0 points, 2 samples"));
+  file = {};
+  file.samples = 0;
+  CHECK_THAT(refusalOf(file), Contains("3 points, 0 samples"));
   file = {};
   file.points = 2;
   CHECK_THAT(refusalOf(file), Contains("2 points") && Contains("3 vertices"));
@@ -139,6 +144,46 @@ TEST_CASE("times that do not move on, or unevenly, are told") {
   sequence = readMddOf(file);
   REQUIRE(sequence);
   CHECK_THAT(sequence->warnings.at(0), Contains("uneven") && Contains("12.5"));
+}
+
+TEST_CASE("a cache may begin at any time, and its times be off by a tenth of a frame") {
+  MddFile file;
+  file.samples = 3;
+  file.numbers.resize(27);
+  const auto isUneven = [&](const std::vector<float>& times) {
+    file.times = times;
+    const auto sequence = readMddOf(file);
+    REQUIRE(sequence);
+    CHECK(sequence->framesPerSecond == 25.0);
+    return std::ranges::any_of(sequence->warnings, [](const std::string& warning) {
+      return warning.find("times of the cache are uneven") != std::string::npos;
+    });
+  };
+  CHECK_FALSE(isUneven({10.0F, 10.04F, 10.08F}));
+  CHECK_FALSE(isUneven({10.0F, 10.043F, 10.08F}));
+  CHECK(isUneven({10.0F, 10.045F, 10.08F}));
+  CHECK(isUneven({10.0F, 10.035F, 10.08F}));
+}
+
+TEST_CASE("how much faster or slower than its times a cache plays at a rate is told") {
+  const test::TemporaryFolder folder;
+  const auto base = folder.write("base.obj", oneTriangle);
+  const auto cache = folder.write("run.mdd", MddFile{}.bytes());
+  const auto told = [&](double framesPerSecond) {
+    const auto sequence = readSequence({base, cache}, {}, {}, framesPerSecond);
+    REQUIRE(sequence);
+    for (const std::string& warning : sequence->warnings) {
+      if (warning.find("by the times") != std::string::npos) {
+        return warning;
+      }
+    }
+    return std::string();
+  };
+  const std::string own = "by the times of the cache it has 25 frames per second: at ";
+  CHECK(told(50.0) == own + "50 it plays 2 times as fast as it was made");
+  CHECK(told(12.5) == own + "12.5 it plays 0.5 times as fast as it was made");
+  CHECK(told(25.02).empty());
+  CHECK(told(24.98).empty());
 }
 
 TEST_CASE(

@@ -320,3 +320,39 @@ TEST_CASE("looks of a PLY are those of its vertices, with v turned downwards") {
   CHECK(surface->normals ==
         std::vector<glm::vec3>{{0.0F, 0.0F, 1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F}});
 }
+
+TEST_CASE("a picture below an MTL file is taken from there, and none from anywhere else") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "body/maps");
+  const std::string png = "\x89PNG\r\n\x1a\n";
+  const std::string secret = folder.write("private.png", png + "not to be taken").string();
+  folder.write("body/skin.png", png + "beside");
+  folder.write("body/maps/skin.png", png + "some way below");
+  const auto file = folder.write("body/some.mtl", "Kd 1 0 0\nmap_Kd skin.png\n"
+                                                  "newmtl Below\nmap_Kd maps\\skin.png\n"
+                                                  "newmtl Beside\nmap_Kd skin.png\n"
+                                                  "newmtl Above\nmap_Kd ../private.png\n"
+                                                  "newmtl Far\nmap_Kd " +
+                                                      secret + "\nnewmtl Nameless\nmap_Kd\n");
+  std::vector<std::string> warnings;
+  const gltf::Source made = materialsOfMtl({file}, {"Below", "Beside", "Above", "Far", "Nameless"}, warnings);
+  const gltf::Json& whole = *made.json;
+  const auto bytesOfPicture = [&](std::size_t material) {
+    const gltf::Json& look = whole["materials"][material]["pbrMetallicRoughness"];
+    if (!look.contains("baseColorTexture")) {
+      return std::size_t{0};
+    }
+    const gltf::Json& texture = whole["textures"][look["baseColorTexture"]["index"].get<std::size_t>()];
+    const gltf::Json& image = whole["images"][texture["source"].get<std::size_t>()];
+    return whole["bufferViews"][image["bufferView"].get<std::size_t>()]["byteLength"].get<std::size_t>();
+  };
+  CHECK(bytesOfPicture(0) == 8 + 14);
+  CHECK(bytesOfPicture(1) == 8 + 6);
+  CHECK(bytesOfPicture(2) == 0);
+  CHECK(bytesOfPicture(3) == 0);
+  CHECK(bytesOfPicture(4) == 0);
+  const std::string gone = " is not beside its material file: its texture is left out";
+  CHECK(warnings ==
+        std::vector<std::string>{"the image ../private.png" + gone, "the image " + secret + gone});
+  checkColour(whole["materials"][2], {0.8, 0.8, 0.8, 1.0}); // what stands before all materials is of none
+}

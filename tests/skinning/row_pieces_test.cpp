@@ -1,9 +1,11 @@
 // Small pieces of compression: rows of bones, groups of faces, the strongest weights, meshes made usable.
 #include <cmath>
+#include <memory>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/gltf/import/mesh_surface.h"
 #include "skinning/compress/chain_stretch.h"
 #include "skinning/compress/usable_mesh.h"
 #include "skinning/export/encode_gltf.h"
@@ -216,6 +218,8 @@ TEST_CASE("A sound mesh is used as it is") {
 TEST_CASE("Vertices of no triangle are left out and given back, on the first bone") {
   MeshSequence sequence;
   sequence.name = "sheet";
+  sequence.clipName = "wave";
+  sequence.surface = std::make_shared<const gltf::MeshSurface>();
   sequence.vertexCount = 5;
   sequence.framesPerSecond = 12.0;
   sequence.frameNames = {"a", "b"};
@@ -240,6 +244,8 @@ TEST_CASE("Vertices of no triangle are left out and given back, on the first bon
   SkinnedSequence skinned = withoutBones(*usable.changed);
   skinned.influences = {rowOf({{5, 1.0F}}), rowOf({{6, 1.0F}}), rowOf({{7, 1.0F}})};
   giveBackVertices(usable, sequence, skinned);
+  CHECK(skinned.clipName == "wave");
+  CHECK(skinned.surface == sequence.surface);
   CHECK(skinned.triangles == sequence.triangles);
   CHECK(skinned.bindPositions ==
         std::vector<glm::vec3>(sequence.positions.begin(), sequence.positions.begin() + 5));

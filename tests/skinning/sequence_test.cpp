@@ -309,7 +309,9 @@ TEST_CASE("a point cache of every second frame is told, unless its rate is given
   CHECK_THAT(toldAt(0.5F, 0.0), Contains("every 0.5 frames"));
   CHECK(toldAt(2.0F, 12.0).empty());
   CHECK(toldAt(1.0F, 0.0).empty());
-  CHECK(toldAt(0.0F, 0.0).empty());
+  for (const float none : {0.0F, -2.0F, std::numeric_limits<float>::infinity(), std::nanf("")}) {
+    CHECK(toldAt(none, 0.0).empty()); // some writers leave it out
+  }
 }
 
 TEST_CASE("a point cache moves the triangles and looks of a PLY and of a glTF as of an OBJ") {
@@ -354,6 +356,19 @@ TEST_CASE("a cache alone finds the mesh beside it that it was made of, by vertic
   REQUIRE(readSequence({cache}));
 }
 
+TEST_CASE("a cache alone finds a glTF beside it, of several the one with as many vertices") {
+  const test::TemporaryFolder folder;
+  const SkinnedSequence tube = test::wavingTube(3, 2);
+  REQUIRE(gltf::save(encodeGltf(tube).source, folder / "tube.glb"));
+  SkinnedSequence larger = tube;
+  larger.bindPositions.push_back(tube.bindPositions.front());
+  larger.influences.push_back(tube.influences.front());
+  REQUIRE(gltf::save(encodeGltf(larger).source, folder / "run.glb"));
+  const auto points = static_cast<std::int32_t>(tube.bindPositions.size());
+  const auto cache = folder.write("run.pc2", pointCache(points, 1, 3 * tube.bindPositions.size()));
+  CHECK(sequencePaths({cache}) == std::vector{folder / "tube.glb", cache});
+}
+
 TEST_CASE("one numbered frame stands for its folder, a single mesh for itself") {
   const test::TemporaryFolder folder;
   const auto first = folder.write("wolf-1.obj", tetrahedron(0.0));
@@ -374,9 +389,15 @@ TEST_CASE("bad point caches are refused with one clear line") {
     return sequence.error().line();
   };
   CHECK_THAT(refuse("POINTCACHE2"), Contains("no PC2"));
-  CHECK_THAT(refuse(pointCache(4, 3, 35)), Contains("cut short"));
+  CHECK_THAT(refuse(pointCache(4, 3, 35)), Contains("cut short: 172 bytes for 4 points in 3 samples"));
   CHECK_THAT(refuse(pointCache(5, 3, 45)), Contains("5 points") && Contains("4 vertices"));
   CHECK_THAT(refuse(pointCache(4, 0, 0)), Contains("0 samples"));
+  CHECK_THAT(refuse(pointCache(4, -1, 12)), Contains("-1 samples"));
+  CHECK_THAT(refuse(pointCache(0, 3, 0)), Contains("0 points"));
+  CHECK_THAT(refuse(pointCache(-4, 3, 36)), Contains("-4 points"));
+  std::string later = pointCache(4, 3, 36);
+  later[12] = 2;
+  CHECK_THAT(refuse(later), Contains("version 2, 4 points, 3 samples"));
   CHECK_THAT(refuse(pointCache(4, 2000000000, 12)), Contains("cut short"));
   for (const float number : {std::nanf(""), 1e16F, -1e30F}) {
     CHECK_THAT(refuse(pointCache(4, 1, 12, number)), Contains("vertex 0") && Contains("sample 0"));

@@ -280,3 +280,16 @@ TEST_CASE("of two bones that could each stand still only one does where both wou
   REQUIRE(plan->size() == 2);
   CHECK(std::ranges::count_if(*plan, [](const auto& keys) { return keys.size() == 1; }) == 1);
 }
+
+TEST_CASE("a file that shows other vertices than were written is no measure of them, and both are told") {
+  const SkinnedSequence body = test::armedBody(2);
+  const test::TemporaryFolder folder;
+  EncodedClip clip = encodeGltf(body);
+  REQUIRE(gltf::save(clip.source, folder / "body.glb"));
+  const std::size_t count = clip.places.size();
+  clip.places.pop_back();
+  const auto error = errorOfFile(folder / "body.glb", clip, skinAllFrames(body));
+  REQUIRE_FALSE(error);
+  CHECK(error.error().what ==
+        std::to_string(count - 1) + " vertices were written and " + std::to_string(count) + " are read");
+}

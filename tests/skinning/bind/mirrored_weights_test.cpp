@@ -128,3 +128,15 @@ TEST_CASE("Of two joints at one place the first goes with the first of the other
   CHECK(weightOf(weights[1], 3) == Approx(0.5));
   CHECK(weightOf(weights[1], 4) == Approx(0.5));
 }
+
+TEST_CASE("The sides of a body lie about its own middle, wherever it stands") {
+  const std::vector<glm::vec3> places{{8, 0, 0}, {6, 0, 0}, {7, 1, 0}};
+  const std::vector<BindJoint> joints{{Vec3(7, 0, 0), -1}, {Vec3(9, 0, 0), 0}, {Vec3(5, 0, 0), 0}};
+  std::vector<Influences> weights{all(1), all(0), all(1)};
+  skinning::mirrorWeights(places, joints, weights);
+  CHECK(weightOf(weights[0], 1) == Approx(0.5));
+  CHECK(weightOf(weights[0], 0) == Approx(0.5));
+  CHECK(weightOf(weights[1], 2) == Approx(0.5));
+  CHECK(weightOf(weights[2], 1) == Approx(0.5));
+  CHECK(weightOf(weights[2], 2) == Approx(0.5));
+}

@@ -1,6 +1,7 @@
 // What is told of bones, runs and frames that do not fit the mesh.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -32,7 +33,52 @@ std::string toldOfBones(const std::vector<Vec3>& pivots) {
   return taken ? std::string() : taken.error().line();
 }
 
+/// What is told of a sequence that one bone along it follows, with measured stretch.
+std::vector<std::string> toldOfOneBone(const MeshSequence& sequence) {
+  SkinBone bone;
+  bone.end = Vec3(10.0, 0.0, 0.0);
+  bone.name = "trunk";
+  CompressSettings settings;
+  settings.skeleton = {bone};
+  settings.stretch = StretchOption::measured;
+  settings.weights = WeightOption::geodesic;
+  const auto result = compress(sequence, settings);
+  REQUIRE(result);
+  return result->warnings;
+}
+
+/// A tube along x that is pulled to so many times its length, frame by frame.
+MeshSequence pulledTube(const std::vector<float>& lengths) {
+  MeshSequence sequence = test::still(test::tube(10.0, 0.5, 60, 12));
+  const std::vector<glm::vec3> rest = sequence.positions;
+  for (const float length : lengths) {
+    for (const glm::vec3& place : rest) {
+      sequence.positions.emplace_back(length * place.x, place.y, place.z);
+    }
+  }
+  return sequence;
+}
+
 } // namespace
+
+TEST_CASE("a bone that is scaled below a half or above twice is told with how far and in which frames") {
+  CHECK(toldOfOneBone(pulledTube({0.6F, 1.9F})).empty());
+  CHECK(toldOfOneBone(pulledTube({0.4F, 3.0F})) ==
+        std::vector<std::string>{"1 bone is scaled below 0.5 or above 2, most of all trunk from 0.4 to 3 "
+                                 "(frames 1 and 2): --scale-limit 2 keeps them within that, more bones may "
+                                 "need less"});
+  for (const float length : {0.4F, 3.0F}) {
+    CAPTURE(length);
+    CHECK(toldOfOneBone(pulledTube({length})).size() == 1);
+  }
+}
+
+TEST_CASE("where bones that stretch freely are too few to follow a body, more of them are advised") {
+  const std::vector<std::string> told = toldOfOneBone(test::shorteningTube(4, 1.5, 0.0, 0.0));
+  CHECK(std::ranges::count_if(told, [](const std::string& warning) {
+          return warning.ends_with("of the body's size on average: give more --bones");
+        }) == 1);
+}
 
 TEST_CASE("bones span from a quarter of the mesh to four times as much, and both sizes are told beyond") {
   const auto apart = [](double units) { return toldOfBones({Vec3(1.0), Vec3(1.0 + units, 1.0, 1.0)}); };

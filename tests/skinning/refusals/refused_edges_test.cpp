@@ -146,3 +146,14 @@ TEST_CASE("a cache whose mesh cannot be read is refused with what is wrong with 
   REQUIRE_FALSE(sequence);
   CHECK_THAT(sequence.error().line(), Catch::Contains("run.obj"));
 }
+
+TEST_CASE("a sequence without frames and one without triangles are refused, each by what it lacks") {
+  MeshSequence ball = test::still(test::sphere(1));
+  ball.name = "ball";
+  const std::string told = "ball: the sequence has no frames or no triangles; give a sequence with both";
+  MeshSequence bare = ball;
+  bare.triangles.clear();
+  CHECK(ofBones(bare, 1) == told);
+  ball.positions.clear();
+  CHECK(ofBones(ball, 1) == told);
+}

@@ -103,3 +103,38 @@ TEST_CASE("frames between frames are played by their fractions") {
   REQUIRE(versioned);
   CHECK(versioned->frameNames == Names{"sim_v2.9.obj", "sim_v2.10.obj"});
 }
+
+TEST_CASE("four meshes that are left out beside frames are told by name, of more how many") {
+  Names names{"f_1.obj", "f_2.obj", "a.obj", "b.obj", "c.obj", "d.obj"};
+  const auto told = [&] { return Frames(names).read()->warnings; };
+  CHECK(told() == Names{"left out what is not named like f_1.obj: a.obj, b.obj, c.obj, d.obj"});
+  names.emplace_back("e.obj");
+  CHECK(told() == Names{"left out what is not named like f_1.obj: a.obj, b.obj, c.obj, d.obj and 1 more"});
+}
+
+TEST_CASE("of names with two numbers those that are missing are told of the last one") {
+  const auto told = [](const Names& names) {
+    const auto sequence = Frames(names).read();
+    REQUIRE(sequence);
+    REQUIRE_FALSE(sequence->warnings.empty());
+    CHECK_THAT(sequence->warnings.back(), Contains("the names differ in 2 numbers"));
+    return sequence->warnings.size() == 1 ? std::string() : sequence->warnings.front();
+  };
+  CHECK(told({"shot1_f1.obj", "shot2_f2.obj", "shot4_f3.obj"}).empty());
+  CHECK(told({"shot1_f1.obj", "shot1_f2.obj", "shot1_f4.obj", "shot2_f1.obj", "shot2_f2.obj"}) ==
+        "no frame has the number 3: the next one follows at once");
+}
+
+TEST_CASE("frames whose numbers keep no step lack none, and neither does one frame alone") {
+  CHECK(playedOf({"f_0.obj", "f_4.obj", "f_10.obj"}).size() == 3);
+  CHECK(playedOf({"body.obj"}) == Names{"body.obj"});
+  CHECK(playedOf({"f_7.obj"}) == Names{"f_7.obj"});
+}
+
+TEST_CASE("a frame that is named stands for those of its kind of file whose names end in other numbers") {
+  CHECK(Frames({"f_1.obj", "f_2.obj", "f_3.ply"}).read("f_2.obj")->frameNames == Names{"f_1.obj", "f_2.obj"});
+  CHECK(Frames({"f_1.obj", "f_2.OBJ"}).read("f_1.obj")->frameNames == Names{"f_1.obj", "f_2.OBJ"});
+  const Frames behind({"f1_low.obj", "f2_low.obj"});
+  CHECK(behind.read()->frameCount() == 2);
+  CHECK_THAT(test::refusal(behind.read("f1_low.obj")), Contains("a single file is no mesh sequence"));
+}
