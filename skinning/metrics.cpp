@@ -167,10 +167,11 @@ struct FrameSums {
 };
 
 FrameSums sumFrame(const MeshSequence& a, const MeshSequence& b, std::size_t frame) {
-  Vec3 centroid(0.0);
+  Vec3 sum(0.0);
   for (std::size_t v = 0; v < a.vertexCount; ++v) {
-    centroid += Vec3(a.frame(frame)[v]) / static_cast<double>(a.vertexCount);
+    sum += Vec3(a.frame(frame)[v]);
   }
+  const Vec3 centroid = sum / static_cast<double>(a.vertexCount); // Of one place for all exactly that place.
   FrameSums sums;
   for (std::size_t v = 0; v < a.vertexCount; ++v) {
     const Vec3 position(a.frame(frame)[v]);

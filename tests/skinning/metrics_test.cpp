@@ -314,4 +314,6 @@ TEST_CASE("an error of nothing is told where two are equal alone, also where nei
   const SequenceMetrics metrics = compared(point, off);
   CHECK(metrics.rmsePercent == 100.0);
   CHECK(metrics.largestPercent == 100.0);
+  CHECK(metrics.kgError == 100.0);
+  CHECK(compared(point, point).kgError == 0.0);
 }
