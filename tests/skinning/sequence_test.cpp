@@ -479,3 +479,21 @@ TEST_CASE("vertices that lie on another in every frame are joined, others are no
   CHECK(sequence.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}});
   CHECK(sequence.frame(1)[2] == glm::vec3(1, 0, 0));
 }
+
+TEST_CASE("reading frames and samples tells how far it is, up to the whole") {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder frames;
+  for (const int frame : {1, 2, 3, 4}) {
+    frames.write("wolf-" + std::to_string(frame) + ".obj", tetrahedron(frame));
+  }
+  const auto base = folder.write("base.obj", tetrahedron(0.0));
+  const auto cache = folder.write("run.pc2", pointCache(4, 4, 48));
+  const auto sharesOf = [](const std::vector<std::filesystem::path>& paths) {
+    std::vector<double> shares;
+    REQUIRE(readSequence(paths, [&](double share) { shares.push_back(share); }));
+    return shares;
+  };
+  const std::vector<double> wanted{0.25, 0.5, 0.75, 1.0};
+  CHECK(sharesOf({frames.path()}) == wanted);
+  CHECK(sharesOf({base, cache}) == wanted);
+}

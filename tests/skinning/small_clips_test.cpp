@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -292,4 +294,23 @@ TEST_CASE("a file that shows other vertices than were written is no measure of t
   REQUIRE_FALSE(error);
   CHECK(error.error().what ==
         std::to_string(count - 1) + " vertices were written and " + std::to_string(count) + " are read");
+}
+
+TEST_CASE("leaving out keys tells how far it is, never back, and ends where it is stopped") {
+  const SkinnedSequence slow = slowlyTurningBody();
+  EncodeSettings settings;
+  settings.keyTolerancePercent = 0.2;
+  for (const std::size_t most : {1U, 3U, 10U, 40U}) {
+    CAPTURE(most);
+    std::vector<double> shares;
+    const std::optional<EncodedClip> stopped = encodeGltf(slow, settings, [&](double share) {
+      shares.push_back(share);
+      return shares.size() < most;
+    });
+    CHECK_FALSE(stopped.has_value());
+    REQUIRE(shares.size() == most);
+    CHECK(std::ranges::is_sorted(shares));
+    CHECK(shares.front() == 0.0);
+    CHECK(shares.back() < 0.5);
+  }
 }

@@ -79,3 +79,36 @@ TEST_CASE("a file without a skin, and one whose bind matrices lead nowhere, give
   });
   CHECK_THAT(test::refusal(flat), Catch::Contains("the bind matrix of 'head' cannot be inverted"));
 }
+
+TEST_CASE(
+    "a bone hangs on the nearest bone above it, and a leaf that carries a stretch stands for its joint") {
+  const auto told = [](const std::vector<gltf::Json>& nodes, const std::vector<int>& joints) {
+    const test::TemporaryFolder folder;
+    test::GlbBuilder glb = test::twoSheets();
+    const int first = static_cast<int>(glb.json["nodes"].size());
+    REQUIRE(first == 2);
+    for (const gltf::Json& node : nodes) {
+      glb.json["nodes"].push_back(node);
+    }
+    glb.json["scenes"][0]["nodes"].push_back(first);
+    glb.json["skins"].push_back({{"joints", joints}});
+    glb.write(folder / "bones.glb");
+    const auto bones = readSkeleton(folder / "bones.glb");
+    REQUIRE(test::refusal(bones) == "accepted");
+    std::string text;
+    for (const SkinBone& bone : *bones) {
+      text += bone.name + " on " + std::to_string(bone.parent) + ", ";
+    }
+    return text;
+  };
+  using gltf::Json;
+  const Json hips{{"name", "hips"}, {"children", {3}}};
+  const Json between{{"name", "between"}, {"children", {4}}};
+  const Json knee{{"name", "knee"}, {"translation", {0, -1, 0}}};
+  const Json kneeThatStretches{{"name", "knee"}, {"translation", {0, -1, 0}}, {"children", {4}}};
+  const Json leaf{{"name", "stretch_knee"}, {"scale", {1, 2, 1}}};
+  const Json pelvis{{"name", "pelvis"}, {"scale", {1, 2, 1}}};
+  CHECK(told({hips, between, knee}, {2, 4}) == "hips on -1, knee on 0, ");
+  CHECK(told({hips, kneeThatStretches, leaf}, {2, 4}) == "hips on -1, knee on 0, ");
+  CHECK(told({hips, pelvis}, {2, 3}) == "hips on -1, pelvis on 0, "); // where the hips are, and a bone
+}
