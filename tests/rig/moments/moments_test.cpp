@@ -297,6 +297,9 @@ TEST_CASE("An idle has no moment: it sways from foot to foot, breathes, looks ab
   };
   CHECK(momentsOf(swaying(2.0)).empty());
   CHECK_FALSE(momentsOf(swaying(8.0)).empty()); // A drummer.
+  MovingBiped footless = swaying(2.0);          // A ghost: nothing of it stands.
+  std::erase_if(footless.body.limbs, [](const Limb& limb) { return !isArm(limb); });
+  CHECK_FALSE(momentsOf(footless).empty());
   MovingBiped walking = swaying(2.0);
   const std::vector<Turn> steps{{0, -20}, {12, 20}, {24, -20}, {36, 20}, {48, -20}};
   turn(walking, "thigh.l", rightwards, steps);

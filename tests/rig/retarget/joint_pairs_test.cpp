@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -70,4 +72,35 @@ TEST_CASE("A spine of another number of joints is followed at its shares of the 
       }
     }
   }
+}
+
+TEST_CASE("Parts that only the followed body has are told, each once, and none that only the other one has") {
+  const MovingBiped from = still(namedBody());
+  const MovingBiped onto = still(namedBody());
+  Skeleton source = skeletonOf(from);
+  Skeleton own = skeletonOf(onto);
+  const auto left = [&] { return pairJoints(source, own).left; };
+  using Parts = std::vector<std::string>;
+  CHECK(left().empty());
+  for (const std::size_t side : {leftSide, rightSide}) {
+    REQUIRE((source.arms[side] && own.arms[side]));
+    source.arms[side]->fingers = {{"thumb", {source.hips}}, {"ring", {source.hips}}};
+    own.arms[side]->fingers = {{"index", {own.hips}}};
+  }
+  CHECK(left() == Parts{"the ring finger", "the thumb"});
+  own.arms[leftSide]->fingers.clear();
+  own.arms[rightSide]->fingers.clear();
+  CHECK(left() == Parts{"fingers"});
+  own.arms[rightSide]->shoulder = NodeIndex::none;
+  CHECK(left() == Parts{"fingers", "shoulders"});
+  own.arms[leftSide].reset();
+  CHECK(left() == Parts{"the left arm", "shoulders", "fingers"});
+  source.arms[rightSide].reset();
+  CHECK(left() == Parts{"the left arm"});
+  std::swap(source.arms[leftSide], source.arms[rightSide]);
+  own.arms.fill(std::nullopt);
+  CHECK(left() == Parts{"the right arm"});
+  own.head = NodeIndex::none;
+  own.legs[rightSide].toes = NodeIndex::none;
+  CHECK(left() == Parts{"the head", "the right arm", "toes"});
 }

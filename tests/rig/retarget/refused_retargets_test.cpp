@@ -128,3 +128,50 @@ TEST_CASE("Two nodes of one character that have one name and move give their tra
     CHECK(taken.emplace(track->node, track->channel).second);
   }
 }
+
+TEST_CASE("A node of another character is named once, however many of its channels move") {
+  MovingBiped both = twoOfOneName();
+  const NodeIndex upper = both.node.at("other upperArm.l");
+  both.clip.tracks.emplace_back(test::vectorTrack(upper, Channel::translation, Interpolation::linear,
+                                                  {{0.0, Vec3(0.0)}, {1.0, Vec3(0.1)}}));
+  const MovingBiped to = test::still(test::namedBody());
+  const CopiedTracks one = copyTracks(both.scene, both.clip, to.scene, to.body.hips, both.node.at("hips"));
+  CHECK(one.ofOthers == std::vector<std::string>{both.scene.nodes[at(upper)].name,
+                                                 both.scene.nodes[at(both.node.at("foreArm.l"))].name});
+  CHECK(one.joints == 2);
+}
+
+TEST_CASE("A copied joint counts once, and one that is missing is named once: by its number without a name") {
+  MovingBiped from = test::still(test::namedBody());
+  MovingBiped to = test::still(test::namedBody());
+  for (MovingBiped* const body : {&from, &to}) { // One node alone has no name.
+    for (std::size_t i = 0; i < body->scene.nodes.size(); ++i) {
+      Node& node = body->scene.nodes[i];
+      node.name = node.name.empty() ? "node " + std::to_string(i) : node.name;
+    }
+    body->scene.nodes[at(body->node.at("toe.l"))].name.clear();
+  }
+  for (const char* const key : {"upperArm.l", "foreArm.l", "toe.l", "hand.l"}) {
+    const NodeIndex node = from.node.at(key);
+    Track turns = test::rotationTrack(node, Interpolation::linear, {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}});
+    turns.sourceChannel = 3;
+    from.clip.tracks.emplace_back(turns);
+    from.clip.tracks.emplace_back(
+        test::vectorTrack(node, Channel::translation, Interpolation::linear, {{0.0, Vec3(0.1)}}));
+  }
+  setEndsFromKeys(from.clip);
+  const auto nameOf = [&](const char* key) { return from.scene.nodes[at(from.node.at(key))].name; };
+  to.scene.nodes[at(to.node.at("foreArm.l"))].name = "elsewhere";
+  to.scene.nodes[at(to.node.at("hand.l"))].isBindLeaf = true; // It carries a stretch, and is no joint.
+  const CopiedTracks copied = copyTracks(from.scene, from.clip, to.scene);
+  CHECK(copied.joints == 1);
+  CHECK(copied.missing == std::vector<std::string>{nameOf("foreArm.l"),
+                                                   "#" + std::to_string(from.node.at("toe.l").value),
+                                                   nameOf("hand.l")});
+  REQUIRE(copied.clip.tracks.size() == 2);
+  for (const CopyOnWrite<Track>& track : copied.clip.tracks) {
+    CHECK(track->node == to.node.at("upperArm.l"));
+    CHECK(track->sourceChannel == -1); // It is in no file yet, as its clip.
+  }
+  CHECK(copied.clip.sourceIndex == -1);
+}

@@ -13,6 +13,7 @@
 #include "rig/retarget/copy_tracks.h"
 #include "rig/retarget/retarget.h"
 #include "rig/retarget/thin_keys.h"
+#include "tests/support/rig/boxed_biped.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -354,6 +355,23 @@ TEST_CASE("Bones of the same names and other lengths are not the same bones") {
   CHECK_FALSE(haveSameBones(moving.scene, moving.clip, test::still(large).scene));
 }
 
+TEST_CASE(
+    "Bones are the same within a twentieth of the longer one's length, and where none can be compared") {
+  const MovingBiped moving = test::punchingBiped();
+  const auto isSame = [&](double size) {
+    test::SyntheticBiped sized = test::namedBody();
+    for (test::SyntheticJoint& joint : sized.joints) {
+      joint.position *= size;
+    }
+    return haveSameBones(moving.scene, moving.clip, test::still(sized).scene);
+  };
+  CHECK(isSame(1.052));
+  CHECK_FALSE(isSame(1.054));
+  CHECK(isSame(0.951));
+  CHECK_FALSE(isSame(0.949));
+  CHECK(haveSameBones(moving.scene, Clip{}, moving.scene));
+}
+
 TEST_CASE("What the clip does not move stands as in the bind pose, where the file has it otherwise at rest") {
   test::SyntheticBiped body = test::namedBody({.tips = true});
   test::addTwist(body, "twist", "upperArm.l", "foreArm.l", 0.5, false);
@@ -403,6 +421,39 @@ TEST_CASE("A clip that ends between two frames is brought to its end, and its la
     CHECK(degreesBetween(boneOf(from, from.clip, "left-arm", 0, time),
                          boneOf(to, clip, "left-arm", 0, time)) < 0.1);
   }
+}
+
+TEST_CASE("A clip of few frames in each second is followed between its frames, too") {
+  MovingBiped from = bodyOf();
+  from.clip.framesPerSecond = 8.0;
+  const double between = 1.0 / 24.0;
+  const Quat level(1.0, 0.0, 0.0, 0.0);
+  from.clip.tracks.emplace_back(test::rotationTrack(
+      from.node.at("upperArm.l"), Interpolation::linear,
+      {{0.0, level}, {between, axisAngle(Vec3(0, 1, 0), -1.2)}, {2.0 * between, level}, {1.0, level}}));
+  setEndsFromKeys(from.clip);
+  const MovingBiped to = bodyOf();
+  const Clip clip = brought(from, to);
+  REQUIRE(degreesBetween(boneOf(from, from.clip, "left-arm", 0, between), Vec3(1, 0, 0)) > 60.0);
+  for (const double time : {0.0, between, 2.0 * between, 0.125}) {
+    CAPTURE(time);
+    CHECK(degreesBetween(boneOf(from, from.clip, "left-arm", 0, time),
+                         boneOf(to, clip, "left-arm", 0, time)) < 0.5);
+  }
+}
+
+TEST_CASE("A character that lies in its bind pose stands up where the source stands") {
+  const MovingBiped from = bodyOf();
+  MovingBiped lying = test::bareBiped(test::namedBody());
+  lying.scene.skins.clear();
+  lying.scene.nodes.front().rest.rotation = axisAngle(Vec3(1, 0, 0), -0.5 * pi);
+  const auto trunkOf = [](const MovingBiped& body, const Clip& clip) {
+    const std::vector<Mat4> worlds = worldsAt(body, clip, 0.0);
+    return positionOf(worlds[at(body.body.head)]) - positionOf(worlds[at(body.body.hips)]);
+  };
+  REQUIRE(degreesBetween(trunkOf(lying, {}), Vec3(0, 1, 0)) > 80.0);
+  // What lies is turned by its line from the feet to the head, which leans a little here.
+  CHECK(degreesBetween(trunkOf(lying, brought(from, lying)), trunkOf(from, {})) < 3.0);
 }
 
 TEST_CASE("Copied morph weights go to a mesh with as many targets, and to no other") {
