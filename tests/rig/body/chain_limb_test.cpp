@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "tests/support/nodes.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"
 
@@ -77,4 +78,25 @@ TEST_CASE("a chain without a length is refused") {
   const Result<Limb> limb = chainLimb(scene, "#0", "#1");
   REQUIRE_FALSE(limb.ok());
   CHECK(limb.error().line().find("no length") != std::string::npos);
+}
+
+TEST_CASE("of nodes of one name six are listed, and a name that looks like an index goes before it") {
+  Scene scene;
+  for (int i = 0; i < 6; ++i) {
+    addNode(scene, "arm", NodeIndex::none, Vec3(0.0));
+  }
+  const auto refusal = [&] {
+    const Result<NodeIndex> found = jointByName(scene, "arm");
+    REQUIRE_FALSE(found.ok());
+    return found.error().line();
+  };
+  CHECK_THAT(refusal(), Catch::EndsWith("say which one: #0, #1, #2, #3, #4, #5"));
+  addNode(scene, "arm", NodeIndex::none, Vec3(0.0));
+  CHECK_THAT(refusal(), Catch::EndsWith("say which one: #0, #1, #2, #3, #4, #5, ..."));
+  const NodeIndex named = addNode(scene, "#1", NodeIndex::none, Vec3(0.0));
+  REQUIRE(jointByName(scene, "#1").ok());
+  CHECK(*jointByName(scene, "#1") == named);
+  REQUIRE(jointByName(scene, "#2").ok());
+  CHECK(*jointByName(scene, "#2") == NodeIndex(2));
+  CHECK_FALSE(jointByName(scene, "#8").ok()); // There are eight.
 }

@@ -100,3 +100,14 @@ TEST_CASE(
   REQUIRE_FALSE(biped.warnings.empty());
   CHECK(biped.warnings.front().find("humanoid table names no complete left-arm") != std::string::npos);
 }
+
+TEST_CASE("a hand of the humanoid table that is not below its elbow leaves the arm to the geometry") {
+  const std::string hand = GENERATE("foreArm.r", "hand.l"); // the elbow itself, and the other hand
+  CAPTURE(hand);
+  BuiltBiped built = withTable();
+  built.scene.humanoid["leftHand"] = built.node.at(hand);
+  const Body biped = detectBody(built.scene);
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.r foreArm.r -> hand.r");
+  REQUIRE_FALSE(biped.warnings.empty());
+  CHECK_THAT(biped.warnings.front(), Catch::Contains("humanoid table names no complete left-arm"));
+}

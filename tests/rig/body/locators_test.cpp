@@ -110,3 +110,59 @@ TEST_CASE("Every name with a side has a counterpart", "[locators]") {
     CHECK(findJoint(*locatorPlan("biped"), mirroredLocator(left)) != nullptr);
   }
 }
+
+TEST_CASE("Locators of a beast look up along its trunk and forwards on its legs", "[locators]") {
+  Locators beast{"quadruped", {}};
+  const auto add = [&](const std::string& name, const Vec3& position) {
+    beast.list.push_back({.name = name, .position = position});
+  };
+  add("hips", {0.0, 1.0, -0.5});
+  add("spine", {0.0, 1.0, 0.0});
+  add("chest", {0.0, 1.0, 0.4});
+  add("neck", {0.0, 1.0, 0.6});
+  add("head", {0.0, 1.0, 0.9});
+  for (const auto& [side, sign] : {std::pair{"left", 1.0}, std::pair{"right", -1.0}}) {
+    add(std::string(side) + "Shoulder", {sign * 0.2, 0.9, 0.4});
+    add(std::string(side) + "Elbow", {sign * 0.2, 0.5, 0.4});
+    add(std::string(side) + "Hip", {sign * 0.2, 0.9, -0.5});
+    add(std::string(side) + "Knee", {sign * 0.2, 0.5, -0.5});
+  }
+  const Locators turned = alongBones(inOrder(beast));
+  for (const char* const name : {"hips", "spine", "chest", "neck", "head"}) {
+    INFO(name);
+    CHECK(glm::dot(axisOf(turned, name, y), z) == Approx(1.0));
+    CHECK(glm::dot(axisOf(turned, name, z), y) == Approx(1.0));
+  }
+  for (const char* const name : {"leftShoulder", "rightShoulder", "leftHip", "rightHip"}) {
+    INFO(name);
+    CHECK(glm::dot(axisOf(turned, name, y), -y) == Approx(1.0));
+    CHECK(glm::dot(axisOf(turned, name, z), z) == Approx(1.0));
+  }
+}
+
+TEST_CASE("A head with feelers is turned along the body, not along a feeler", "[locators]") {
+  Locators insect{"insect", {}};
+  const auto add = [&](const std::string& name, const Vec3& position) {
+    insect.list.push_back({.name = name, .position = position});
+  };
+  add("thorax", {0.0, 0.3, 0.0});
+  add("head", {0.0, 0.3, 0.2});
+  for (const auto& [side, sign] : {std::pair{"left", 1.0}, std::pair{"right", -1.0}}) {
+    add(std::string(side) + "Leg1Base", {sign * 0.1, 0.3, 0.1});
+    add(std::string(side) + "Feeler1", {sign * 0.05, 0.35, 0.25});
+    add(std::string(side) + "Feeler2", {sign * 0.1, 0.4, 0.3});
+  }
+  const Locators turned = alongBones(inOrder(insect));
+  for (const char* const name : {"thorax", "head"}) {
+    INFO(name);
+    CHECK(glm::dot(axisOf(turned, name, y), z) == Approx(1.0));
+    CHECK(glm::dot(axisOf(turned, name, z), y) == Approx(1.0));
+  }
+  CHECK(glm::dot(axisOf(turned, "leftFeeler1", y), glm::normalize(Vec3(1.0))) == Approx(1.0));
+}
+
+TEST_CASE("A bone that points where its body faces is turned along it all the same", "[locators]") {
+  Locators kicking = person();
+  findLocator(kicking, "leftLowerLeg")->position = findLocator(kicking, "leftUpperLeg")->position + 0.4 * z;
+  CHECK(glm::dot(axisOf(alongBones(kicking), "leftUpperLeg", y), z) == Approx(1.0));
+}
