@@ -5,12 +5,14 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/boxed_biped.h"
 #include "tests/support/rig/moving_biped.h"
 
@@ -100,14 +102,16 @@ TEST_CASE("A shoulder is what the table of the file calls so, else the joint far
 }
 
 TEST_CASE("What bears both legs and the trunk carries a body, not the pelvis that bears the legs alone") {
-  SyntheticBiped body = namedBody();
-  body.joints.push_back({"pelvis", "hips", Vec3(0.0, 0.95, 0.0)});
-  body.names["pelvis"] = "mixamorig:Pelvis";
+  MovingBiped apart = still(namedBody());
+  const NodeIndex hips = apart.node.at("hips");
+  const NodeIndex pelvis = addNode(apart.scene, "pelvis", hips, Vec3(0.0));
   for (const auto& [side, sign] : sides) {
-    jointOf(body, "thigh" + side).parent = "pelvis";
+    const NodeIndex thigh = apart.node.at("thigh" + side);
+    std::erase(apart.scene.nodes[at(hips)].children, thigh);
+    apart.scene.nodes[at(pelvis)].children.push_back(thigh);
+    apart.scene.nodes[at(thigh)].parent = pelvis;
   }
-  const MovingBiped apart = still(body);
-  CHECK(skeletonOf(apart).carrier == apart.node.at("hips"));
+  CHECK(skeletonOf(apart).carrier == hips);
   const MovingBiped plain = still(namedBody());
   const Skeleton skeleton = skeletonOf(plain);
   CHECK(skeleton.carrier == plain.node.at("hips"));
