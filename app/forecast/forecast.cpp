@@ -100,19 +100,18 @@ std::set<NodeIndex> deforming(const Scene& scene) {
   return nodes;
 }
 
-// Bones that a humanoid map names and whose translation it leaves out: all but chest, neck, shoulders and
-// upper legs, and the hips, which carry the body.
+// Bones that a humanoid map names and whose translation it leaves out: all but those of the spine above its
+// first one, neck, shoulders and upper legs, and the hips, which carry the body.
 std::set<NodeIndex> mappedAndHeld(const Document& document) {
   std::set<NodeIndex> held;
   for (const rig::Limb& limb : document.body.limbs) {
-    const bool keepsBase = rig::isTrunk(limb) || rig::isLeg(limb);
+    if (limb.kind == rig::LimbKind::spine) {
+      held.insert(limb.joints.front());
+      continue;
+    }
+    const bool keepsBase = limb.kind == rig::LimbKind::neck || rig::isLeg(limb);
     held.insert(limb.joints.begin() + (keepsBase ? 1 : 0), limb.joints.end());
     held.insert(limb.endNode);
-  }
-  for (const rig::Limb& limb : document.body.limbs) {
-    if (limb.kind == rig::LimbKind::spine) {
-      held.erase(limb.joints.back());
-    }
   }
   held.erase(NodeIndex::none);
   held.erase(document.body.hips);

@@ -312,14 +312,14 @@ TEST_CASE(
     return !findingsOf(document, "unity-humanoid", "translation-of-mapped-bones").empty();
   };
   for (const char* const held :
-       {"LeftArm", "LeftForeArm", "RightForeArm", "LeftHand", "RightLeg", "LeftFoot", "Head"}) {
+       {"Spine", "LeftArm", "LeftForeArm", "RightForeArm", "LeftHand", "RightLeg", "LeftFoot", "Head"}) {
     CAPTURE(held);
     CHECK(isTold(held, 0.011));
     CHECK(isTold(held, -0.011));
     CHECK_FALSE(isTold(held, 0.009));
   }
   for (const char* const free :
-       {"Hips", "LeftUpLeg", "RightUpLeg", "LeftHandThumb1", "Spine1", "Neck", "RightShoulder"}) {
+       {"Hips", "LeftUpLeg", "RightUpLeg", "LeftHandThumb1", "Spine1", "Spine2", "Neck", "RightShoulder"}) {
     CAPTURE(free);
     CHECK_FALSE(isTold(free, 0.5));
   }

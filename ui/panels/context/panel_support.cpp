@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 #include <imgui_internal.h>
@@ -297,7 +298,7 @@ void tell(UiState& ui, ToastKind kind, const std::string& text) {
   // They stand over the picture: of many the oldest that only inform make room.
   constexpr std::size_t atOnce = 3;
   const auto oldest = std::ranges::find(ui.toasts, ToastKind::info, &Toast::kind);
-  if (ui.toasts.size() > atOnce && oldest + 1 < ui.toasts.end()) {
+  if (ui.toasts.size() > atOnce && std::distance(oldest, ui.toasts.end()) > 1) {
     ui.toasts.erase(oldest);
   }
 }
