@@ -10,6 +10,7 @@
 #include "app/commands/pose/posing.h"
 #include "app/commands/table/frames.h"
 #include "app/commands/table/selection.h"
+#include "app/files/save.h"
 
 namespace stretch::app {
 
@@ -287,6 +288,7 @@ void FileWork::saveIncremental(FileUser& user) {
 
 void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   state_ = Idle{};
+  const bool isElsewhere = path != path_; // Each save of one file needs the same others.
   const Result<double> done = user.open().character()->save(path, false, user.form());
   if (!done) {
     user.tell(Tone::error, done.error().line());
@@ -295,6 +297,9 @@ void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   }
   user.tell(Tone::success, "Saved " + path.filename().string() + missText(*done));
   tellLeftOut(user, *user.open().character());
+  if (isElsewhere) {
+    tellWarnings(user, besideLines(*user.open().character()->document().source, path));
+  }
   path_ = path; // What is open now: unsaved work from here on is kept aside for it.
   openedSource_ = user.open().character()->document().source;
   stamp(path, stampOf(path));
@@ -315,6 +320,7 @@ void FileWork::exportClean(FileUser& user, const fs::path& path) {
   }
   user.tell(Tone::success, "Exported " + path.filename().string() + missText(*done));
   tellLeftOut(user, *session);
+  tellWarnings(user, besideLines(*session->document().source, path));
 }
 
 void FileWork::quit(FileUser& user) {

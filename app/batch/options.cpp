@@ -63,9 +63,12 @@ void addTolerant(CommandLine& line, FileArguments& arguments) {
             "Take a file that breaks the specification as well as it can be read");
 }
 
+DeclaredOption addClip(CommandLine& line, FileArguments& arguments) {
+  return line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
+}
+
 DeclaredOption addClipArguments(CommandLine& line, FileArguments& arguments) {
-  const DeclaredOption clip =
-      line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
+  const DeclaredOption clip = addClip(line, arguments);
   addFrameRate(
       line, arguments.framesPerSecond,
       "Frames per second to count in; default: as the file was worked on, else guessed from the keys");

@@ -45,6 +45,9 @@ DeclaredOption addLocatorPlan(CommandLine& line, std::string& plan);
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);
 
+/// Declares --clip.
+DeclaredOption addClip(CommandLine& line, FileArguments& arguments);
+
 /// Declares --clip, which is answered, and --fps, for verbs that work on one clip.
 DeclaredOption addClipArguments(CommandLine& line, FileArguments& arguments);
 

@@ -110,16 +110,6 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   return saveEdits(document, saved.edits, arguments.file.path);
 }
 
-std::vector<std::string> besideLines(const gltf::Source& source, const std::filesystem::path& output) {
-  const std::vector<std::filesystem::path> files = gltf::filesBeside(source, output);
-  if (files.empty()) {
-    return {};
-  }
-  const std::string others = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : std::string();
-  return {fmt::format("{} needs {}{}, written beside it; move them together", output.filename().string(),
-                      files.front().string(), others)};
-}
-
 void printSaved(const Json& report) {
   printChanges(report.contains("worse") ? report["worse"] : Json::array());
   if (report.contains("whole_frames")) {

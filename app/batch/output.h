@@ -33,11 +33,6 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 [[nodiscard]] Status saveReported(const Document& document, const OutputArguments& arguments,
                                   gltf::Json& report, EvaluationCache& cache);
 
-/// A line that names the files which were written beside the output, since it needs them; none where it
-/// stands alone, or in the folder of its source.
-[[nodiscard]] std::vector<std::string> besideLines(const gltf::Source& source,
-                                                   const std::filesystem::path& output);
-
 /// Prints what saveReported added, as lines of text.
 void printSaved(const gltf::Json& report);
 

@@ -105,7 +105,7 @@ Verb stylesVerb() {
                         "With --take: what the style is called; default: as the clip");
             addTolerant(line, arguments->taken);
             addPlan(line, arguments->taken);
-            addClipArguments(line, arguments->taken);
+            addClip(line, arguments->taken);
             line.option("-o,--output", arguments->output.path, "The .json to write the style to");
             addJson(line, arguments->json);
             line.checkTogether([arguments](const CommandLine&) { return checkWays(*arguments); });

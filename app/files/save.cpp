@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/edits/keys/rate_edits.h"
 #include "app/edits/keys/track_edits.h"
 #include "app/edits/pose/prop_file_edits.h"
@@ -206,6 +208,16 @@ Status saveEdits(const Document& document, const gltf::Edits& edits, const std::
   }
   Result<gltf::Source> changed = gltf::patched(*document.source, edits);
   return changed ? gltf::save(std::move(*changed), path) : Status(changed.error());
+}
+
+std::vector<std::string> besideLines(const gltf::Source& source, const std::filesystem::path& output) {
+  const std::vector<std::filesystem::path> files = gltf::filesBeside(source, output);
+  if (files.empty()) {
+    return {};
+  }
+  const std::string others = files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : std::string();
+  return {fmt::format("{} needs {}{}, written beside it; move them together", output.filename().string(),
+                      files.front().string(), others)};
 }
 
 Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/document.h"
 #include "app/schema/saved_form.h"
@@ -39,6 +41,11 @@ struct SavedEdits {
 /// Saves likewise, from edits that were made before.
 [[nodiscard]] Status saveEdits(const Document& document, const gltf::Edits& edits,
                                const std::filesystem::path& path);
+
+/// A line that names the files which were written beside the output, since it needs them; none where it
+/// stands alone, or in the folder of its source.
+[[nodiscard]] std::vector<std::string> besideLines(const gltf::Source& source,
+                                                   const std::filesystem::path& output);
 
 /// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,

@@ -175,7 +175,15 @@ void checkAnswers(EvaluationCache& cache, const Document& document) {
     CAPTURE(frame);
     CHECK(cached.worlds == fresh.worlds);
     CHECK(cached.stretch == fresh.stretch);
+    const std::vector<rig::PlacedController> placed = EvaluationCache().controllers(document, 0, timeSeconds);
+    CHECK(std::ranges::equal(cache.controllers(document, 0, timeSeconds), placed,
+                             [](const rig::PlacedController& a, const rig::PlacedController& b) {
+                               return a.id == b.id && a.placeWorld == b.placeWorld &&
+                                      a.orientationWorld == b.orientationWorld;
+                             }));
   }
+  CHECK(std::ranges::equal(cache.weightReports(document, 0), weightReports(document, 0), {},
+                           &WeightReport::longest, &WeightReport::longest));
   for (const std::size_t samplesPerFrame : {std::size_t{1}, std::size_t{3}}) {
     const std::vector<TrailPaths> fresh = trailPaths(document, motion, samplesPerFrame);
     const std::vector<TrailPaths>& cached = cache.paths(document, 0, samplesPerFrame);

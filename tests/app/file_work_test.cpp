@@ -1,5 +1,6 @@
 #include "app/file_work.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -16,6 +17,7 @@
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/file_desk.h"
+#include "tests/support/app/run_verb.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -370,6 +372,35 @@ TEST_CASE("After a save under another name unsaved work is kept for the file tha
   next.answer(desk, FileAnswer::restore);
   CHECK(desk.document.character()->view().frame == 7.0);
   CHECK(desk.document.character()->view().selection.limbs() == std::vector<std::string>{"left-arm"});
+}
+
+TEST_CASE("Images that a file needs are told where it is saved elsewhere, not at every save") {
+  Desk desk;
+  FileWork work;
+  fs::create_directories(desk.file("in"));
+  fs::create_directories(desk.file("out"));
+  const std::string boxer = desk.file("in/boxer.gltf").string();
+  REQUIRE(test::runVerb({"resave", desk.file("a.glb").string(), "-o", boxer}).exitCode == 0);
+  gltf::Json json = gltf::Json::parse(readText(boxer).value());
+  json["images"].push_back(gltf::Json{{"uri", "red.png"}});
+  std::ofstream(boxer) << json.dump();
+  std::ofstream(desk.file("in/red.png")) << "a picture";
+  desk.openNow(work, "in/boxer.gltf");
+  const auto isTold = [&](const std::string& name) {
+    const std::pair line(Tone::warning, name + " needs red.png, written beside it; move them together");
+    const bool isAmong = std::ranges::find(desk.told, line) != desk.told.end();
+    desk.told.clear();
+    return isAmong;
+  };
+  work.saveAs(desk, desk.file("in/copy.glb"));
+  CHECK_FALSE(isTold("copy.glb"));
+  work.saveAs(desk, desk.file("out/moved.glb"));
+  CHECK(isTold("moved.glb"));
+  CHECK(fs::exists(desk.file("out/red.png")));
+  work.save(desk);
+  CHECK_FALSE(isTold("moved.glb"));
+  work.exportClean(desk, desk.file("out/clean.glb"));
+  CHECK(isTold("clean.glb"));
 }
 
 TEST_CASE("Save incremental takes the next free number") {

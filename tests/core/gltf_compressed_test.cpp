@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <span>
+#include <string>
 
 #include <glm/geometric.hpp>
 
 #include "core/gltf/import/texture_sets.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/load/report.h"
+#include "core/gltf/packed/draco_mesh.h"
 #include "core/gltf/patch/edits.h"
 #include "tests/support/core/compressed_files.h"
+#include "tests/support/refusal.h"
 
 using namespace stretch;
 using gltf::Json;
@@ -412,4 +416,27 @@ TEST_CASE("A packed mesh has the vertices that its data hold, whatever number it
   CHECK(test::warnsOf(*file, "accessors[" + std::to_string(accessor) + "]: says " +
                                  std::to_string(vertices - 5) + " elements, but its compressed data hold " +
                                  std::to_string(vertices) + ", which are read"));
+}
+
+TEST_CASE("Attributes of Draco data are compared with the memory there may be before it is taken") {
+  // The tube has five attributes, 288 vertices and 552 triangles, which take 168,000 bytes without
+  // attributes.
+  const auto refusalWith = [](int own, std::size_t most) {
+    GlbBuilder plain = tubeBuilder();
+    const int zeros = plain.floats(std::vector<float>(4 * 288, 0.0F), "VEC4", 4);
+    for (int i = 0; i < own; ++i) {
+      plain.json["meshes"][0]["primitives"][0]["attributes"]["_OWN_" + std::to_string(i)] = zeros;
+    }
+    const GlbBuilder glb = packedByDraco(plain, DracoMethod::sequential);
+    const Json& view = glb.json["bufferViews"].back();
+    const auto bytes =
+        std::span(glb.binary)
+            .subspan(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
+    return test::refusal(gltf::decodeDraco(bytes, {}, most));
+  };
+  const std::string told = " attributes of 288 vertices, more than the program takes into memory";
+  CHECK_THAT(refusalWith(30, 250000), Catch::Contains("has 35" + told));
+  CHECK(refusalWith(30, 400000) == "accepted");
+  CHECK(refusalWith(59, 1U << 30U) == "accepted");
+  CHECK_THAT(refusalWith(60, 1U << 30U), Catch::Contains("has 65" + told));
 }

@@ -147,7 +147,10 @@ def check_opened_with_message(program, file):
     status, output, errors = run(program, "check", file, "--json")
     if status not in (0, 1):
         return [f"check: exit status {status}: {errors.strip()[:200]}"]
-    return [] if json.loads(output).get("problems") else ["was opened without a message"]
+    found = json.loads(output).get("problems", [])
+    if status != int(any(problem["severity"] == "error" for problem in found)):
+        return [f"check: exit status {status} with the problems {found}"]
+    return [] if found else ["was opened without a message"]
 
 
 def check_malformed(program, file, codes):

@@ -150,7 +150,6 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
     referToSound(shell, choice.path);
     break;
   case FilePurpose::openModel:
-  case FilePurpose::saveFrames:
   case FilePurpose::exportSequence:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:

@@ -192,3 +192,22 @@ TEST_CASE("Trails that are made at once have the colours in turn, named ones in 
   CHECK(made.size() > 1);
   CHECK(made == inTurn);
 }
+
+TEST_CASE("--loops marks every clip that is exaggerated as a loop, and none is one without it") {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder / "out.glb").string();
+  for (const bool loops : {true, false}) {
+    std::vector<std::string> words{"exaggerate",  punchPath, "-o",       out,
+                                   "--all-clips", "--limb",  "left-arm", "--range",
+                                   "4:8",         "--scale", "2"};
+    if (loops) {
+      words.emplace_back("--loops");
+    }
+    REQUIRE(test::runVerb(words).exitCode == 0);
+    const Result<app::Document> saved = app::openDocument(out);
+    REQUIRE(saved);
+    for (const int clip : {0, 1}) {
+      CHECK(app::isLooping(*saved, clip) == loops);
+    }
+  }
+}

@@ -584,8 +584,7 @@ TEST_CASE("Every option of styles changes what it tells or writes") {
                           {"--output", take + " -o OUT/mine.json", take + " -o OUT/other.json"},
                           {"--plan", take, take + " --plan other"},
                           {"--name", take, take + " --name Mine"},
-                          {"--clip", take, take + " --clip Guard"},
-                          {"--fps", take, take + " --fps 0"}},
+                          {"--clip", take, take + " --clip Guard"}},
                          rowsBehind(take, reportRows))},
              inputs);
 }

@@ -149,3 +149,11 @@ TEST_CASE("A soft limb that is not moved stays, and goes on from there without a
     }
   }
 }
+
+TEST_CASE("A limb that is bent against its usual side and bends no farther stays on that side") {
+  TwoBoneProblem leg = hangingLeg(-0.01, 0.0);
+  const Quat swing = axisAngle(Vec3(0.0, 0.0, 1.0), 0.3);
+  leg.target = leg.base + swing * (leg.end - leg.base);
+  const TwoBoneShape shape = solveTwoBone(leg);
+  CHECK(glm::length(shape.joint - leg.base - swing * (leg.joint - leg.base)) < 1e-9);
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -375,5 +376,23 @@ TEST_CASE("whatever a key moves is among the nodes that are read and written, an
     CHECK(std::ranges::find(solved.nodes, NodeIndex::none) == solved.nodes.end());
     REQUIRE(solved.joints.size() == 1);
     CHECK(solved.joints.front().node == joint.node);
+  }
+}
+
+TEST_CASE("a hand or foot that follows in part goes and turns by that part of what carries it") {
+  const MovingBiped moving = punchingBiped();
+  const FrameState source = sourceAtFrame(moving, 12.0);
+  for (const auto& [attribute, key, carrier] : {std::tuple("right-arm.follow", "hand.r", "spine-top"),
+                                                std::tuple("left-leg.follow", "foot.l", "hips")}) {
+    const auto at = [&, attribute = attribute, carrier = carrier](double follow) {
+      return atFrame(moving, adjusted(moving, {turned(carrier, {0, 40, 0}), valued(attribute, follow)}),
+                     12.0);
+    };
+    for (const double follow : {0.0, 0.25, 0.6, 1.0}) {
+      CAPTURE(attribute, follow);
+      const Vec3 between = glm::mix(placeOf(moving, at(0.0), key), placeOf(moving, at(1.0), key), follow);
+      CHECK(glm::length(placeOf(moving, at(follow), key) - between) < 1e-6);
+      CHECK(turnBetween(moving, source, at(follow), key) == Approx(40.0 * follow).margin(1e-4));
+    }
   }
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <string>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -243,4 +245,31 @@ TEST_CASE(
   CHECK_FALSE(goesWithHand(0.22, 0.1));
   CHECK(goesWithHand(0.0, 0.58));
   CHECK_FALSE(goesWithHand(0.0, 0.62));
+}
+
+TEST_CASE("a rigid mesh rides on a bone of spine or neck within one and a half of its length, of a limb "
+          "within half") {
+  const auto rides = [](const std::string& limb, const std::string& from, const std::string& to,
+                        double away) {
+    MovingBiped moving = still(namedBody());
+    const std::vector<Mat4> bind = bindPoseWorlds(moving.scene);
+    const Vec3 start = positionOf(bind[at(moving.node.at(from))]);
+    const Vec3 bone = positionOf(bind[at(moving.node.at(to))]) - start;
+    const Vec3 aside = glm::normalize(glm::cross(bone, Vec3(0.3, 0.2, 1.0)));
+    const Vec3 middle = start + 0.5 * bone + away * glm::length(bone) * aside;
+    const NodeIndex box =
+        hangBox(moving.scene, moving.node.at(from), middle - Vec3(0.01), middle + Vec3(0.01));
+    const LimbTopology topology =
+        limbTopology(moving.scene, moving.limb(limb), moving.body.limbs, bindPlaces(moving.scene));
+    const auto& nodes = topology.bones.front().twistNodes;
+    return std::ranges::find(nodes, box) != nodes.end();
+  };
+  for (const auto& [limb, from, to, most] :
+       {std::tuple("neck", "neck0", "head", 1.5), std::tuple("spine", "spine0", "spine1", 1.5),
+        std::tuple("left-arm", "upperArm.l", "foreArm.l", 0.5),
+        std::tuple("right-leg", "thigh.r", "shin.r", 0.5)}) {
+    CAPTURE(limb);
+    CHECK(rides(limb, from, to, most - 0.05));
+    CHECK_FALSE(rides(limb, from, to, most + 0.05));
+  }
 }

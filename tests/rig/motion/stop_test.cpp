@@ -188,3 +188,23 @@ TEST_CASE(
   CHECK(restsAround(96.0, 108.0) == std::vector<double>{2.5, 5.75}); // from 2 to 6.5 seconds
   CHECK(restsAround(48.0, 144.0) == std::vector<double>{1.0, 2.5, 5.75, 7.0, 11.0});
 }
+
+TEST_CASE("a limb that keeps its place for four frames of 24 a second rests, for three it does not") {
+  MovingBiped moving = still(namedBody());
+  const Vec3 start = moving.scene.nodes[at(moving.body.hips)].rest.translation;
+  VectorKeys keys;
+  for (const auto& [frame, way] :
+       {std::pair(0.0, 0.0), {24.0, 1.0}, {28.0, 1.0}, {48.0, 1.8}, {51.0, 1.8}, {72.0, 2.7}}) {
+    keys.emplace_back(frame / 24.0, start + Vec3(0.0, 0.0, way));
+  }
+  moving.clip.tracks.emplace_back(
+      vectorTrack(moving.body.hips, Channel::translation, Interpolation::linear, keys));
+  setEndsFromKeys(moving.clip);
+  Trail trail = connectedTrail("left-arm", 30.0, 50.0, 2.0);
+  trail.settings.stopAt = StopPlane{Vec3(0.0), Vec3(0.0, 1.0, 0.0)};
+  const MotionState motion = solved(moving, {trail});
+  const std::vector<Rest>& rests = motion.trails.front().rests.value();
+  REQUIRE(rests.size() == 1);
+  CHECK(rests[0].startSeconds == Approx(1.0));
+  CHECK(rests[0].endSeconds == Approx(28.0 / 24.0));
+}

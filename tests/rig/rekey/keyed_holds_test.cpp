@@ -55,3 +55,21 @@ TEST_CASE("a prop that is held all through a loop is keyed over it once, not aga
   CHECK(part->windows[0].startSeconds == 0.0);
   CHECK(part->windows[0].endSeconds == 1.0);
 }
+
+TEST_CASE("on a loop the blend of a hold has its keys across the seam, at either end of the clip") {
+  const bool comes = GENERATE(true, false);
+  MovingBiped moving = punchingBiped();
+  std::erase_if(moving.clip.tracks,
+                [&](const CopyOnWrite<Track>& track) { return track->node == moving.body.hips; });
+  Holds holds;
+  holds.pins = {pinAt("left-arm", comes ? heldOver(2, 8, 6, 0) : heldOver(16, 22, 0, 6), comes ? 8.0 : 16.0)};
+  Rekeyed rekeyed{held(motionInput(moving, {}, true), holds), {}, {}};
+  const double across = comes ? 23.0 : 1.0;
+  REQUIRE(placesApart(endPlaceOf(moving, "left-arm", atFrame(moving, rekeyed.motion, across)),
+                      endPlaceOf(moving, "left-arm", sourceAtFrame(moving, across))) > 0.01);
+  RekeyOptions options;
+  options.tolerance = 0.5e-4 * moving.body.height;
+  rekeyed.keys = rekey(moving.scene, moving.clip, rekeyed.motion, options);
+  rekeyed.clip = withTracks(moving.clip, rekeyed.keys.tracks);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
+}

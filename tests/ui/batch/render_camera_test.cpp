@@ -243,7 +243,7 @@ TEST_CASE("what a file does not have is refused by its name, and nothing is draw
 
 TEST_CASE("a video has every frame of the clip at its speed, and leaves nothing when it cannot be made") {
   if (!hasFfmpeg()) {
-    WARN("skipped: ffmpeg is not installed");
+    WARN("nothing ran: ffmpeg is not installed");
     return;
   }
   const test::TemporaryFolder folder;

@@ -267,7 +267,7 @@ const StateOfDialogs dialogStates[] = {
        FileDialogState& files = work.ui.dialogs.file;
        setenv("HOME", "/characters", 1);
        files.open = files.wasOpen = true;
-       files.purpose = FilePurpose::saveFrames;
+       files.purpose = FilePurpose::saveFilm;
        files.folder = files.listedFolder = "/characters";
        files.newFolder = "shots";
      }},

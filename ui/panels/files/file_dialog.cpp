@@ -79,8 +79,7 @@ std::vector<const FileEntry*> shownEntries(const FileDialogState& dialog) {
 void accept(PanelContext& context, const fs::path& path) {
   FileDialogState& dialog = context.ui.dialogs.file;
   std::error_code ignored;
-  if (isSaving(dialog.purpose) && fs::exists(path, ignored) && !dialog.confirmOverwrite &&
-      dialog.purpose != FilePurpose::saveFrames) {
+  if (isSaving(dialog.purpose) && fs::exists(path, ignored) && !dialog.confirmOverwrite) {
     dialog.confirmOverwrite = true;
     dialog.message = path.filename().string() + " exists. Press Replace to write over it.";
     return;
@@ -131,7 +130,7 @@ void acceptTyped(PanelContext& context) {
   if (isNamed && fs::is_directory(path, ignored)) {
     dialog.typed.clear();
     goTo(dialog, path);
-  } else if (isSaving(dialog.purpose) && (isNamed || dialog.purpose == FilePurpose::saveFrames)) {
+  } else if (isSaving(dialog.purpose) && isNamed) {
     accept(context, withExtension(path, dialog.purpose));
   } else if (!isNamed) {
     dialog.message = isSaving(dialog.purpose) ? "Type a name for the file." : "";

@@ -73,8 +73,6 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return app::imageEndings();
   case FilePurpose::openReferenceSound:
     return app::soundEndings();
-  case FilePurpose::saveFrames:
-    break;
   }
   return {};
 }
@@ -121,10 +119,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Choose the first image";
   case FilePurpose::openReferenceSound:
     return "Choose a sound";
-  case FilePurpose::saveFrames:
-    break;
   }
-  return "Save pictures";
+  return "";
 }
 
 Result<std::vector<FileEntry>> listFolder(const fs::path& folder, FilePurpose purpose) {

@@ -20,7 +20,6 @@ enum class FilePurpose {
   saveRecipe,
   openStyle,
   saveStyle,
-  saveFrames,
   exportSequence,
   openModuli,
   saveModuli,
