@@ -237,6 +237,7 @@ class Text(LintTest):
         self.kept(text_rules.test_names, {"tests/core/a_test.cpp": 'TEST_CASE("one, two") { run(); }\n'})
         self.broken(text_rules.test_names, {"tests/core/a_test.cpp": 'TEST_CASE("one; two") {\n'}, "tests/core/a_test.cpp:1:")
         self.broken(text_rules.test_names, {"tests/core/a_test.cpp": '\nTEST_CASE(\n  "one "\n  "two; three") {\n'}, "tests/core/a_test.cpp:2:")
+        self.broken(text_rules.test_names, {"tests/core/a_test.cpp": 'TEST_CASE(\n    "--loops marks all") {\n'}, "tests/core/a_test.cpp:1:")
 
     def test_clocks_and_chance_are_found_below_the_interface(self):
         self.kept(text_rules.clocks_and_chance, {"ui/a.cpp": "std::chrono::steady_clock::now();\n"})

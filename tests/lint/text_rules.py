@@ -21,6 +21,7 @@ UNREPEATABLE = re.compile(
     r"\b(std::chrono|system_clock|steady_clock|high_resolution_clock|random_device|std::rand|srand|std::time|gettimeofday)\b"
 )
 # A name may go on in the next line.
+OPTION_NAME = re.compile(r'\b(?:TEST_CASE|TEST_CASE_METHOD)\(\s*"-')
 SPLIT_NAME = re.compile(r'TEST_CASE\(\s*(?:"[^"]*"\s+)*"[^"]*;')
 REPEATABLE_ROOMS = ("core", "rig", "skinning")
 
@@ -70,13 +71,16 @@ def pragma_once(root):
 
 
 def test_names(root):
-    """Names of tests that CTest takes for two: it asks for each half, finds no test, and passes."""
+    """Names of tests that CTest takes for two: it asks for each half, finds no test, and passes. And those that the program takes for an option."""
     findings = []
     for file in code_files(root):
         text = file.path.read_text(encoding="utf-8")
         for match in SPLIT_NAME.finditer(text):
             line = text.count("\n", 0, match.start()) + 1
             findings.append(Finding(file.name, line, "CTest splits a name at ';': take another sign"))
+        for match in OPTION_NAME.finditer(text):
+            line = text.count("\n", 0, match.start()) + 1
+            findings.append(Finding(file.name, line, "a name that begins with '-' is taken for an option: begin with a word"))
     return findings
 
 

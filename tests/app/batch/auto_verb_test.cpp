@@ -193,7 +193,7 @@ TEST_CASE("Trails that are made at once have the colours in turn, named ones in 
   CHECK(made == inTurn);
 }
 
-TEST_CASE("--loops marks every clip that is exaggerated as a loop, and none is one without it") {
+TEST_CASE("Every clip that is exaggerated with --loops becomes a loop, and none does without it") {
   const test::TemporaryFolder folder;
   const std::string out = (folder / "out.glb").string();
   for (const bool loops : {true, false}) {
