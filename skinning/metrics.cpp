@@ -171,7 +171,7 @@ FrameSums sumFrame(const MeshSequence& a, const MeshSequence& b, std::size_t fra
   for (std::size_t v = 0; v < a.vertexCount; ++v) {
     sum += Vec3(a.frame(frame)[v]);
   }
-  const Vec3 centroid = sum / static_cast<double>(a.vertexCount); // Of one place for all exactly that place.
+  const Vec3 centroid = sum / static_cast<double>(a.vertexCount); // One place of all is exactly that.
   FrameSums sums;
   for (std::size_t v = 0; v < a.vertexCount; ++v) {
     const Vec3 position(a.frame(frame)[v]);

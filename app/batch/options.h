@@ -45,7 +45,7 @@ DeclaredOption addLocatorPlan(CommandLine& line, std::string& plan);
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);
 
-/// Declares --clip.
+/// Declares --clip, which is answered.
 DeclaredOption addClip(CommandLine& line, FileArguments& arguments);
 
 /// Declares --clip, which is answered, and --fps, for verbs that work on one clip.

@@ -133,8 +133,8 @@ TEST_CASE("One key in ten may lie off the frames, by more than 2 hundredths of o
   CHECK(withOdd(4, 0.021) != 24.0);
 }
 
-TEST_CASE(
-    "Keys name a rate that are within a fiftieth of a frame of its frames, and none below one a second") {
+TEST_CASE("Keys name a rate where they are within a fiftieth of a frame of its frames, and none below one "
+          "per second") {
   const auto offBy = [](float share) {
     std::vector<float> times;
     for (int frame = 0; frame < 13; ++frame) {

@@ -1,5 +1,9 @@
 #include "core/base/number.h"
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "core/base/hash.h"

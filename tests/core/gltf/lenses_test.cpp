@@ -35,6 +35,7 @@ TEST_CASE("A lens has an angle between nothing and a half turn, or a height") {
               (R"({"type": "perspective", "perspective": {"yfov": )" + std::string(angle) + "}}").c_str())
               .empty());
   }
+  CHECK(camerasWith(R"({"type": "orthographic", "orthographic": {"ymag": 2}})").size() == 1);
   CHECK(camerasWith(R"({"type": "orthographic", "orthographic": {"xmag": 3, "ymag": 0}})").empty());
   CHECK(camerasWith(R"({"type": "orthographic", "orthographic": {"xmag": 3}})").empty());
   CHECK(camerasWith(R"({"type": "orthographic", "perspective": {"yfov": 1}})").empty());

@@ -93,7 +93,7 @@ bool makeBiped(const std::vector<LimbPlace>& places, double confidence = 1.0) {
 
 } // namespace
 
-TEST_CASE("Both legs with both arms or a spine make a biped, and so do arms, a spine or none, with a neck") {
+TEST_CASE("Both legs make a biped with both arms or with a spine, and both arms make one with a neck") {
   CHECK(makeBiped({biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg}));
   CHECK(makeBiped({biped::leftLeg, biped::rightLeg, biped::spine}));
   CHECK(makeBiped({biped::leftArm, biped::rightArm, biped::neck})); // in a robe
@@ -109,7 +109,7 @@ TEST_CASE("Both legs with both arms or a spine make a biped, and so do arms, a s
   CHECK_FALSE(makeBiped({biped::leftLeg, biped::rightLeg, biped::spine}, 0.34));
 }
 
-TEST_CASE("A biped is better than what is none, else the one whose limbs are surer together") {
+TEST_CASE("A biped is better than a body that is none, else the body whose limbs are surer together") {
   const auto found = [](bool isBiped, const std::vector<double>& sure) {
     Finding finding;
     finding.result.isBiped = isBiped;
@@ -215,7 +215,7 @@ TEST_CASE("A row of joints may be no serpent where it stands or is little of the
     made.addStraight(biped::spine, {"Bone_x", "Joint_y", name}, Vec3(0.0), way);
     made.scene.skins.emplace_back();
     for (std::size_t i = 0; i < joints; ++i) {
-      made.scene.skins.front().joints.push_back(NodeIndex(i));
+      made.scene.skins.front().joints.emplace_back(i);
       if (i >= made.scene.nodes.size()) {
         test::addNode(made.scene, "Lump_" + std::string(i, 'o'), NodeIndex::none, Vec3(0.0));
       }

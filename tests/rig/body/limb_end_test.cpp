@@ -61,8 +61,8 @@ double farFrom(const std::optional<EstimatedEnd>& end, const Vec3& place) {
 
 } // namespace
 
-TEST_CASE(
-    "Three joints below a wrist are a hand, of palms two, and gear, twists and parts of a bone are none") {
+TEST_CASE("Three joints below a wrist are a hand, or two palms, but gear, twists and parts of a bone do not "
+          "count") {
   const Wrist three = fannedWrist();
   CHECK(isFan(three.view, three.joint));
   Wrist two;

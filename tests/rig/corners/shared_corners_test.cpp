@@ -100,7 +100,7 @@ TEST_CASE("Nodes that show one mesh on one skin follow the same corners, each by
   Scene scene = fleshedBone();
   const Node shown = scene.nodes[1];
   scene.nodes.push_back(shown);
-  scene.roots.push_back(NodeIndex(2));
+  scene.roots.emplace_back(2);
   gltf::Edits edits;
   const CornerFit fit = addBindCorners(scene, {{0, {stretchedBone(Vec3(2.0, 0.6, 0.6))}}}, {}, edits);
   CHECK(fit.corners == 4);

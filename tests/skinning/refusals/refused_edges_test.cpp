@@ -147,7 +147,8 @@ TEST_CASE("a cache whose mesh cannot be read is refused with what is wrong with 
   CHECK_THAT(sequence.error().line(), Catch::Contains("run.obj"));
 }
 
-TEST_CASE("a sequence without frames and one without triangles are refused, each by what it lacks") {
+TEST_CASE(
+    "a sequence without frames and one without triangles are refused with the same line, which names both") {
   MeshSequence ball = test::still(test::sphere(1));
   ball.name = "ball";
   const std::string told = "ball: the sequence has no frames or no triangles; give a sequence with both";

@@ -112,7 +112,7 @@ TEST_CASE("four meshes that are left out beside frames are told by name, of more
   CHECK(told() == Names{"left out what is not named like f_1.obj: a.obj, b.obj, c.obj, d.obj and 1 more"});
 }
 
-TEST_CASE("of names with two numbers those that are missing are told of the last one") {
+TEST_CASE("of names with two numbers it is told which of the last number are missing") {
   const auto told = [](const Names& names) {
     const auto sequence = Frames(names).read();
     REQUIRE(sequence);

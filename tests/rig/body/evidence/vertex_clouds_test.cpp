@@ -56,8 +56,8 @@ struct SkinnedColumn {
 
 } // namespace
 
-TEST_CASE(
-    "A vertex of a skin is with the joint of its greatest weight, and with none of no joint or weight") {
+TEST_CASE("A vertex of a skin is with the joint of its greatest weight, and with none where it has no joint "
+          "or weight") {
   SkinnedColumn column;
   column.hang(3);
   const std::vector<std::vector<Vec3>> clouds = column.clouds(RigidMeshes::none);
