@@ -61,6 +61,8 @@ TEST_CASE("A place on the head is that of a larger head, in shares of it") {
   CHECK(face.isOfHead);
   CHECK(glm::distance(face.place, Vec3(0.5, 0.4, 1.0)) < 1e-5);
   CHECK(glm::distance(large.placeOf(face), Vec3(0.1, 1.76, 0.2)) < 1e-5);
+  const ChartedBody high{test::BoxedBody{.head = Vec3(0.2, 0.3, 0.15)}};
+  CHECK(glm::distance(high.placeOf(face), Vec3(0.1, 1.8, 0.15)) < 1e-5);
 }
 
 TEST_CASE("A hand is as large as it reaches from the wrist, and an arm is a hand and a forearm") {

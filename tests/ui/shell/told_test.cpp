@@ -7,6 +7,7 @@
 #include "app/commands/table/ranges.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/json_text.h"
@@ -146,7 +147,7 @@ TEST_CASE("A playblast shows what the view shows: from its side, with skeleton, 
   CHECK(filmed("turned") != plain);
 }
 
-TEST_CASE("The original side of a playblast shows no pin") {
+TEST_CASE("The original side of a playblast shows no pin and no weight") {
   const test::TemporaryFolder folder;
   Told stage;
   stage.shell.ui.overlays.sideBySide = true;
@@ -184,6 +185,11 @@ TEST_CASE("The original side of a playblast shows no pin") {
   const Image pinned = filmed("pinned");
   CHECK(differing(before, pinned, false) == 0);
   CHECK(differing(before, pinned, true) > 100);
+  const app::WeightedLimb soft{"right-arm", 0, true, {}};
+  REQUIRE(stage.session().edit(app::setWeight(stage.session().document(), soft), "Weight"));
+  const Image weighted = filmed("weighted");
+  CHECK(differing(pinned, weighted, false) == 0);
+  CHECK(differing(pinned, weighted, true) > 100);
 }
 
 TEST_CASE("A range that was only a trail's is not remembered as one that was set by hand") {

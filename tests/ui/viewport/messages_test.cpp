@@ -196,10 +196,18 @@ TEST_CASE("No message covers what the picture's lines and colours mean, nor the 
   stage.showViewport();
   tellTwo(stage.ui);
   stage.showViewport();
-  for (const char* const id : {"viewport/trail-legend", "viewport/lens"}) {
+  const auto isSpared = [&](const char* id) {
     CAPTURE(id);
     const Item* const item = stage.items.find(id);
     REQUIRE(item != nullptr);
     CHECK(messagesOver(stage.items, {item->min, item->max}).over == 0);
-  }
+  };
+  isSpared("viewport/trail-legend");
+  isSpared("viewport/lens");
+  stage.ui.overlays.heatMap = true;
+  stage.showViewport();
+  isSpared("viewport/stretch-legend");
+  stage.ui.overlays.weights = true;
+  stage.showViewport();
+  isSpared("viewport/weight-legend");
 }
