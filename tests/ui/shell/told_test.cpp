@@ -186,7 +186,9 @@ TEST_CASE("The original side of a playblast shows no pin and no weight") {
   CHECK(differing(before, pinned, false) == 0);
   CHECK(differing(before, pinned, true) > 100);
   const app::WeightedLimb soft{"right-arm", 0, true, {}};
-  REQUIRE(stage.session().edit(app::setWeight(stage.session().document(), soft), "Weight"));
+  const Result<app::Document> weighty = app::setWeight(stage.session().document(), soft);
+  REQUIRE(weighty);
+  REQUIRE(stage.session().edit(*weighty, "Weight"));
   const Image weighted = filmed("weighted");
   CHECK(differing(pinned, weighted, false) == 0);
   CHECK(differing(pinned, weighted, true) > 100);
