@@ -136,9 +136,9 @@ TEST_CASE("One key in ten may lie off the frames, by more than 2 hundredths of o
 TEST_CASE("Keys name a rate where they are within a fiftieth of a frame of its frames, and none below one "
           "per second") {
   const auto offBy = [](float share) {
-    std::vector<float> times;
-    for (int frame = 0; frame < 13; ++frame) {
-      times.push_back((static_cast<float>(frame) + (frame % 2 == 0 ? share : -share)) / 24.0F);
+    std::vector<float> times(13);
+    for (std::size_t frame = 0; frame < times.size(); ++frame) {
+      times[frame] = (static_cast<float>(frame) + (frame % 2 == 0 ? share : -share)) / 24.0F;
     }
     return times;
   };
