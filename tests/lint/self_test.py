@@ -359,6 +359,22 @@ class Formatting(LintTest):
         self.kept(format_rule.formatting, style | {"core/a.cpp": "int a = 1;\n"})
         self.broken(format_rule.formatting, style | {"core/a.cpp": "int a = 1;\nint   b=2;\n"}, "core/a.cpp:2:")
 
+    def test_what_was_clean_is_looked_at_again_when_it_or_the_style_changes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("build", "core"):
+                (root / name).mkdir()
+            source, style = root / "core/a.cpp", root / ".clang-format"
+
+            def count(code, column_limit):
+                source.write_text(code, encoding="utf-8")
+                style.write_text(f"BasedOnStyle: LLVM\nColumnLimit: {column_limit}\n", encoding="utf-8")
+                return len(format_rule.formatting(folder))
+
+            self.assertEqual([count("int a = 1;\n", 80), count("int a = 1;\n", 80)], [0, 0])
+            self.assertEqual([count("int   a = 1;\n", 80), count("int   a = 1;\n", 80)], [1, 1])
+            self.assertEqual([count("int a = 1 + 2;\n", 80), count("int a = 1 + 2;\n", 12)], [0, 1])
+
 
 if __name__ == "__main__":
     unittest.main()
