@@ -26,16 +26,20 @@ def formatting(root):
     version = subprocess.run([program, "--version"], capture_output=True, check=False).stdout
     root = pathlib.Path(root)
     style = root / ".clang-format"
-    marks = {file.name: mark(version, style.read_bytes() if style.exists() else b"", file.path.read_bytes()) for file in code_files(root)}
+    rules = style.read_bytes() if style.exists() else b""
+    marks = {file: mark(version, rules, file.path.read_bytes()) for file in code_files(root)}
     memory = root / "build/formatted.json"
     known = json.loads(memory.read_text(encoding="utf-8")) if memory.exists() else {}
-    files = [file for file in code_files(root) if known.get(file.name) != marks[file.name]]
+    files = [file for file, now in marks.items() if known.get(file.name) != now]
     findings = []
     for first in range(0, len(files), FILES_A_RUN):
         findings += unformatted(program, files[first : first + FILES_A_RUN])
     if memory.parent.is_dir() and all(finding.line for finding in findings):
         unclean = {finding.file for finding in findings}
-        memory.write_text(json.dumps({name: one for name, one in marks.items() if name not in unclean}), encoding="utf-8")
+        clean = {file.name: now for file, now in marks.items() if file.name not in unclean}
+        whole = memory.with_suffix(".new")  # A run that is stopped leaves no half of it.
+        whole.write_text(json.dumps(clean), encoding="utf-8")
+        whole.replace(memory)
     return findings
 
 
