@@ -1,11 +1,12 @@
 # Sourced by .ci/run: stages that share the seconds there are, each with a share of its own, so that none starves another.
 #   stage SHARE NAME COMMAND   queues a command (a function); SHARE is how many seconds it wants. With `only` set, those alone that have
 #                              it in their name
+#   begin_with N               the Nth of them, counted from 0, is the first to run; those before it follow the last
 #   run_stages SECONDS         runs them in their order, within so many seconds of the script's beginning, or `unlimited`
 #   counts_of LOG              adds the counts in the last line of a log to ours
 #   told_at_last               what was left out, then the counts
-# Seconds that a stage leaves over are shared out again by the shares of those that follow; so are seconds that are missing. A stage
-# that would get less than a third of its share is left out.
+# A stage has its share as long as there are seconds for it; what all that fit leave over is shared out by their shares, again after
+# each. The last to run may have less, and one that would get less than a third of its share is left out.
 # A command finds how long it has in `left`, runs what takes long by `within`, and says how far it came by `tell`. It ends with 0,
 # with 77 where something that it needs is missing, with 75 where its seconds were up before its work was done.
 passed=0 failed=0 skipped=0
@@ -52,21 +53,24 @@ run_stage() {
   esac
 }
 
-# granted_of SHARE REST TOTAL: the part of the seconds left that a share of the rest of the shares is.
+begin_with() {
+  shares=("${shares[@]:$1}" "${shares[@]:0:$1}") names=("${names[@]:$1}" "${names[@]:0:$1}")
+  commands=("${commands[@]:$1}" "${commands[@]:0:$1}")
+}
+
+# granted_of I TOTAL: the seconds for the Ith stage: its part of what is left beside those of the following that fit.
 granted_of() {
-  if [ "$3" = unlimited ]; then
-    echo 86400
-  else
-    echo $((SECONDS < $3 ? ($3 - SECONDS) * $1 / $2 : 0))
-  fi
+  local seconds_left=$(($2 > SECONDS ? $2 - SECONDS : 0)) wanted=${shares[$1]} share
+  for share in "${shares[@]:$1 + 1}"; do
+    [ $((wanted + share)) -gt "$seconds_left" ] || wanted=$((wanted + share))
+  done
+  echo $((seconds_left * shares[$1] / wanted))
 }
 
 run_stages() {
-  local rest=0 share i granted
-  for share in "${shares[@]}"; do rest=$((rest + share)); done
+  local i granted=86400
   for i in "${!names[@]}"; do
-    granted=$(granted_of "${shares[i]}" "$rest" "$1")
-    rest=$((rest - shares[i]))
+    [ "$1" = unlimited ] || granted=$(granted_of "$i" "$1")
     if [ $((granted * 3)) -lt "${shares[i]}" ]; then
       skip "${names[i]}: $granted s were left of the ${shares[i]} s that it wants"
     else

@@ -40,6 +40,23 @@ run_stages 1 >/dev/null
 expect "passed too late" "$passed $failed $skipped" "0 0 1"
 expect "the late one" "${left_out[0]}" "left out: one too late: 0 s were left of the 30 s that it wants"
 
+# Where there is no time for all, the first has all of its share and the others what it leaves: not a part of it each.
+names=() shares=() commands=() left_out=() passed=0 failed=0 skipped=0
+stage 40 "one that fits" quick
+stage 60 "a long one" quick
+stage 9 "a short one" quick
+expect "the first of too many" "$(SECONDS=0; granted_of 0 50)" "$((50 * 40 / 49))"
+expect "the second of too many" "$(SECONDS=0; granted_of 1 50)" 50
+SECONDS=0
+run_stages 50 >/dev/null
+expect "passed of too many" "$passed $failed $skipped" "3 0 0"
+
+# Each has its turn to be the first, and those before it are not forgotten.
+begin_with 1
+expect "the turn's names" "${names[*]}" "a long one a short one one that fits"
+expect "the turn's shares" "${shares[*]}" "60 9 40"
+expect "the turn's commands" "${commands[*]}" "quick quick quick"
+
 # Without a limit everything runs.
 names=() shares=() commands=() left_out=() passed=0 failed=0 skipped=0
 stage 30 "one without a limit" fine
@@ -56,10 +73,10 @@ counts_of "$log"
 expect "counts" "$passed $failed $skipped" "4 2 2"
 rm "$log"
 
-# Checks on real files that take minutes have one turn of three, and none is forgotten; the quick ones run each time.
+# Checks on real files that take minutes have one turn of six, and none is forgotten; the quick ones run each time.
 all=$("$root/tests/data/run" none folder --names | sort)
-turns=$(for i in 0 1 2; do "$root/tests/data/run" none folder --turn "$i/3" --names | grep -v '^left out: '; done | sort)
+turns=$(for i in 0 1 2 3 4 5; do "$root/tests/data/run" none folder --turn "$i/6" --names | grep -v '^left out: '; done | sort)
 expect "checks that have a turn" "$(uniq <<<"$turns")" "$all"
-expect "times that a quick check runs" "$(grep -c '^corpus$' <<<"$turns")" 3
+expect "times that a quick check runs" "$(grep -c '^corpus$' <<<"$turns")" 6
 expect "times that a long check runs" "$(grep -c '^pose$' <<<"$turns")" 1
-expect "what is left out" "$("$root/tests/data/run" none folder --turn 1/3 --names | grep -c '^left out: ')" 7
+expect "what is left out" "$("$root/tests/data/run" none folder --turn 1/6 --names | grep -c '^left out: ')" 9
