@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -76,33 +77,36 @@ public:
   [[nodiscard]] std::vector<Vertex> at(double frame) const {
     const std::vector<Mat4> worlds =
         worldMatrices(scene(), samplePose(scene(), file_.clips[0], frame / 24.0));
+    std::vector<Mat4> palette;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      palette.push_back(worlds[stretch::at(joints_[i])] * inverseBind_[i]);
+    }
     std::vector<Vertex> all;
     for (const Json& node : json()["nodes"]) {
       for (const Json& primitive :
            node.contains("skin") ? json()["meshes"][node["mesh"].get<int>()]["primitives"] : Json::array()) {
-        addSkinned(primitive["attributes"], worlds, all);
+        addSkinned(primitive["attributes"], palette, all);
       }
     }
     return all;
   }
 
 private:
-  void addSkinned(const Json& attributes, const std::vector<Mat4>& worlds, std::vector<Vertex>& all) const {
+  void addSkinned(const Json& attributes, const std::vector<Mat4>& palette, std::vector<Vertex>& all) const {
     const auto numbers = [&](const std::string& name) {
       return attributes.contains(name) ? gltf::readFloats(*file_.source, attributes[name].get<int>())
                                        : std::vector<float>{};
     };
     const std::vector<float> positions = numbers("POSITION");
     const std::vector<float> normals = numbers("NORMAL");
+    const std::array weights{&kept("WEIGHTS_0", attributes), &kept("WEIGHTS_1", attributes)};
+    const std::array slots{&kept("JOINTS_0", attributes), &kept("JOINTS_1", attributes)};
     for (std::size_t v = 0; 3 * v < positions.size(); ++v) {
       Mat4 matrix(0.0);
-      for (const char* set : {"0", "1"}) {
-        const std::vector<float>& weights = kept(std::string("WEIGHTS_") + set, attributes);
-        const std::vector<float>& slots = kept(std::string("JOINTS_") + set, attributes);
-        for (std::size_t i = 0; i < 4 && !weights.empty(); ++i) {
-          const auto slot = static_cast<std::size_t>(slots[4 * v + i]);
-          matrix += static_cast<double>(weights[4 * v + i]) * worlds[stretch::at(joints_[slot])] *
-                    inverseBind_[slot];
+      for (std::size_t set = 0; set < weights.size(); ++set) {
+        for (std::size_t i = 4 * v; i < 4 * v + 4 && !weights[set]->empty(); ++i) {
+          matrix +=
+              static_cast<double>((*weights[set])[i]) * palette[static_cast<std::size_t>((*slots[set])[i])];
         }
       }
       const auto three = [&](const std::vector<float>& from) {
