@@ -422,11 +422,15 @@ TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is l
   const fs::path file = autosavePath(desk.file("a.glb"));
   gltf::Json kept = ofGoneProcess(file);
   const bool isRefused = GENERATE(true, false);
+  const int lost = GENERATE(1, 3);
   if (isRefused) {
     kept["work"]["version"] = 1000;
-  } else {
-    kept["work"]["adjustments"] = {
-        {{"controller", "no such controller"}, {"clip", 0}, {"keys", {{{"frame", 3}, {"move", {0, 1, 0}}}}}}};
+  }
+  kept["work"]["adjustments"] = gltf::Json::array();
+  for (int i = 0; i < lost; ++i) {
+    kept["work"]["adjustments"].push_back({{"controller", "no such controller " + std::to_string(i)},
+                                           {"clip", 0},
+                                           {"keys", {{{"frame", 3}, {"move", {0, 1, 0}}}}}});
   }
   REQUIRE(writeText(file, kept.dump()));
   FileWork next;
@@ -445,6 +449,9 @@ TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is l
     REQUIRE(desk.told.size() == 2);
     CHECK(desk.told[0].second == "What fits of the unsaved work is back");
     CHECK(desk.lastTone() == Tone::warning);
+    CHECK_THAT(desk.told[1].second, Catch::Contains("no such controller 0"));
+    CHECK(desk.told[1].second.ends_with(" (and 2 more)") == (lost == 3));
+    CHECK(desk.told[1].second.ends_with("more)") == (lost == 3));
   }
 }
 

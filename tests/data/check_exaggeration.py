@@ -17,8 +17,10 @@ scale 2 and scale 3 without Y:
 """
 
 import argparse
+import concurrent.futures
 import json
 import math
+import os
 import pathlib
 import re
 import statistics
@@ -291,7 +293,6 @@ class Check:
         self.reader = Reader()
         self.edges = {}
         self.asked = 0
-        self.rows = []
 
     def validates(self):
         self.asked += 1
@@ -301,7 +302,6 @@ class Check:
         info = json.loads(run(self.program, "info", file, "--json"))
         self.edges = mesh_edges(file)
         row = {"file": file.name, "cases": 0, "passed": 0, "look": 0, "other": 0}
-        self.rows.append(row)
         with tempfile.TemporaryDirectory() as folder:
             for limb in (limb for limb in info["limbs"] if reaches_out(limb)):
                 moving = [(clip_motion(self.program, file, clip, limb["limb"]), clip) for clip in range(len(info["clips"]))]
@@ -309,6 +309,7 @@ class Check:
                 for _, clip in moving if self.clips is None else moving[-self.clips:]:
                     self.limb_in_clip(file, info, clip, limb, pathlib.Path(folder), row)
         print(f"{row['file']}: {row['passed']} of {row['cases']} pass; {row['look']} warn of how they look, {row['other']} of something else", flush=True)
+        return row
 
     def limb_in_clip(self, file, info, clip, limb, folder, row):
         whole = f"0:{info['clips'][clip]['seconds'] * info['clips'][clip]['fps']:.6f}"
@@ -329,6 +330,13 @@ class Check:
                     print(f"FAIL {label}: {'; '.join(problems)}", flush=True)
 
 
+def checked(file, *options):
+    """A file's row; each process has a check, and so a reader, of its own."""
+    if not hasattr(checked, "check"):
+        checked.check = Check(*options)
+    return checked.check.file(file)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
@@ -338,12 +346,12 @@ def main():
     parser.add_argument("--clips", default="2", help="clips for each limb: those in which it moves most, or 'all' in which it moves")
     parser.add_argument("--validate-every", type=int, default=1, help="the validator takes the longest: only every N-th case")
     arguments = parser.parse_args()
-    check = Check(arguments.program.resolve(), arguments.dump_vertices.resolve(), None if arguments.clips == "all" else int(arguments.clips),
-                  arguments.validate_every)
     bodies = [file for folder in FOLDERS for file in sorted(arguments.data.glob(folder))]
-    for file in arguments.files or bodies:
-        check.file(file)
-    cases, passed = (sum(row[key] for row in check.rows) for key in ("cases", "passed"))
+    options = (arguments.program.resolve(), arguments.dump_vertices.resolve(), None if arguments.clips == "all" else int(arguments.clips),
+               arguments.validate_every)
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        rows = [row.result() for row in [pool.submit(checked, file, *options) for file in arguments.files or bodies]]
+    cases, passed = (sum(row[key] for row in rows) for key in ("cases", "passed"))
     print(f"{passed} of {cases} pass")
     return 0 if passed == cases else 1
 

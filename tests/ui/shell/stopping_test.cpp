@@ -7,6 +7,8 @@
 #include "app/files/save.h"
 #include "app/locators/locator_edits.h"
 #include "app/open_document.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
 #include "tests/support/app/mesh_file.h"
 #include "tests/support/skinning/tube_creature.h"
 #include "tests/support/temporary_folder.h"
@@ -169,6 +171,35 @@ TEST_CASE("A file's only clip is told by its name, several clips by how many cam
   CHECK(told(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb") ==
         more->clips->back().name + " is imported: its keys are as in its file");
   CHECK(told(folder / "moves.glb") == std::to_string(more->clips->size()) + " clips imported");
+}
+
+TEST_CASE("Of what a clip could not bring along two lines are told, and how many more there are", "[jobs]") {
+  const test::TemporaryFolder folder;
+  const Result<app::Document> swing = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb");
+  REQUIRE(swing);
+  const auto told = [&](int lost) {
+    gltf::Source source = *swing->source;
+    gltf::Json json = *source.json;
+    json["extensionsUsed"].push_back("KHR_animation_pointer");
+    for (int node = 0; node < lost; ++node) {
+      const std::string visible =
+          "/nodes/" + std::to_string(node) + "/extensions/KHR_node_visibility/visible";
+      const gltf::Json target{{"path", "pointer"},
+                              {"extensions", {{"KHR_animation_pointer", {{"pointer", visible}}}}}};
+      json["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", target}});
+    }
+    source.json = json;
+    REQUIRE(gltf::save(source, folder / "hidden.glb"));
+    Working working(test::PanelDriver::bundledCharacter());
+    importClip(working.shell, {folder / "hidden.glb", -1});
+    working.waitUntilDone();
+    REQUIRE_FALSE(working.shell.ui.toasts.empty());
+    return working.shell.ui.toasts.back().text;
+  };
+  // The bat is a line of its own.
+  CHECK_THAT(told(1), Catch::Contains("/nodes/0/") && Catch::Contains("Bat") && !Catch::Contains("more)"));
+  CHECK_THAT(told(2), Catch::Contains("/nodes/1/") && Catch::EndsWith(" (and 1 more)"));
+  CHECK_THAT(told(5), !Catch::Contains("/nodes/2/") && Catch::EndsWith(" (and 4 more)"));
 }
 
 TEST_CASE("A clip for a character that is not open any more is told and left out", "[jobs]") {
