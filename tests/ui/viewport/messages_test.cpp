@@ -211,3 +211,29 @@ TEST_CASE("No message covers what the picture's lines and colours mean, nor the 
   stage.showViewport();
   isSpared("viewport/weight-legend");
 }
+
+TEST_CASE("Messages leave each scale of colours, wherever they stood in the frame before") {
+  test::GuiPainter painter;
+  const bool isWeights = GENERATE(true, false);
+  Seen stage(painter);
+  test::withLimb({stage.open, stage.ui, stage.status, {}}); // Without a trail the scale is in the corner.
+  stage.ui.overlays.weights = isWeights;
+  stage.ui.overlays.heatMap = !isWeights;
+  stage.ui.toasts.clear();
+  stage.viewport.framePending = true;
+  stage.showViewport();
+  const char* const id = isWeights ? "viewport/weight-legend" : "viewport/stretch-legend";
+  for (const std::size_t place : {0U, 1U}) { // High and low.
+    for (const char* const text : {"Saved", "The left arm gets no longer than 1.4 times at frame 25"}) {
+      CAPTURE(id, place, text);
+      stage.ui.toasts = {{ToastKind::warning, text, 60.0F}};
+      stage.viewport.messages.place = place;
+      stage.showViewport();
+      const Item* const legend = stage.items.find(id);
+      REQUIRE(legend != nullptr);
+      const MessagesTold told = messagesOver(stage.items, {legend->min, legend->max});
+      CHECK(told.count == 1);
+      CHECK(told.over == 0);
+    }
+  }
+}
