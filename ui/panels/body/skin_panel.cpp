@@ -99,6 +99,7 @@ void placeRow(PanelContext& context) {
   if (locator == nullptr) {
     return;
   }
+  const Vec3 placeScene = locator->position; // an edit below takes the document away that the locator is in
   constexpr int digits = 3;
   const double length = lengthOf(locators);
   const int places = digits - static_cast<int>(std::floor(std::log10(length)));
@@ -110,7 +111,7 @@ void placeRow(PanelContext& context) {
       ImGui::SameLine();
     }
     const std::string letter(1, "XYZ"[axis]);
-    double value = locator->position[axis];
+    double value = placeScene[axis];
     const double step = std::pow(10.0, -places);
     const SliderSpec spec{.id = "locators/" + letter,
                           .minimum = value - 2.0 * length,
