@@ -30,7 +30,7 @@ bool calmAtSeam(const ClipGround& ground, const std::string& limb, rig::TrailSet
   const double end = endInFrames(clip);
   const rig::TrailSettings before = settings;
   const double range = settings.endFrame - settings.startFrame;
-  const double first = std::ceil(std::max(0.0, clip.startSeconds * clip.framesPerSecond)) + 1.0;
+  const double first = wholeFrameAtLeast(std::max(0.0, clip.startSeconds * clip.framesPerSecond)) + 1.0;
   if (settings.startFrame < first && settings.endFrame - first >= shortestRange) {
     settings.startFrame = first;
   }

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/evaluate/seen.h"
+#include "core/anim/frames.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
 #include "rig/limb.h"
@@ -28,9 +29,9 @@ constexpr double farthestJump = 0.25;               // of the limb's length, wit
 
 std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTrail& trail) {
   const double fps = motion.framesPerSecond;
-  const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);
+  const double last = wholeFrameAtMost(std::min(trail.windowEndSeconds, motion.endSeconds) * fps);
   std::vector<double> frames;
-  for (double frame = std::max(0.0, std::ceil(trail.windowStartSeconds * fps - 1e-6)); frame <= last;
+  for (double frame = std::max(0.0, wholeFrameAtLeast(trail.windowStartSeconds * fps)); frame <= last;
        frame += 1.0) {
     frames.push_back(frame);
   }

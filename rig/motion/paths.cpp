@@ -1,10 +1,10 @@
 #include "rig/motion/paths.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <set>
 
+#include "core/anim/frames.h"
 #include "rig/adjust/frame_table.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/order.h"
@@ -231,7 +231,7 @@ std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std
       acrossSeam ? solved.windowEndSeconds : std::min(solved.windowEndSeconds, clip.endSeconds);
   const double end = std::max(start, fps * last);
   const auto perFrame = static_cast<double>(std::max<std::size_t>(1, samplesPerFrame));
-  const auto count = static_cast<std::size_t>(std::floor((end - start) * perFrame + 1e-6)) + 1;
+  const auto count = static_cast<std::size_t>(wholeFrameAtMost((end - start) * perFrame)) + 1;
   std::vector<double> frames;
   for (std::size_t i = 0; i < count; ++i) {
     frames.push_back(start + static_cast<double>(i) / perFrame);

@@ -149,6 +149,18 @@ TEST_CASE("a limb pulled out of bounds is told with its frame") {
   CHECK_THAT(warnings.front(), Contains("worst at 5)"));
 }
 
+TEST_CASE("the last frame of a clip is looked at, though its time in a file lies just before the frame") {
+  Document document = punching(25.0, 2.0);
+  std::vector<Clip> clips = *document.clips;
+  clips.front().endSeconds = static_cast<double>(25.0F / 30.0F);
+  REQUIRE(clips.front().endSeconds * 30.0 < 25.0);
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  document.trails.front().settings.spheres = {{25.0, Vec3(3.0, 0.0, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_THAT(warnings.front(), Contains("times its own length") && Contains("worst at 25)"));
+}
+
 TEST_CASE("an arm that points the other way is told, and the advice that goes with it helps") {
   Document document = punching(20.0, 2.0);
   addFlight(document);
