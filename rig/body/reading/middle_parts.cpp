@@ -1,7 +1,9 @@
-#include "rig/body/reading/hind_part.h"
+#include "rig/body/reading/middle_parts.h"
 
 #include <algorithm>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/math/polyline.h"
@@ -27,6 +29,12 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   rest.points.erase(rest.points.begin(), rest.points.begin() + (first - other.path.begin()));
   rest.length = polylineLength(rest.points);
   return rest;
+}
+
+bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint) {
+  return std::ranges::any_of(parts.pairs, [&](const KindredPair& one) {
+    return view.isAboveOrSelf(joint, carrierOf(view, one.pair));
+  });
 }
 
 } // namespace
@@ -77,6 +85,54 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
     }
   }
   return tail;
+}
+
+bool isNeck(const BodyView& view, int joint) {
+  return view.name(joint).role(Role::neck) >= clearRole;
+}
+
+double bulk(const BodyView& view, int joint) {
+  Vec3 low(std::numeric_limits<double>::max());
+  Vec3 high(std::numeric_limits<double>::lowest());
+  for (const Vec3& point : view.points[static_cast<std::size_t>(joint)]) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  return high.x >= low.x ? glm::distance(low, high) : 0.0;
+}
+
+void endAtHeadBeside(const BodyView& view, PlanParts& parts) {
+  Axis& axis = parts.axis;
+  const auto isHead = [&](int joint) {
+    return view.name(joint).role(Role::head) >= clearRole && view.name(joint).side == Side::none;
+  };
+  if (std::ranges::any_of(axis.row, isHead)) {
+    return;
+  }
+  for (auto carrier = axis.row.rbegin(); carrier != axis.row.rend(); ++carrier) {
+    const std::vector<int>& children = view.childrenOf(*carrier);
+    const auto head = std::ranges::find_if(children, isHead);
+    if (head != children.end() && !carriesLimb(view, parts, *carrier)) {
+      axis.head = *head;
+      axis.row.erase(carrier.base(), axis.row.end());
+      axis.row.push_back(axis.head);
+      return;
+    }
+  }
+}
+
+void takeNeckAlone(const BodyView& view, PlanParts& parts) {
+  Axis& axis = parts.axis;
+  axis.neck.assign(axis.row.begin(), std::ranges::find(axis.row, axis.head));
+  const auto hindLeg = std::find_if(parts.pairs.rbegin(), parts.pairs.rend(),
+                                    [](const KindredPair& one) { return one.kind == LimbKind::leg; });
+  for (int joint = carrierOf(view, hindLeg->pair); joint >= 0; joint = view.parentOf(joint)) {
+    axis.spine.insert(axis.spine.begin(), joint);
+  }
+  if (!axis.spine.empty()) {
+    axis.hips = axis.spineEnd = axis.spine.back();
+    axis.spine.pop_back();
+  }
 }
 
 } // namespace stretch::rig::body

@@ -17,4 +17,20 @@ namespace stretch::rig::body {
 /// A row of the middle that goes back from the trunk, without the joints that carry legs.
 [[nodiscard]] std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts);
 
+/// From which on a joint's name tells its role clearly.
+inline constexpr double clearRole = 0.5;
+
+/// Whether a joint is named as one of a neck.
+[[nodiscard]] bool isNeck(const BodyView& view, int joint);
+
+/// Largest extent of the vertices that follow a joint, world units; 0 without any.
+[[nodiscard]] double bulk(const BodyView& view, int joint);
+
+/// Lets the row of the head end at the joint that is named head where that hangs beside it: a row may go on
+/// into a jaw.
+void endAtHeadBeside(const BodyView& view, PlanParts& parts);
+
+/// Reads a whole row as neck and head, as bodies in pieces have it, and what leads to hind legs as the trunk.
+void takeNeckAlone(const BodyView& view, PlanParts& parts);
+
 } // namespace stretch::rig::body

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/body/reading/hind_part.h"
+#include "rig/body/reading/middle_parts.h"
 #include "rig/body/reading/stance.h"
 
 namespace stretch::rig::body {
@@ -294,8 +293,8 @@ private:
     double all = 0.0;
     for (const Extremity& row : parts_.extremities.middle) {
       const double ahead = glm::dot(row.points.back() - middleOfLegs(), forward);
-      const double size =
-          bulk(row.path.back()) + (row.path.size() > 1 ? bulk(row.path[row.path.size() - 2]) : 0.0);
+      const double size = bulk(view_, row.path.back()) +
+                          (row.path.size() > 1 ? bulk(view_, row.path[row.path.size() - 2]) : 0.0);
       bulks += std::copysign(size, ahead);
       all += size;
     }
@@ -334,6 +333,7 @@ private:
       parts_.axis.row = head->path;
       parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
       parts_.axis.head = headOf(*head);
+      endAtHeadBeside(view_, parts_);
       parts_.axis.frontIsTold = parts_.axis.headIsNamed || isFrontTold(*head);
     }
   }
@@ -378,17 +378,6 @@ private:
     return glm::length(across) > 1e-6 ? glm::normalize(across) : Vec3(0.0, 0.0, 1.0);
   }
 
-  // Of the vertices that follow a joint.
-  [[nodiscard]] double bulk(int joint) const {
-    Vec3 low(std::numeric_limits<double>::max());
-    Vec3 high(std::numeric_limits<double>::lowest());
-    for (const Vec3& point : view_.points[index(joint)]) {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    return high.x >= low.x ? glm::distance(low, high) : 0.0;
-  }
-
   [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
     return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
       return (countsChains || one.kind != LimbKind::chain) &&
@@ -400,17 +389,19 @@ private:
   [[nodiscard]] int lastOf(const std::vector<int>& row) const {
     constexpr double little = 0.4;
     const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
-    const bool isTip = !carriesLimb(before, false) && bulk(row.back()) < little * bulk(before);
+    const bool isTip = !carriesLimb(before, false) && bulk(view_, row.back()) < little * bulk(view_, before);
     return isTip ? before : row.back();
   }
 
-  // The last joint that is named head, else the one at which ears and jaws branch off, else the last one.
+  // The last joint that is named head, else the one behind the neck at which ears and jaws branch off, else
+  // the last one.
   [[nodiscard]] int headOf(const Extremity& row) const {
     int named = -1;
     int branching = -1;
     for (const int joint : row.path) {
       const NameEvidence& name = view_.name(joint);
-      named = name.role(Role::head) >= 0.5 ? joint : named;
+      named = name.role(Role::head) >= clearRole ? joint : named;
+      branching = name.role(Role::neck) >= clearRole ? -1 : branching;
       if (branching < 0 && !carriesLimb(joint) && view_.childrenOf(joint).size() > 1) {
         branching = joint;
       }
@@ -538,6 +529,10 @@ private:
       }
       return;
     }
+    if (joints.first < 0 && head > 0 && legs().size() == 2 && isNeck(view_, axis.row.front())) {
+      takeNeckAlone(view_, parts_);
+      return;
+    }
     const std::vector<int> hindTrunk =
         chest == first && legs().size() == 2 ? trunkBehind(view_, parts_) : std::vector<int>{};
     if (chest == first) {
@@ -563,7 +558,7 @@ private:
   // Of the first joint that is named so; without names the upper half of what lies before the head.
   [[nodiscard]] int neckStart(int first, int head) const {
     for (int place = first + 1; place < head; ++place) {
-      if (view_.name(parts_.axis.row[index(place)]).role(Role::neck) >= 0.5) {
+      if (isNeck(view_, parts_.axis.row[index(place)])) {
         return place;
       }
     }

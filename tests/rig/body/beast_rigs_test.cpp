@@ -260,3 +260,42 @@ TEST_CASE("The tail of a beast that is rooted before its hips begins behind them
     CHECK(describe(built, read, biped::spine) == "spine1 spine0 -> hips");
   }
 }
+
+TEST_CASE("A neck goes on to the head beside which a jaw hangs, whatever branches off before it") {
+  SyntheticBiped body = makeHorse();
+  body.joints.push_back({"breast", "spine1", {0.0, 1.1, 0.3}});
+  body.joints.push_back({"chin", "jaw", {0.0, 1.6, 1.3}});
+  for (const std::string key : {"scapula.l", "scapula.r"}) {
+    jointOf(body, key).parent = "spine0";
+  }
+  for (const std::string key : {"jaw", "ear.l", "ear.r"}) {
+    jointOf(body, key).parent = "neck1";
+  }
+  std::string wanted = "neck0 neck1 -> head";
+  SECTION("a joint is called head") {}
+  SECTION("none is") {
+    std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key == "head"; });
+    wanted = "neck0 -> neck1";
+  }
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(describe(built, read, biped::neck) == "spine1 " + wanted);
+  CHECK(describe(built, read, biped::spine) == "spine0 -> spine1");
+}
+
+TEST_CASE("A neck that hangs from nothing is no spine, and the trunk is what leads to the hind legs") {
+  SyntheticBiped body = makeHorse();
+  body.joints.push_back({"trunk", "", {0.0, 1.35, 0.4}});
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("spine"); });
+  cutLoose(body, {"neck0", "scapula.l", "scapula.r"});
+  jointOf(body, "hips").parent = "trunk";
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
+  CHECK(describe(built, read, biped::spine) == "trunk -> hips");
+  CHECK(keyOf(built, read.hips) == "hips");
+  checkHorse(body);
+}
