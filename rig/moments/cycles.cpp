@@ -11,7 +11,7 @@ namespace {
 
 constexpr double sameShare = 0.55; // Of how far the limb strays from its middle: nearer is the same.
 constexpr double limpShare = 0.4;  // Likewise of legs that do not step in even time.
-constexpr double seamSteps = 1.5;  // Longest steps of a frame: no farther is the end from the beginning.
+constexpr double seamSteps = 2.0;  // Longest steps of a frame: no farther is the end from the beginning.
 constexpr double leastMove = 0.01; // Of the reach: what strays less from its middle stands still.
 constexpr std::size_t fewestSamples = 8;
 
@@ -87,10 +87,42 @@ std::vector<Vec3> mirroredPlaces(std::vector<Vec3> places) {
   return places;
 }
 
+bool strays(const LimbMotion& limb, const std::vector<Vec3>& places) {
+  const double moves = leastMove * limb.reach;
+  return places.size() >= fewestSamples && meanSquare(places) >= moves * moves;
+}
+
+/// Whether a leg does what the one beside it does, however much later, but not with it.
+bool gallops(const BodyMotion& motion, const std::vector<Limb>& limbs, std::size_t limb) {
+  constexpr int parts = 16;
+  const Limb* const beside = limbAt(limbs, mirrored(limbs[limb]));
+  const std::vector<Vec3> places = placesInBody(motion, motion.limbs[limb]);
+  if (beside == nullptr || !strays(motion.limbs[limb], places)) {
+    return false;
+  }
+  const std::vector<Vec3> other =
+      placesInBody(motion, motion.limbs[static_cast<std::size_t>(beside - limbs.data())]);
+  return std::ranges::any_of(periodsOf(places), [&](double period) {
+    double least = limpShare;
+    for (int part = 1; part < parts; ++part) {
+      least = std::min(least, shareApart(places, other, static_cast<double>(part) / parts, period));
+    }
+    return least < limpShare && least < shareApart(places, other, 0.0, period);
+  });
+}
+
+/// All of four legs or more do: a body that only strikes out leaves two where they are.
+bool legsGallop(const BodyMotion& motion, const std::vector<Limb>& limbs) {
+  int galloping = 0;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    galloping += isLeg(limbs[i]) && gallops(motion, limbs, i) ? 1 : 0;
+  }
+  return galloping >= 4 && galloping == std::ranges::count_if(limbs, isLeg);
+}
+
 bool goesRound(const BodyMotion& motion, const std::vector<Limb>& limbs, std::size_t limb) {
   const std::vector<Vec3> places = placesInBody(motion, motion.limbs[limb]);
-  const double moves = leastMove * motion.limbs[limb].reach;
-  if (places.size() < fewestSamples || meanSquare(places) < moves * moves) {
+  if (!strays(motion.limbs[limb], places)) {
     return false;
   }
   const Limb* const opposite = motion.forward.front() == Vec3(0.0) || limbs[limb].kind == LimbKind::chain
@@ -123,6 +155,7 @@ std::vector<bool> limbsInCycles(const BodyMotion& motion, const std::vector<Limb
     cycles.push_back(goesRound(motion, limbs, i));
     legsGo = legsGo || (cycles.back() && isLeg(limbs[i]));
   }
+  legsGo = legsGo || legsGallop(motion, limbs);
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     cycles[i] = cycles[i] || (legsGo && isLeg(limbs[i]));
   }

@@ -182,6 +182,29 @@ TEST_CASE("legs go round in uneven time as well, three eighths of the clip later
   CHECK(cyclesOf({{biped::leftLeg, once}, {biped::rightLeg, resting}}) == Answers{false, false});
 }
 
+TEST_CASE("four legs gallop where the two of each pair go one after the other, by however much") {
+  const Course once = circle(1.0);
+  const auto four = [](const Course& frontLeft, const Course& frontRight, const Course& hindLeft,
+                       const Course& hindRight) {
+    return cyclesOf({{{LimbKind::leg, LimbSide::left, 1}, frontLeft},
+                     {{LimbKind::leg, LimbSide::right, 1}, frontRight},
+                     {{LimbKind::leg, LimbSide::left, 2}, hindLeft},
+                     {{LimbKind::leg, LimbSide::right, 2}, hindRight}});
+  };
+  const Answers all(4, true);
+  const Answers none(4, false);
+  for (const double part : {1.0 / 8.0, 3.0 / 16.0, 1.0 / 4.0, 7.0 / 8.0}) {
+    CAPTURE(part);
+    const Course behind = later(once, part);
+    CHECK(four(once, behind, later(once, 0.4), later(once, 0.4 + part)) == all);
+    CHECK(four(once, behind, behind, once) == all);
+    CHECK(four(once, behind, resting, resting) == none); // it strikes out
+    CHECK(four(once, behind, once, once) == none);
+    CHECK(cyclesOf({{biped::leftLeg, once}, {biped::rightLeg, behind}}) == Answers(2, false));
+  }
+  CHECK(four(once, once, once, once) == none); // it jumps
+}
+
 TEST_CASE("what hardly moves, or is too short to be seen twice, does not go round") {
   CHECK(goesRound(chain, circle(2.0, 0.0101)));
   CHECK_FALSE(goesRound(chain, circle(2.0, 0.0099)));
@@ -190,18 +213,18 @@ TEST_CASE("what hardly moves, or is too short to be seen twice, does not go roun
   CHECK_FALSE(goesRound(biped::leftArm, circle(2.0, 1.0), {6}));
 }
 
-TEST_CASE("a clip closes where its end is no farther from its beginning than one and a half of its steps") {
+TEST_CASE("a clip closes where its end is no farther from its beginning than two of its steps") {
   const auto drifting = [](double way) -> Course {
     return [=](double part) {
       const double angle = 2.0 * round360 * part;
       return Vec3(std::cos(angle), way * part, std::sin(angle));
     };
   };
-  // In one frame a round of 20 half frames goes 2 sin(18 degrees) of its radius.
-  const double step = 2.0 * std::sin(pi / 10.0);
-  CHECK(goesRound(chain, drifting(0.0)));
-  CHECK(goesRound(chain, drifting(1.45 * step)));
-  CHECK_FALSE(goesRound(chain, drifting(1.6 * step)));
+  // In one frame a round of 40 half frames goes 2 sin(9 degrees) of its radius.
+  const double step = 2.0 * std::sin(pi / 20.0);
+  CHECK(goesRound(chain, drifting(0.0), {80}));
+  CHECK(goesRound(chain, drifting(1.95 * step), {80}));
+  CHECK_FALSE(goesRound(chain, drifting(2.1 * step), {80}));
 }
 
 TEST_CASE("the same is what differs by less than three tenths in the square, however large it is") {
