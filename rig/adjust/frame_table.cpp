@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "core/anim/key_time.h"
@@ -11,6 +12,23 @@
 #include "rig/trail/limb_path.h"
 
 namespace stretch::rig {
+
+namespace {
+
+// As many frames as one thread has done before another one is awake.
+constexpr std::size_t framesWorthWaking = 256;
+
+template <typename Work>
+void forEachFrame(std::size_t count, const Work& work) {
+  const tbb::blocked_range<std::size_t> all(0, count, framesWorthWaking);
+  tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      work(i);
+    }
+  });
+}
+
+} // namespace
 
 std::vector<FrameState> FramePool::take() {
   const std::scoped_lock lock(mutex_);
@@ -36,15 +54,14 @@ FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent)
   frames_.resize(times.size());
   const NodeSampler sampler(scene, clip, extent_.nodes);
   skeleton_ = sampler.skeleton();
-  tbb::parallel_for(std::size_t{0}, times.size(),
-                    [&](std::size_t i) { sampler.sample(times[i], frames_[i]); });
+  forEachFrame(times.size(), [&](std::size_t i) { sampler.sample(times[i], frames_[i]); });
 }
 
 FrameTable::FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments)
     : extent_(source.extent_), skeleton_(source.skeleton_), frames_(source.pool_->take()),
       pool_(source.pool_) {
   frames_.resize(source.frames_.size());
-  tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
+  forEachFrame(frames_.size(), [&](std::size_t i) {
     frames_[i] = source.frames_[i];
     applyAdjustments(skeleton_, adjustments, source.frames_[i], frames_[i]);
   });

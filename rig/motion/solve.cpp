@@ -210,21 +210,26 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
 
 // Each looks at the clip alone, not at what the others make of it.
 std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& motion, Places& places) {
+  constexpr double worthWaking = 512.0; // frames of trails that are new, to have another thread help
   std::vector<std::pair<const Trail*, const Limb*>> found;
   std::size_t isNew = 0;
+  double newFrames = 0.0;
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       found.emplace_back(&trail, limb);
-      isNew += sameTrailBefore(input, trail) == nullptr ? 1 : 0;
+      if (sameTrailBefore(input, trail) == nullptr) {
+        ++isNew;
+        newFrames += trail.settings.endFrame - trail.settings.startFrame;
+      }
     }
   }
   std::vector<SolvedTrail> solved(found.size());
   const auto solve = [&](std::size_t i) {
     solved[i] = solveTrail(input, motion, *found[i].first, *found[i].second, places);
   };
-  if (isNew > 1) {
+  if (isNew > 1 && newFrames > worthWaking) {
     tbb::parallel_for(std::size_t{0}, found.size(), solve);
-  } else { // a drag: not worth waking anybody
+  } else { // most drags
     for (std::size_t i = 0; i < found.size(); ++i) {
       solve(i);
     }
