@@ -31,12 +31,6 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   return rest;
 }
 
-bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint) {
-  return std::ranges::any_of(parts.pairs, [&](const KindredPair& one) {
-    return view.isAboveOrSelf(joint, carrierOf(view, one.pair));
-  });
-}
-
 } // namespace
 
 int carrierOf(const BodyView& view, const ExtremityPair& pair) {
@@ -85,6 +79,13 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
     }
   }
   return tail;
+}
+
+bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint, bool countsChains) {
+  return std::ranges::any_of(parts.pairs, [&](const KindredPair& one) {
+    return (countsChains || one.kind != LimbKind::chain) &&
+           view.isAboveOrSelf(joint, carrierOf(view, one.pair));
+  });
 }
 
 bool isNeck(const BodyView& view, int joint) {

@@ -10,6 +10,10 @@ namespace stretch::rig::body {
 /// The joint that both limbs of a pair hang from, whatever one of them has between.
 [[nodiscard]] int carrierOf(const BodyView& view, const ExtremityPair& pair);
 
+/// Whether a limb hangs from a joint or from one below it; `countsChains`: one of no kind yet as well.
+[[nodiscard]] bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint,
+                               bool countsChains = true);
+
 /// The trunk of a body that is rooted before its hind legs: from the joint at which it leaves the row of the
 /// head to the one that they hang from. Empty where that is of the row itself.
 [[nodiscard]] std::vector<int> trunkBehind(const BodyView& view, const PlanParts& parts);

@@ -378,18 +378,12 @@ private:
     return glm::length(across) > 1e-6 ? glm::normalize(across) : Vec3(0.0, 0.0, 1.0);
   }
 
-  [[nodiscard]] bool carriesLimb(int joint, bool countsChains = true) const {
-    return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-      return (countsChains || one.kind != LimbKind::chain) &&
-             view_.isAboveOrSelf(joint, carrierOf(view_, one.pair));
-    });
-  }
-
   // The last joint of a row, or the one before where the last one carries little: a jaw, a tip.
   [[nodiscard]] int lastOf(const std::vector<int>& row) const {
     constexpr double little = 0.4;
     const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
-    const bool isTip = !carriesLimb(before, false) && bulk(view_, row.back()) < little * bulk(view_, before);
+    const bool isTip =
+        !carriesLimb(view_, parts_, before, false) && bulk(view_, row.back()) < little * bulk(view_, before);
     return isTip ? before : row.back();
   }
 
@@ -402,7 +396,7 @@ private:
       const NameEvidence& name = view_.name(joint);
       named = name.role(Role::head) >= clearRole ? joint : named;
       branching = name.role(Role::neck) >= clearRole ? -1 : branching;
-      if (branching < 0 && !carriesLimb(joint) && view_.childrenOf(joint).size() > 1) {
+      if (branching < 0 && !carriesLimb(view_, parts_, joint) && view_.childrenOf(joint).size() > 1) {
         branching = joint;
       }
     }
