@@ -140,21 +140,21 @@ private:
   // A path that comes back on itself ends where it is farthest.
   [[nodiscard]] std::string problemWith(PlannedTrail& planned, bool mayBeStopped) {
     pullAgain(planned);
-    rig::MotionState alone = solved(planned.trail);
-    if (alone.trails.empty()) {
+    std::shared_ptr<const rig::MotionState> alone = solved(planned.trail);
+    if (alone->trails.empty()) {
       return "its range holds no frame";
     }
-    if (!planned.follows && alone.trails.front().tip.moved &&
-        endsFarther(alone.trails.front(), planned.trail.settings)) {
+    if (!planned.follows && alone->trails.front().tip.moved &&
+        endsFarther(alone->trails.front(), planned.trail.settings)) {
       pullAgain(planned);
       alone = solved(planned.trail);
     }
-    if (!planned.follows && isCutShort(alone.trails.front().tip)) {
-      const rig::TipSolution& tip = alone.trails.front().tip;
+    if (!planned.follows && isCutShort(alone->trails.front().tip)) {
+      const rig::TipSolution& tip = alone->trails.front().tip;
       planned.trail.settings.scale *= tip.reachedLength / tip.wantedLength;
       alone = solved(planned.trail);
     }
-    const rig::SolvedTrail& trail = alone.trails.front();
+    const rig::SolvedTrail& trail = alone->trails.front();
     if (!planned.follows && trail.tip.outcome == rig::TipOutcome::nothingToScale) {
       return "the limb's end does not move along the active axes";
     }
@@ -165,20 +165,20 @@ private:
     if (!planned.follows && trail.tip.trailScale && *trail.tip.trailScale > largestOfPath) {
       return "its path is too short for it";
     }
-    if (!mayBeStopped && isStoppedAtTip(ground_.document, alone, trail)) {
+    if (!mayBeStopped && isStoppedAtTip(ground_.document, *alone, trail)) {
       return textOf(FaultKind::floor);
     }
-    if (wayBackProblem(ground_.document, alone, trail)) {
+    if (wayBackProblem(ground_.document, *alone, trail)) {
       return "there is no room for the way back";
     }
-    if (!planned.follows && isAsLong(alone, trail)) {
+    if (!planned.follows && isAsLong(*alone, trail)) {
       return "hardly anything of it would be seen";
     }
     if (look_ == nullptr || limb_ != trail.limb.id) {
       look_ = std::make_unique<TrailLook>(facts_, trail, LookAt::limbAndMesh);
       limb_ = trail.limb.id;
     }
-    return problemOf(look_->findings(alone));
+    return problemOf(look_->findings(*alone));
   }
 
   // Along the ground, by the limit of its turn.
@@ -209,7 +209,7 @@ private:
     return true;
   }
 
-  [[nodiscard]] rig::MotionState solved(const rig::Trail& trail) {
+  [[nodiscard]] std::shared_ptr<const rig::MotionState> solved(const rig::Trail& trail) {
     Document only = ground_.document;
     only.trails = {trail};
     only.trails.front().id = 1;
@@ -219,16 +219,15 @@ private:
     input.ground.loops = input.ground.loops || loops_;
     rig::MotionInput wanted = motionInput(input);
     wanted.places = facts_->places();
-    wanted.sourceFrames = frames_;
-    rig::MotionState motion = rig::solveMotion(wanted);
-    frames_ = motion.sourceFrames ? motion.sourceFrames : frames_;
-    return motion;
+    wanted.sameClip = last_.get();
+    last_ = std::make_shared<const rig::MotionState>(rig::solveMotion(wanted));
+    return last_;
   }
 
   const ClipGround& ground_;
   bool loops_ = false;
   std::shared_ptr<ClipFacts> facts_;
-  std::shared_ptr<const rig::FrameTable> frames_;
+  std::shared_ptr<const rig::MotionState> last_; // solved
   std::unique_ptr<TrailLook> look_;
   std::string limb_; // that it looks at
 };

@@ -36,7 +36,7 @@ const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& in
       wanted.previous = last->value.get();
     }
     if (last != nullptr && isSameClip(last->key.ground, input.ground)) {
-      wanted.sourceFrames = last->value->sourceFrames;
+      wanted.sameClip = last->value.get();
     }
     if (input.ground.adjustments.empty()) {
       wanted.places = places(input.ground.scene);

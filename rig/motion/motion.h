@@ -44,15 +44,22 @@ struct Rest {
   Vec3 place{0.0}; ///< World.
 };
 
+/// Times that a path has by its range and by the keys of its limb's joints, whatever moves it then. Seconds.
+struct PathTimes {
+  std::vector<double> samples; ///< sampleTimes.
+  std::vector<double> between; ///< timesBetween.
+  std::vector<double> keys;    ///< Times of the keys within the range.
+  KeySpacing spacing;
+  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
+};
+
 /// A trail's original path and all that follows from it alone.
 struct OriginalPath {
   PathKey pathKey;
   LimbPath path; ///< Over the range, in world space and in the trail's space.
   BendNormal bend;
-  std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
-  KeySpacing keys;                      ///< Spacing of the limb's joints' keys.
-  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
-  std::vector<double> chosenFrames;     ///< chooseControlFrames.
+  PathTimes times;
+  std::vector<double> chosenFrames;       ///< chooseControlFrames.
   std::optional<std::vector<Rest>> rests; ///< restsIn around the range, once a trail on it has a stop.
 };
 

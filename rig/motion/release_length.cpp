@@ -27,7 +27,7 @@ double strokeSeconds(double keysPerSecond, double framesPerSecond) {
 
 // Of the limb's end on its exaggerated path, seen from its base: units per second.
 double fastestStroke(const SolvedTrail& solved, const Clip& clip) {
-  const double leastSeconds = strokeSeconds(solved.keys.keysPerSecond, clip.framesPerSecond);
+  const double leastSeconds = strokeSeconds(solved.times.spacing.keysPerSecond, clip.framesPerSecond);
   double fastest = 0.0;
   double lastSeconds = 0.0;
   std::optional<Vec3> last;
@@ -98,7 +98,7 @@ ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved)
   if (solved.settings.releaseFrames) {
     length.wantedSeconds = *solved.settings.releaseFrames / clip.framesPerSecond;
   } else {
-    const std::optional<double> nextKey = solved.nextKeySeconds;
+    const std::optional<double> nextKey = solved.times.nextKeySeconds;
     const double usual = nextKey.value_or((solved.endSeconds - solved.startSeconds) / 3.0);
     constexpr double hardlyFaster = 0.75; // The artist's own key is worth that much.
     const bool isLongEnough = nextKey && *nextKey >= hardlyFaster * length.calmSeconds;

@@ -93,19 +93,6 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& plac
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
 }
 
-// Where a trail's path is looked at: its samples and halfway between them.
-std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, const Limb& limb) {
-  const double fps = input.clip->framesPerSecond;
-  const TrailSettings settings = usable(trail.settings, *input.clip);
-  const double start = settings.startFrame / fps;
-  const double end = settings.endFrame / fps;
-  std::vector<double> times =
-      sampleTimes(start, end, fps, keyTimesOf(*input.clip, jointsAndEnd(limb), start, end));
-  const std::vector<double> between = timesBetween(times, fps);
-  times.insert(times.end(), between.begin(), between.end());
-  return times;
-}
-
 FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments,
                                  Places& places) {
   std::vector<NodeIndex> nodes = adjustments.nodes;
@@ -114,10 +101,11 @@ FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustmen
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       const std::vector<NodeIndex> read = pathNodes(input, *limb);
       const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb, places));
-      const std::vector<double> own = pathTimes(input, trail, *limb);
+      const PathTimes own = pathTimes(input, *limb, pathKeyOf(limb->id, usable(trail.settings, *input.clip)));
       nodes.insert(nodes.end(), read.begin(), read.end());
       nodes.insert(nodes.end(), written.begin(), written.end());
-      times.insert(times.end(), own.begin(), own.end());
+      times.insert(times.end(), own.samples.begin(), own.samples.end());
+      times.insert(times.end(), own.between.begin(), own.between.end());
     }
   }
   return FrameTable::extentOf(std::move(nodes), std::move(times));
@@ -129,10 +117,12 @@ void setFrames(const MotionInput& input, MotionState& motion, Places& places) {
   if (extent.timesSeconds.size() > FrameTable::most(*input.scene)) {
     return;
   }
-  const bool isKnown = input.sourceFrames != nullptr && input.sourceFrames->extent() == extent;
+  const std::shared_ptr<const FrameTable> before =
+      input.sameClip == nullptr ? nullptr : input.sameClip->sourceFrames;
   motion.sourceFrames =
-      isKnown ? input.sourceFrames
-              : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(extent));
+      before != nullptr && before->extent() == extent
+          ? before
+          : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(extent));
   const MotionState* const previous = input.previous;
   motion.adjustedFrames = previous != nullptr && previous->sourceFrames == motion.sourceFrames
                               ? previous->adjustedFrames

@@ -30,9 +30,9 @@ struct MotionInput {
                                                  ///< is needed.
   std::shared_ptr<const BindPlaces> places = {}; ///< bindPlaces of the scene; null: found where they are
                                                  ///< needed.
-  /// MotionState::sourceFrames of a motion that was solved for the same scene and clip, whatever moved it
-  /// then; null: none.
-  std::shared_ptr<const FrameTable> sourceFrames = {};
+  /// Solved before for the same scene and clip, whatever moved it then: what the clip says as it is, its
+  /// frames and its paths' times, is taken over.
+  const MotionState* sameClip = nullptr;
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
   const MotionState* previous = nullptr;

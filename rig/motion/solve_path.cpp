@@ -68,21 +68,40 @@ PathKey pathKeyOf(const std::string& limb, const TrailSettings& used) {
   return {limb, used.startFrame, used.endFrame, used.pivot, used.space, axesOf(used)};
 }
 
-OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKey& key, FrameSource& frames) {
-  constexpr double controlTolerance = 0.01; // of the limb's rest length
-  const double fps = input.clip->framesPerSecond;
+PathTimes pathTimes(const MotionInput& input, const Limb& limb, const PathKey& key) {
+  if (input.sameClip != nullptr) {
+    const auto same = std::ranges::find_if(input.sameClip->trails, [&](const SolvedTrail& before) {
+      return before.limb == limb && before.pathKey.startFrame == key.startFrame &&
+             before.pathKey.endFrame == key.endFrame && before.pathKey.pivot == key.pivot;
+    });
+    if (same != input.sameClip->trails.end()) {
+      return same->times;
+    }
+  }
+  const Clip& clip = *input.clip;
+  const double fps = clip.framesPerSecond;
   const double start = key.startFrame / fps;
   const double end = key.endFrame / fps;
+  const std::vector<NodeIndex> nodes = jointsAndEnd(limb);
+  PathTimes times;
+  times.keys = keyTimesOf(clip, nodes, start, end);
+  times.spacing = keySpacing(clip, nodes);
+  times.nextKeySeconds = secondsToNextKey(clip, key, nodes, times.spacing);
+  times.samples = sampleTimes(start, end, fps, times.keys);
+  times.between = timesBetween(times.samples, fps);
+  return times;
+}
+
+OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKey& key, FrameSource& frames) {
+  constexpr double controlTolerance = 0.01; // of the limb's rest length
   OriginalPath original;
   original.pathKey = key;
+  original.times = pathTimes(input, limb, key);
+  const PathTimes& times = original.times;
   LimbPath& path = original.path;
   path.axes = key.axes;
-  original.keyTimes = keyTimesOf(*input.clip, jointsAndEnd(limb), start, end);
-  original.keys = keySpacing(*input.clip, jointsAndEnd(limb));
-  original.nextKeySeconds = secondsToNextKey(*input.clip, key, jointsAndEnd(limb), original.keys);
   std::vector<Vec3> points;
-  const std::vector<double> times = sampleTimes(start, end, fps, original.keyTimes);
-  for (const double time : times) {
+  for (const double time : times.samples) {
     const FrameState& frame = frames.at(time);
     path.samples.push_back(limbSample(limb, key.space, input.hips, frame));
     original.bend.add(pointsToLead(limb, frame), rotationOf(frame.worlds[at(limb.joints.front())]));
@@ -92,13 +111,14 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
   if (onlyTrembles(points, farthestOf(points), limb.restLength)) {
     points.assign(points.size(), points.front());
   }
-  path.ratios = pathRatios(points, times, key.pivot);
+  path.ratios = pathRatios(points, times.samples, key.pivot);
   // A planted foot stands still at the keys only: between them it slides about.
-  for (const double time : timesBetween(times, fps)) {
+  for (const double time : times.between) {
     path.between.push_back(limbSample(limb, key.space, input.hips, frames.at(time)));
   }
-  original.chosenFrames = chooseControlFrames(path, original.keyTimes, fps, original.keys.keysPerSecond,
-                                              controlTolerance * limb.restLength);
+  original.chosenFrames =
+      chooseControlFrames(path, times.keys, input.clip->framesPerSecond, times.spacing.keysPerSecond,
+                          controlTolerance * limb.restLength);
   return original;
 }
 

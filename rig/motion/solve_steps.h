@@ -23,6 +23,9 @@ inline constexpr double longestFrames = 100000.0;
 /// `used`: settings whose range lies within the clip.
 [[nodiscard]] PathKey pathKeyOf(const std::string& limb, const TrailSettings& used);
 
+/// Times at which the path is looked at, and of its keys; taken over where MotionInput::sameClip has them.
+[[nodiscard]] PathTimes pathTimes(const MotionInput& input, const Limb& limb, const PathKey& key);
+
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
 /// bends. `frames`: of pathNodes at least. Of `input` it looks at the ground alone, not at the trails.
 [[nodiscard]] OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKey& key,

@@ -100,7 +100,7 @@ TEST_CASE("frames kept from another offset give the trails that are solved witho
   for (const char* const controller : {"hips", "left-hand", "spine-top"}) {
     MotionInput input = inputOf(moving, {moved(controller, {0.02, -0.04, 0.0})});
     const MotionState fresh = solveMotion(input);
-    input.sourceFrames = before.sourceFrames;
+    input.sameClip = &before;
     const MotionState kept = solveMotion(input);
     const bool isSameController = std::string(controller) == "hips";
     CHECK((kept.sourceFrames == before.sourceFrames) == isSameController);

@@ -37,7 +37,7 @@ SolvedTrail solvedTrail(const StraightWay& way) {
   solved.settings.pivot = way.pivot;
   solved.settings.startFrame = way.startFrame;
   solved.settings.endFrame = way.endFrame;
-  solved.keys.keysPerSecond = releaseRate;
+  solved.times.spacing.keysPerSecond = releaseRate;
   solved.startSeconds = way.startFrame / releaseRate;
   solved.endSeconds = way.endFrame / releaseRate;
   const bool forwards = way.pivot == Pivot::start;
@@ -179,7 +179,7 @@ TEST_CASE("a limb that stands still has no speed that a way back could be measur
 TEST_CASE("a way back whose length is asked for lasts as long, whatever is calm and where keys lie") {
   const double frames = GENERATE(0.0, 0.5, 7.0, 40.0);
   SolvedTrail solved = solvedTrail({});
-  solved.nextKeySeconds = 0.3;
+  solved.times.nextKeySeconds = 0.3;
   solved.settings.releaseFrames = frames;
   const ReleaseLength length = releaseOf(solved);
   CHECK(length.wantedSeconds == Approx(frames / releaseRate));
@@ -193,12 +193,12 @@ TEST_CASE("a way back goes to the next key where that is three quarters of what 
   REQUIRE(calm > 2.0 / releaseRate);
   for (const double share : {0.751, 1.0, 1.9}) {
     CAPTURE(share);
-    solved.nextKeySeconds = share * calm;
+    solved.times.nextKeySeconds = share * calm;
     CHECK(releaseOf(solved).wantedSeconds == Approx(share * calm)); // Between frames as the key is.
   }
   for (const double share : {0.1, 0.749}) {
     CAPTURE(share);
-    solved.nextKeySeconds = share * calm;
+    solved.times.nextKeySeconds = share * calm;
     CHECK(releaseOf(solved).wantedSeconds * releaseRate == Approx(std::ceil(calm * releaseRate)));
   }
 }

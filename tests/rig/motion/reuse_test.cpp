@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -18,6 +19,12 @@ using Part = std::pair<const char*, std::function<void(Trail&)>>;
 MotionState solvedAfter(const MovingBiped& moving, const Trail& trail, const MotionState& before) {
   MotionInput input = motionInput(moving, {trail});
   input.previous = &before;
+  return solveMotion(input);
+}
+
+MotionState solvedOnSameClip(const MovingBiped& moving, const Trail& trail, const MotionState& before) {
+  MotionInput input = motionInput(moving, {trail});
+  input.sameClip = &before;
   return solveMotion(input);
 }
 
@@ -108,6 +115,15 @@ void checkSamples(const std::vector<LimbSample>& kept, const std::vector<LimbSam
   }
 }
 
+void checkSame(const PathTimes& kept, const PathTimes& fresh) {
+  CHECK(kept.samples == fresh.samples);
+  CHECK(kept.between == fresh.between);
+  CHECK(kept.keys == fresh.keys);
+  CHECK(kept.spacing.keysPerSecond == fresh.spacing.keysPerSecond);
+  CHECK(kept.spacing.isDense == fresh.spacing.isDense);
+  CHECK(kept.nextKeySeconds == fresh.nextKeySeconds);
+}
+
 void checkSame(const MovingBiped& moving, const MotionState& kept, const MotionState& fresh) {
   REQUIRE(kept.trails.size() == 1);
   REQUIRE(fresh.trails.size() == 1);
@@ -117,8 +133,7 @@ void checkSame(const MovingBiped& moving, const MotionState& kept, const MotionS
   checkSamples(one.path.between, other.path.between);
   CHECK(one.path.ratios == other.path.ratios);
   CHECK(one.path.axes == other.path.axes);
-  CHECK(one.keyTimes == other.keyTimes);
-  CHECK(one.nextKeySeconds == other.nextKeySeconds);
+  checkSame(one.times, other.times);
   CHECK(one.controlFrames == other.controlFrames);
   CHECK(one.windowStartSeconds == other.windowStartSeconds);
   CHECK(one.windowEndSeconds == other.windowEndSeconds);
@@ -142,9 +157,23 @@ TEST_CASE("a trail that changed in any part is solved from the motion before as 
     change(changed);
     const MotionState fresh = solved(moving, {changed});
     checkSame(moving, solvedAfter(moving, changed, before), fresh);
+    checkSame(moving, solvedOnSameClip(moving, changed, before), fresh);
     // And back.
     checkSame(moving, solvedAfter(moving, busyTrail(), fresh), before);
   }
+}
+
+TEST_CASE("a limb of the same name that has other joints has the times of its own keys") {
+  MovingBiped moving = punchingBiped();
+  const auto arm = std::ranges::find(moving.body.limbs, "left-arm", &Limb::id);
+  moving.clip.tracks.emplace_back(rotationTrack(
+      arm->endNode, Interpolation::linear, {{7.0 / 24.0, Quat(1, 0, 0, 0)}, {8.0 / 24.0, Quat(1, 0, 0, 0)}}));
+  const MotionState whole = solved(moving, {busyTrail()});
+  arm->endNode = arm->joints.back();
+  arm->joints.pop_back();
+  const MotionState shorter = solved(moving, {busyTrail()});
+  CHECK(whole.trails.front().times.keys.size() == shorter.trails.front().times.keys.size() + 2);
+  checkSame(moving, solvedOnSameClip(moving, busyTrail(), whole), shorter);
 }
 
 TEST_CASE("every part of what a path is made from makes another path") {

@@ -60,7 +60,7 @@ struct Referring : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("Images that are dropped stand behind the character, each at its frame") {
+TEST_CASE("Images that are dropped stand behind the character, each at its frame", "[jobs]") {
   Referring stage;
   stage.session().view().frame = 0.0;
   stage.dropAndSettle(stage.imageFile(1));
@@ -202,7 +202,8 @@ TEST_CASE("An image beside a file of another kind is no reference") {
   CHECK(stage.reference() == app::Reference{});
 }
 
-TEST_CASE("Images that were drawn anew are read when they are chosen again, and a broken one shows none") {
+TEST_CASE("Images that were drawn anew are read when they are chosen again, and a broken one shows none",
+          "[jobs]") {
   Referring stage;
   stage.session().view().frame = 1.0;
   stage.dropAndSettle(stage.imageFile(1));

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Runs a test program's cases some dozens to a process, where a process takes long to begin: a sanitizer's.
+
+    run_in_parts.py PROGRAM [--jobs N] [--cases N] [--seconds S]
+
+Left out are the cases that are marked [slow]. A part that fails, or that is not done after S seconds, is run again case by case, so that the
+case is named; what the part said is told before. The last line holds the counts.
+Exit 0: all passed, 1: one failed, or there was none to run, 75: none failed, but one took longer than S seconds.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+
+TIME_IS_UP = 75
+# A sanitizer that is told to go on tells of its finding in words alone.
+FINDING = re.compile(r"runtime error: |ERROR: \w+Sanitizer")
+CASES_RUN = re.compile(r"^(?:All tests passed \(.* in|test cases: +)\s*(\d+)", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    passed: bool
+    in_time: bool
+    output: str
+
+
+def cases_of(program):
+    """The names of the cases that are not slow, in the program's order."""
+    listed = subprocess.run([program, "--list-test-names-only", "~[slow]"], capture_output=True, text=True, check=False)
+    return [name for name in listed.stdout.split("\n") if name]
+
+
+def run(program, names, seconds):
+    with tempfile.NamedTemporaryFile("w", prefix="cases-", suffix=".txt", encoding="utf-8") as listing:
+        listing.write("\n".join(names) + "\n")
+        listing.flush()
+        try:
+            done = subprocess.run(
+                [program, "--input-file", listing.name],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                errors="replace",
+                timeout=seconds,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return Outcome(False, False, "")
+    # A name that the program takes for another one's pattern would be left out in silence.
+    counted = CASES_RUN.search(done.stdout)
+    whole = counted is not None and int(counted.group(1)) == len(names)
+    return Outcome(done.returncode == 0 and whole and not FINDING.search(done.stdout), True, done.stdout)
+
+
+def told_of(program, part, seconds):
+    """The names of the cases that failed and of those that took too long. What a part says that fails is told at once: its cases, which
+    run again one by one, can be cut off."""
+    outcome = run(program, part, seconds)
+    if outcome.passed:
+        return [], []
+    print(f"a part of {len(part)} cases did not pass", outcome.output, sep="\n", flush=True)
+    alone = [(name, run(program, [name], seconds)) for name in part]
+    failed = [name for name, each in alone if not each.passed and each.in_time]
+    late = [name for name, each in alone if not each.in_time]
+    if not failed and not late and outcome.in_time:
+        failed = ["cases that pass each by itself"]
+    for name in failed:
+        print(f"failed: {name}", flush=True)
+    for name in late:
+        print(f"too long: {name}", flush=True)
+    return failed, late
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--cases", type=int, default=40, help="how many share a process")
+    parser.add_argument("--seconds", type=float, default=600, help="for each process")
+    options = parser.parse_args()
+    program = options.program.resolve()
+    cases = cases_of(program)
+    # Cases of one file stand together and take alike long: each part has some of every file.
+    count = -(-len(cases) // options.cases)
+    parts = [cases[first::count] for first in range(count)]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        told = list(pool.map(lambda part: told_of(program, part, options.seconds), parts))
+    failed, late = (sum(len(names) for names in each) for each in zip(*told)) if told else (0, 0)
+    print(f"{len(cases) - failed - late} of {len(cases)} passed, {failed} failed, {late} took too long")
+    if failed or not cases:
+        return 1
+    return TIME_IS_UP if late else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
