@@ -21,6 +21,7 @@ while IFS= read -r name; do
     *overflows*) echo "sum.cpp:3:5: runtime error: signed integer overflow" ;;
     *hangs*) exec sleep 60 ;;
     *"is no case of that name"*) count=$((count - 1)) ;;
+    *[!\\],* | *[!\\][][]*) count=$((count - 1)) ;; # as Catch does
     *company*) [ "$count" -eq 1 ] || { echo "test cases: $count | 1 failed"; exit 1; } ;;
   esac
 done <"$2"

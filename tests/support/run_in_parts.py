@@ -21,6 +21,7 @@ from dataclasses import dataclass
 TIME_IS_UP = 75
 # A sanitizer that is told to go on tells of its finding in words alone.
 FINDING = re.compile(r"runtime error: |ERROR: \w+Sanitizer")
+SIGN = re.compile(r'[\\,"\[\]]')  # of the program's own patterns
 CASES_RUN = re.compile(r"^(?:All tests passed \(.* in|test cases: +)\s*(\d+)", re.MULTILINE)
 
 
@@ -39,7 +40,7 @@ def cases_of(program):
 
 def run(program, names, seconds):
     with tempfile.NamedTemporaryFile("w", prefix="cases-", suffix=".txt", encoding="utf-8") as listing:
-        listing.write("\n".join(names) + "\n")
+        listing.write("".join(SIGN.sub(r"\\\g<0>", name) + "\n" for name in names))
         listing.flush()
         try:
             done = subprocess.run(
@@ -53,7 +54,7 @@ def run(program, names, seconds):
             )
         except subprocess.TimeoutExpired:
             return Outcome(False, False, "")
-    # A name that the program takes for another one's pattern would be left out in silence.
+    # A name that the program does not know again is no failure to it.
     counted = CASES_RUN.search(done.stdout)
     whole = counted is not None and int(counted.group(1)) == len(names)
     return Outcome(done.returncode == 0 and whole and not FINDING.search(done.stdout), True, done.stdout)
