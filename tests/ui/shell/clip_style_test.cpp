@@ -32,8 +32,7 @@ void setStrength(test::EditorStage& stage, double strength) {
 } // namespace
 
 TEST_CASE(
-    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog",
-    "[jobs]") {
+    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog") {
   test::EditorStage stage;
   ui::ClipStyleState& state = openedDialog(stage);
   const auto keep = [&](double strength) {

@@ -60,7 +60,7 @@ struct Referring : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("Images that are dropped stand behind the character, each at its frame", "[jobs]") {
+TEST_CASE("Images that are dropped stand behind the character, each at its frame") {
   Referring stage;
   stage.session().view().frame = 0.0;
   stage.dropAndSettle(stage.imageFile(1));
@@ -202,8 +202,7 @@ TEST_CASE("An image beside a file of another kind is no reference") {
   CHECK(stage.reference() == app::Reference{});
 }
 
-TEST_CASE("Images that were drawn anew are read when they are chosen again, and a broken one shows none",
-          "[jobs]") {
+TEST_CASE("Images that were drawn anew are read when they are chosen again, and a broken one shows none") {
   Referring stage;
   stage.session().view().frame = 1.0;
   stage.dropAndSettle(stage.imageFile(1));
