@@ -129,6 +129,31 @@ TEST_CASE(
   CHECK(toldWith("TANGENT", five) == unfit);
 }
 
+TEST_CASE(
+    "Texture coordinates of whole numbers are those of KHR_mesh_quantization, of one or two bytes each") {
+  const auto isTaken = [](bool isQuantized, const auto& accessorOf) {
+    GlbBuilder glb = test::armBuilder();
+    const int accessor = accessorOf(glb);
+    propIn(glb)["attributes"]["TEXCOORD_0"] = accessor;
+    if (isQuantized) {
+      glb.json["extensionsUsed"] = {"KHR_mesh_quantization"};
+    }
+    const Result<gltf::Loaded> file = test::loadBytes(glb.bytes());
+    CHECK((file || file.error().where == std::string(partOfProp) + ".attributes.TEXCOORD_0"));
+    return bool(file);
+  };
+  const auto small = [](GlbBuilder& glb) {
+    return glb.accessor(std::vector<std::uint16_t>(12, 3), 5123, "VEC2", 2);
+  };
+  const auto large = [](GlbBuilder& glb) {
+    return glb.accessor(std::vector<std::uint32_t>(12, 3), 5125, "VEC2", 2);
+  };
+  CHECK(isTaken(true, small));
+  CHECK_FALSE(isTaken(false, small));
+  CHECK_FALSE(isTaken(true, large));
+  CHECK_FALSE(isTaken(false, large));
+}
+
 TEST_CASE("Vertices follow joints that every skin has which moves their mesh, in whichever order") {
   const bool isSmallFirst = GENERATE(true, false);
   CAPTURE(isSmallFirst);

@@ -110,6 +110,9 @@ TEST_CASE("A BVH that holds another number of frames than it says") {
     const std::string told = test::refusal(gltf::load(folder.write("person.bvh", test::personBvh(30, 3))));
     CHECK(told.find("is a BVH file that cannot be read") != std::string::npos);
     CHECK(told.find('\n') == std::string::npos);
+    const std::string text = test::personBvh(30, 3);
+    CHECK(told.find("(line " + std::to_string(std::ranges::count(text, '\n') + 1) + " - ") !=
+          std::string::npos);
   }
 }
 

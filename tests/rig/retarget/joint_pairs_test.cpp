@@ -74,6 +74,24 @@ TEST_CASE("A spine of another number of joints is followed at its shares of the 
   }
 }
 
+TEST_CASE("An arm of two bones follows one of a single bone with both, and one of a single bone its first") {
+  const MovingBiped moving = still(namedBody());
+  const Skeleton whole = skeletonOf(moving);
+  Skeleton single = whole;
+  REQUIRE(whole.arms[leftSide]->limb.joints.size() == 2);
+  single.arms[leftSide]->limb.joints.pop_back();
+  const std::vector<NodeIndex>& joints = whole.arms[leftSide]->limb.joints;
+  const JointPairs both = pairJoints(single, whole);
+  for (const NodeIndex joint : joints) {
+    REQUIRE(pairOf(both, joint) != nullptr);
+    CHECK(pairOf(both, joint)->from == joints.front());
+  }
+  const JointPairs first = pairJoints(whole, single);
+  REQUIRE(pairOf(first, joints.front()) != nullptr);
+  CHECK(pairOf(first, joints.front())->from == joints.front());
+  CHECK(pairOf(first, joints.back()) == nullptr);
+}
+
 TEST_CASE("Parts that only the followed body has are told, each once, and none that only the other one has") {
   const MovingBiped from = still(namedBody());
   const MovingBiped onto = still(namedBody());
