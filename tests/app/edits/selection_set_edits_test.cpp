@@ -83,6 +83,18 @@ TEST_CASE("A selection is kept as a set by its members' names, and one of more t
   CHECK(namesOf(session.document()).size() == 4);
 }
 
+TEST_CASE("A set of nothing is refused, and so is one that holds what another one does") {
+  const Document document = withSets();
+  Selection selection;
+  CHECK_THAT(test::refusal(keepSelectionSet(document, selection, "Nothing")),
+             Catch::StartsWith("no limb and no controller is selected"));
+  selection.setControllers({"right-hand", "left-hand"});
+  CHECK_THAT(test::refusal(keepSelectionSet(document, selection, "Fists")),
+             Catch::StartsWith("the set 'Hands' holds just this"));
+  selection.setControllers({"head"});
+  CHECK(namesOf(*keepSelectionSet(document, selection, "Hands")) == Names{"Arms", "Hands", "Hands 2"});
+}
+
 TEST_CASE("The set of a selection is the one that holds just that, in any order") {
   const Document document = withSets();
   Selection selection;
