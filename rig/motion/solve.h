@@ -31,7 +31,7 @@ struct MotionInput {
   std::shared_ptr<const BindPlaces> places = {}; ///< bindPlaces of the scene; null: found where they are
                                                  ///< needed.
   /// Solved before for the same scene and clip, whatever moved it then: what the clip says as it is, its
-  /// frames and its paths' times, is taken over.
+  /// frames and its paths' times, is taken over; null: none.
   const MotionState* sameClip = nullptr;
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
