@@ -18,6 +18,7 @@ while IFS= read -r name; do
   case $name in
     *fails*) echo "test cases: $count | 1 failed"; exit 1 ;;
     *crashes*) kill -SEGV $$ ;;
+    *"has no files"*) echo "  nothing ran: there are no files" ;;
     *overflows*) echo "sum.cpp:3:5: runtime error: signed integer overflow" ;;
     *hangs*) exec sleep 60 ;;
     *"is no case of that name"*) count=$((count - 1)) ;;
@@ -29,27 +30,40 @@ echo "All tests passed (no assertions in $count test cases)"
 PROGRAM
 chmod +x "$program"
 
-seconds=60
+seconds=60 more=()
 # expect STATUS LINES CASE...: how it ends with these cases, and which lines of its output tell of them.
 expect() {
   local status=0 wanted=$1 lines=$2 told
   shift 2
   printf '%s\n' "$@" >"$folder/cases"
   rm -f "$folder/processes"
-  told=$("$root/tests/support/run_in_parts.py" "$program" --cases 3 --jobs 2 --seconds "$seconds") || status=$?
+  told=$("$root/tests/support/run_in_parts.py" "$program" "${more[@]}" --cases 3 --jobs 2 --seconds "$seconds") || status=$?
   told=$(grep -E '^(failed|too long): |took too long$' <<<"$told" | paste -s -d '|')
   [ "$status $told" = "$wanted $lines" ] || { echo "FAILED: '$status $told' in place of '$wanted $lines'"; exit 1; }
 }
 
-expect 0 "4 of 4 passed, 0 failed, 0 took too long" "one" "two, with a comma" "three [3]" "four"
+expect 0 "4 passed, 0 failed, 0 skipped, 0 took too long" "one" "two, with a comma" "three [3]" "four"
 [ "$(sort "$folder/processes" | paste -s -d ' ')" = "2 2" ] || { echo "FAILED: four cases, three to a process at most"; exit 1; }
-expect 1 "failed: it fails|3 of 4 passed, 1 failed, 0 took too long" "one" "it fails" "three" "four"
-expect 1 "failed: it crashes|1 of 2 passed, 1 failed, 0 took too long" "it crashes" "two"
-expect 1 "failed: it overflows|1 of 2 passed, 1 failed, 0 took too long" "one" "it overflows"
-expect 1 "failed: there is no case of that name|1 of 2 passed, 1 failed, 0 took too long" "one" "there is no case of that name"
-expect 1 "failed: cases that pass each by itself|1 of 2 passed, 1 failed, 0 took too long" "one that minds company" "two"
-seconds=3
-expect 75 "too long: it hangs|0 of 1 passed, 0 failed, 1 took too long" "it hangs"
-expect 1 "failed: it fails|too long: it hangs|0 of 2 passed, 1 failed, 1 took too long" "it fails" "it hangs"
+expect 1 "failed: it fails|3 passed, 1 failed, 0 skipped, 0 took too long" "one" "it fails" "three" "four"
+expect 1 "failed: it crashes|1 passed, 1 failed, 0 skipped, 0 took too long" "it crashes" "two"
+expect 1 "failed: it overflows|1 passed, 1 failed, 0 skipped, 0 took too long" "one" "it overflows"
+expect 1 "failed: there is no case of that name|1 passed, 1 failed, 0 skipped, 0 took too long" "one" "there is no case of that name"
+expect 1 "failed: cases that pass each by itself|1 passed, 1 failed, 0 skipped, 0 took too long" "one that minds company" "two"
+expect 0 "2 passed, 0 failed, 1 skipped, 0 took too long" "one" "one that has no files" "three"
+expect 1 "failed: it fails|1 passed, 1 failed, 1 skipped, 0 took too long" "one" "one that has no files" "it fails"
+printf 'program:it fails\nprogram:one\nother:two\n' >"$folder/list"
+more=(--except "$folder/list")
+expect 0 "2 passed, 0 failed, 0 skipped, 0 took too long" "one" "it fails" "two" "one more"
+# The second program has cases of its own, and a failure in either is one of both.
+mkdir "$folder/other"
+cp "$program" "$folder/other/program"
+printf 'four\nit crashes\n' >"$folder/other/cases"
+more=("$folder/other/program")
+expect 1 "failed: it crashes|3 passed, 1 failed, 0 skipped, 0 took too long" "one" "two"
+printf '' >"$folder/other/cases"
+expect 1 "2 passed, 0 failed, 0 skipped, 0 took too long" "one" "two" # none that a program has
+more=() seconds=3
+expect 75 "too long: it hangs|0 passed, 0 failed, 0 skipped, 1 took too long" "it hangs"
+expect 1 "failed: it fails|too long: it hangs|0 passed, 1 failed, 0 skipped, 1 took too long" "it fails" "it hangs"
 printf '' >"$folder/cases"
 ! "$root/tests/support/run_in_parts.py" "$program" >/dev/null || { echo "FAILED: a program without a case passes"; exit 1; }

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Runs a test program's cases some dozens to a process, where a process takes long to begin: a sanitizer's.
+"""Runs the cases of test programs some dozens to a process, where a case takes less time than its process takes to begin.
 
-    run_in_parts.py PROGRAM [--jobs N] [--cases N] [--seconds S]
+    run_in_parts.py PROGRAM... [--except FILE] [--jobs N] [--cases N] [--seconds S]
 
-Left out are the cases that are marked [slow]. A part that fails, or that is not done after S seconds, is run again case by case, so that the
-case is named; what the part said is told before. The last line holds the counts.
+Left out are the cases that are marked [slow], and those that stand in FILE as CTest names them, ROOM:CASE. A part that fails, or that is not
+done after S seconds, is run again case by case, so that the case is named; what the part said is told before. A case that says "nothing ran"
+is counted as skipped. The last line holds the counts.
 Exit 0: all passed, 1: one failed, or there was none to run, 75: none failed, but one took longer than S seconds.
 """
 
@@ -22,6 +23,7 @@ TIME_IS_UP = 75
 # A sanitizer that is told to go on tells of its finding in words alone.
 FINDING = re.compile(r"runtime error: |ERROR: \w+Sanitizer")
 SIGN = re.compile(r'[\\,"\[\]]')  # of the program's own patterns
+NOTHING_RAN = re.compile(r"^ *nothing ran: ", re.MULTILINE)
 CASES_RUN = re.compile(r"^(?:All tests passed \(.* in|test cases: +)\s*(\d+)", re.MULTILINE)
 
 
@@ -32,10 +34,27 @@ class Outcome:
     output: str
 
 
-def cases_of(program):
-    """The names of the cases that are not slow, in the program's order."""
+@dataclass
+class Told:
+    """Names of cases, and how many had nothing to run on."""
+
+    failed: list
+    late: list
+    skipped: int
+
+
+def cases_of(program, left_out):
+    """The names of the cases that are not slow and not left out, in the program's order."""
     listed = subprocess.run([program, "--list-test-names-only", "~[slow]"], capture_output=True, text=True, check=False)
-    return [name for name in listed.stdout.split("\n") if name]
+    room = program.name.removeprefix("test_")
+    return [name for name in listed.stdout.split("\n") if name and f"{room}:{name}" not in left_out]
+
+
+def parts_of(program, left_out, at_most):
+    """Cases of one file stand together and take alike long: each part has some of every file."""
+    cases = cases_of(program, left_out)
+    count = -(-len(cases) // at_most)
+    return [(program, cases[first::count]) for first in range(count)]
 
 
 def run(program, names, seconds):
@@ -61,11 +80,11 @@ def run(program, names, seconds):
 
 
 def told_of(program, part, seconds):
-    """The names of the cases that failed and of those that took too long. What a part says that fails is told at once: its cases, which
-    run again one by one, can be cut off."""
+    """What a part says that fails is told at once: its cases, which run again one by one, can be cut off."""
     outcome = run(program, part, seconds)
+    skipped = len(NOTHING_RAN.findall(outcome.output))
     if outcome.passed:
-        return [], []
+        return Told([], [], skipped)
     print(f"a part of {len(part)} cases did not pass", outcome.output, sep="\n", flush=True)
     alone = [(name, run(program, [name], seconds)) for name in part]
     failed = [name for name, each in alone if not each.passed and each.in_time]
@@ -76,26 +95,26 @@ def told_of(program, part, seconds):
         print(f"failed: {name}", flush=True)
     for name in late:
         print(f"too long: {name}", flush=True)
-    return failed, late
+    return Told(failed, late, sum(len(NOTHING_RAN.findall(each.output)) for _, each in alone))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("programs", type=pathlib.Path, nargs="+", metavar="PROGRAM")
+    parser.add_argument("--except", type=pathlib.Path, dest="left_out", metavar="FILE")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--cases", type=int, default=40, help="how many share a process")
     parser.add_argument("--seconds", type=float, default=600, help="for each process")
     options = parser.parse_args()
-    program = options.program.resolve()
-    cases = cases_of(program)
-    # Cases of one file stand together and take alike long: each part has some of every file.
-    count = -(-len(cases) // options.cases)
-    parts = [cases[first::count] for first in range(count)]
+    left_out = set(options.left_out.read_text(encoding="utf-8").split("\n")) if options.left_out else set()
+    of_programs = [parts_of(program.resolve(), left_out, options.cases) for program in options.programs]
+    parts = [part for each in of_programs for part in each]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        told = list(pool.map(lambda part: told_of(program, part, options.seconds), parts))
-    failed, late = (sum(len(names) for names in each) for each in zip(*told)) if told else (0, 0)
-    print(f"{len(cases) - failed - late} of {len(cases)} passed, {failed} failed, {late} took too long")
-    if failed or not cases:
+        told = list(pool.map(lambda part: told_of(*part, options.seconds), parts))
+    failed, late, skipped = (sum(counts) for counts in zip((0, 0, 0), *((len(each.failed), len(each.late), each.skipped) for each in told)))
+    passed = sum(len(cases) for _, cases in parts) - failed - late - skipped
+    print(f"{passed} passed, {failed} failed, {skipped} skipped, {late} took too long")
+    if failed or not all(of_programs):
         return 1
     return TIME_IS_UP if late else 0
 
