@@ -107,6 +107,17 @@ TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {
   CHECK(menu.label(command::trailBlend) == "Blend: half-way");
 }
 
+TEST_CASE("The blend of a trail that exaggerates nothing yet is off, and says so") {
+  Menu menu;
+  menu.session().view().selection.editTrails().limbs = {"left-arm"};
+  menu.run(command::trailToggle);
+  REQUIRE_FALSE(menu.trail(0).exaggerated);
+  CHECK_FALSE(menu.isOn(command::trailBlend));
+  CHECK(whyOff(menu.command(command::trailBlend), menu.open) == "exaggerate the trail first");
+  menu.run(command::trailExaggerateOnce);
+  CHECK(menu.isOn(command::trailBlend));
+}
+
 TEST_CASE("A step that changes the rate names the rate, not the trails that count in it") {
   Menu menu;
   menu.exaggerate({"left-arm"});

@@ -82,6 +82,35 @@ Clip onHead(const MovingBiped& moving) {
   return touchingClip(moving, 50.0, 1.0);
 }
 
+double gapOfHands(const MovingBiped& moving, const Clip& clip, double seconds) {
+  const rig::Skeleton skeleton = skeletonOf(moving);
+  const std::optional<double> gap = BodyTouch(skeleton).handsAt(stateAt(moving, clip, seconds)).toOther;
+  REQUIRE(gap);
+  return *gap / skeleton.height;
+}
+
+// Both arms go from level down before the trunk, and so far inwards that the hands touch. They hang: no work
+// in common that would keep them as far from each other by itself.
+Clip hangingTogether(const MovingBiped& moving) {
+  const Quat level(1.0, 0.0, 0.0, 0.0);
+  for (double inwards = 0.0; inwards < 0.5; inwards += 0.002) {
+    Clip clip;
+    clip.framesPerSecond = 24.0;
+    for (const auto& [joint, side] : {std::pair("upperArm.l", 1.0), std::pair("upperArm.r", -1.0)}) {
+      const Quat turned = shortestArc(Vec3(side, 0.0, 0.0), Vec3(-side * inwards, -0.9, 0.36));
+      clip.tracks.emplace_back(
+          test::rotationTrack(moving.node.at(joint), Interpolation::linear,
+                              {{0.0, level}, {touchStarts, turned}, {touchEnds, turned}, {2.0, level}}));
+    }
+    setEndsFromKeys(clip);
+    if (gapOfHands(moving, clip, 1.0) < 0.004) {
+      return clip;
+    }
+  }
+  FAIL("the hands do not touch");
+  return {};
+}
+
 Clip brought(const MovingBiped& from, const Clip& clip, const MovingBiped& to, double amount) {
   const rig::Skeleton source = skeletonOf(from);
   const rig::Skeleton own = skeletonOf(to);
@@ -133,6 +162,25 @@ TEST_CASE("A hand that touches its head in the source touches a larger and a sma
     CHECK(handGap(own, result, 1.0) < seen);
     CHECK(insideAt(own, result, 1.0).deepest < seen * 1.8);
   }
+}
+
+TEST_CASE("Hands that touch each other touch on a body of shorter arms, and either goes half the way") {
+  const MovingBiped source = test::boxedBiped({.trunk = {0.1, 0.3, 0.02}});
+  const MovingBiped own = test::boxedBiped({.trunk = {0.1, 0.3, 0.02}, .armLength = 0.7});
+  const Clip clip = hangingTogether(source);
+  const Clip mapped = brought(source, clip, own, 0.0);
+  const Clip result = brought(source, clip, own, 1.0);
+  REQUIRE(gapOfHands(own, mapped, 1.0) > 2.0 * seen);
+  for (const double seconds : {0.85, 1.0, 1.15}) {
+    CHECK(gapOfHands(own, result, seconds) < seen);
+  }
+  const Vec3 leftWay = wristAt(own, result, 1.0) - wristAt(own, mapped, 1.0);
+  const auto right = [&](const Clip& shown) {
+    return rig::endPosition(own.limb("right-arm"), stateAt(own, shown, 1.0).worlds);
+  };
+  const Vec3 rightWay = right(result) - right(mapped);
+  CHECK(leftWay.x < 0.0);
+  CHECK(rightWay.x == Approx(-leftWay.x).epsilon(0.2));
 }
 
 TEST_CASE(

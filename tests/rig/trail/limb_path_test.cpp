@@ -175,6 +175,26 @@ TEST_CASE("a densely keyed limb whose extreme lies beside a frame has its sphere
   CHECK(frames[2] == Approx(rate * (start + 1.0)).margin(1e-9));
 }
 
+TEST_CASE("what a path does between the frames that its keys are counted in makes no sphere") {
+  constexpr double shown = 20.0;
+  constexpr double keyed = 10.0;
+  LimbPath path;
+  std::vector<double> keyTimes;
+  const double start = GENERATE(0.0, 2.0);
+  for (int frame = 0; frame <= 20; ++frame) {
+    LimbSample sample;
+    sample.timeSeconds = start + frame / shown;
+    sample.end = Vec3(frame / shown + (frame % 2 != 0 ? 0.2 : 0.0), 0.0, 0.0);
+    path.samples.push_back(sample);
+    keyTimes.push_back(sample.timeSeconds);
+  }
+  const std::vector<double> frames = chooseControlFrames(path, keyTimes, shown, keyed, 10.0);
+  REQUIRE(frames.size() == 2);
+  CHECK(frames[0] == Approx(shown * start).margin(1e-9));
+  CHECK(frames[1] == Approx(shown * (start + 1.0)).margin(1e-9));
+  CHECK(chooseControlFrames(path, keyTimes, shown, shown, 10.0).size() > 2);
+}
+
 TEST_CASE("a limb counts as densely keyed from more than 0.6 keys in a frame on, and from five keys on") {
   CHECK(isDenselyKeyed(11, 0.0, 1.0, 10.0));
   CHECK(isDenselyKeyed(8, 0.0, 1.0, 10.0)); // 7 keys after the first in 10 frames

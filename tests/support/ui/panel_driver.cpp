@@ -179,6 +179,14 @@ void PanelDriver::doubleClick(const std::string& id) {
   releaseMouse();
 }
 
+void PanelDriver::clickRight(const std::string& id) {
+  moveTo(id);
+  ImGui::GetIO().MouseDown[1] = true;
+  frame();
+  ImGui::GetIO().MouseDown[1] = false;
+  frames(3);
+}
+
 void PanelDriver::drag(const std::string& id, float dx, float dy) {
   moveTo(id);
   pressMouse();

@@ -38,6 +38,7 @@ public:
   void moveTo(const std::string& id);
   void click(const std::string& id);
   void doubleClick(const std::string& id);
+  void clickRight(const std::string& id);
   /// Press, moves of the mouse in steps, release.
   void drag(const std::string& id, float dx, float dy);
   void pressMouse();

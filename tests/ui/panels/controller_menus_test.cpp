@@ -11,18 +11,6 @@
 using namespace stretch;
 using test::PanelDriver;
 
-namespace {
-
-void clickRight(PanelDriver& driver, const std::string& widget) {
-  driver.moveTo(widget);
-  ImGui::GetIO().MouseDown[1] = true;
-  driver.frame();
-  ImGui::GetIO().MouseDown[1] = false;
-  driver.frames(3);
-}
-
-} // namespace
-
 TEST_CASE(
     "A right click on a controller in the diagram opens its menu, and keeps or selects the controller") {
   PanelDriver driver(PanelDriver::bundledCharacter());
@@ -34,7 +22,7 @@ TEST_CASE(
     app::selectLimb(session, "left-leg", false);
   }
   driver.frames(2);
-  clickRight(driver, "limb/left-foot");
+  driver.clickRight("limb/left-foot");
   CHECK(driver.ui.menu.target == ui::MenuTarget::controller);
   CHECK(session.view().selection.controllers() == (isSelected
                                                        ? std::vector<std::string>{"right-foot", "left-foot"}
@@ -44,7 +32,7 @@ TEST_CASE(
 TEST_CASE("A right click on a limb in the diagram still opens the limb's menu") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.frames(2);
-  clickRight(driver, "limb/left-leg");
+  driver.clickRight("limb/left-leg");
   CHECK(driver.ui.menu.target == ui::MenuTarget::limb);
 }
 
@@ -56,7 +44,7 @@ TEST_CASE("A selected foot is pinned from its own menu and from the panel") {
   driver.click(app::command::holdPin);
   CHECK(driver.requested == std::vector<std::string>{app::command::holdPin});
   driver.requested.clear();
-  clickRight(driver, "limb/left-foot");
+  driver.clickRight("limb/left-foot");
   const std::string entry = std::string("context/") + app::command::holdPin;
   REQUIRE(driver.find(entry) != nullptr);
   driver.click(entry);

@@ -215,6 +215,10 @@ struct WeightRows : PanelDriver {
     pressKey(ImGuiKey_Enter);
     frames(2);
   }
+  void reset(const std::string& field) {
+    clickRight(field);
+    click(field + "/Reset");
+  }
 };
 
 } // namespace
@@ -229,12 +233,7 @@ TEST_CASE("A bone of a range that shares one modulus is changed alone, and reset
   panels.drag("weight/bone-0", 20.0F, 0.0F);
   CHECK(panels.modulusOf(0) > shared);
   CHECK(panels.modulusOf(1) == shared);
-  panels.moveTo("weight/bone-0");
-  ImGui::GetIO().MouseDown[1] = true;
-  panels.frame();
-  ImGui::GetIO().MouseDown[1] = false;
-  panels.frames(3);
-  panels.click("weight/bone-0/Reset");
+  panels.reset("weight/bone-0");
   CHECK(panels.modulusOf(0) == -1.0);
   CHECK(panels.modulusOf(1) == shared);
 }
@@ -251,6 +250,12 @@ TEST_CASE("The range of weight keeps a frame of length, and is the whole clip wh
   panels.typeInto("weight/range-end", "0");
   CHECK(range() == Vec2(0.0, 1.0));
   panels.typeInto("weight/range-end", "900");
+  CHECK_FALSE(range());
+  panels.typeInto("weight/range-start", "3");
+  panels.typeInto("weight/range-end", "7");
+  panels.reset("weight/range-start");
+  CHECK(range() == Vec2(0.0, 7.0));
+  panels.reset("weight/range-end");
   CHECK_FALSE(range());
 }
 

@@ -32,7 +32,8 @@ void setStrength(test::EditorStage& stage, double strength) {
 } // namespace
 
 TEST_CASE(
-    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog") {
+    "A clip that is to be kept before it is known that nothing of it is exaggerated stays in its dialog",
+    "[jobs]") {
   test::EditorStage stage;
   ui::ClipStyleState& state = openedDialog(stage);
   const auto keep = [&](double strength) {
@@ -86,7 +87,8 @@ TEST_CASE("The switch of a moment that is left out takes no click, and works aga
   CHECK(withStrength(0.0));
 }
 
-TEST_CASE("Another file ends the dialog of a clip, and nothing of what it showed is left in either") {
+TEST_CASE("Another file ends the dialog of a clip, and nothing of what it showed is left in either",
+          "[jobs]") {
   test::EditorStage stage;
   ui::ClipStyleState& state = openedDialog(stage);
   REQUIRE(state.open);

@@ -36,7 +36,7 @@ struct EndlessFilm : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("Esc stops a playblast that is drawn, whose name and frames are told until then") {
+TEST_CASE("Esc stops a playblast that is drawn, whose name and frames are told until then", "[jobs]") {
   EndlessFilm stage;
   CHECK(statusOf(stage.shell).busyText == "Drawing shot.mp4, frames 3 to 9");
   stage.shell.ui.toasts.clear();

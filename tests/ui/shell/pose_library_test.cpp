@@ -55,7 +55,8 @@ struct Library : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("A pose is kept with a picture of the character and a free name, and the library shows it") {
+TEST_CASE("A pose is kept with a picture of the character and a free name, and the library shows it",
+          "[jobs]") {
   Library stage;
   stage.open();
   REQUIRE(stage.library().poses.size() == 1);
@@ -204,7 +205,8 @@ TEST_CASE("A pose that is renamed while it is tried can be taken, under its new 
   CHECK(stage.session().history().undoLabel() == "Take the pose Guard");
 }
 
-TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one that is deleted leaves none") {
+TEST_CASE("A pose that is renamed while its picture is drawn gets it, and one that is deleted leaves none",
+          "[jobs]") {
   Library stage;
   stage.open();
   stage.run(command::poseKeep);

@@ -60,7 +60,7 @@ struct Referring : test::EditorStage {
 
 } // namespace
 
-TEST_CASE("Images that are dropped stand behind the character, each at its frame") {
+TEST_CASE("Images that are dropped stand behind the character, each at its frame", "[jobs]") {
   Referring stage;
   stage.session().view().frame = 0.0;
   stage.dropAndSettle(stage.imageFile(1));
@@ -160,7 +160,8 @@ TEST_CASE("A reference is kept with the user's settings of the file, at once, an
   CHECK(stage.session().document().references.empty());
 }
 
-TEST_CASE("Playing, the sound runs along with the playhead, and a moved playhead lets a moment be heard") {
+TEST_CASE("Playing, the sound runs along with the playhead, and a moved playhead lets a moment be heard",
+          "[jobs]") {
   Referring stage;
   stage.session().view().frame = 0.0;
   stage.dropAndSettle(stage.sound);

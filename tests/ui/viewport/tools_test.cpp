@@ -104,6 +104,25 @@ TEST_CASE("Dragging a sphere moves it under the mouse, one step of undo a drag")
   CHECK(stage.settings().spheres.empty());
 }
 
+TEST_CASE("A limb that is pulled has its own trail selected, whichever was selected before") {
+  Stage stage;
+  REQUIRE(startExaggerate(stage.session, stage.tool));
+  stage.type("Enter");
+  const int trailOfArm = stage.session.view().selection.trail();
+  app::selectLimb(stage.session, "right-arm", false);
+  REQUIRE(startExaggerate(stage.session, stage.tool));
+  stage.type("Enter");
+  REQUIRE(stage.session.view().selection.trail() != trailOfArm);
+  stage.session.view().frame = 5.0;
+  REQUIRE(
+      startLimbGrab(stage.session, stage.tool, "left-arm", {{100.0, 100.0}, 5.0, std::nullopt, true, 0.0}));
+  CHECK(stage.session.view().selection.trail() == trailOfArm);
+  REQUIRE(moveToolMouse(stage.session, stage.tool, frontView(), {140.0, 100.0}));
+  finishTool(stage.session, stage.tool, true);
+  CHECK(stage.session.history().undoLabel() == "Pull the left arm");
+  CHECK(app::findTrail(stage.session.document(), trailOfArm)->settings.spheres.size() == 1);
+}
+
 TEST_CASE("A press that does not move the mouse is no drag") {
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
