@@ -100,7 +100,10 @@ OriginalPath samplePath(const MotionInput& input, const Limb& limb, const PathKe
   const PathTimes& times = original.times;
   LimbPath& path = original.path;
   path.axes = key.axes;
+  path.samples.reserve(times.samples.size());
+  path.between.reserve(times.between.size());
   std::vector<Vec3> points;
+  points.reserve(times.samples.size());
   for (const double time : times.samples) {
     const FrameState& frame = frames.at(time);
     path.samples.push_back(limbSample(limb, key.space, input.hips, frame));

@@ -178,7 +178,11 @@ LimbPose poseToLead(const Limb& limb, const LimbShape& shape, const FrameState& 
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
   PoseWriter writer(scene, frame);
-  const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
+  // Asked for where a bone is stretched or hangs elsewhere alone.
+  const Vec3 end = endPosition(limb, frame.worlds);
+  const auto pointBefore = [&](std::size_t point) {
+    return point < limb.joints.size() ? positionOf(writer.worldBefore(limb.joints[point])) : end;
+  };
   const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
   for (const NodeIndex node : topology.staying) {
@@ -186,7 +190,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   }
   const bool isLed = shape.leads && topology.leader.exists();
   if (isLed) {
-    moveLeader(writer, topology.leader, points.front(), shape, options.turnEnd);
+    moveLeader(writer, topology.leader, pointBefore(0), shape, options.turnEnd);
   }
   for (std::size_t i = isLed ? 1 : 0; i < topology.bones.size(); ++i) {
     const BoneTopology& bone = topology.bones[i];
@@ -197,14 +201,16 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     }
     if (isPlaced) {
       const Vec3 start = positionOf(writer.world(topology.bones[i - 1].joint));
-      writer.setWorldPosition(bone.joint, start + shape.stretches[i - 1] *
-                                                      (shape.turns[i - 1] * (points[i] - points[i - 1])));
+      writer.setWorldPosition(bone.joint,
+                              start + shape.stretches[i - 1] *
+                                          (shape.turns[i - 1] * (pointBefore(i) - pointBefore(i - 1))));
     } else if (i == 0 && shape.baseMove != Vec3(0.0)) {
-      writer.setWorldPosition(bone.joint, points.front() + shape.baseMove);
+      writer.setWorldPosition(bone.joint, pointBefore(0) + shape.baseMove);
     }
     writer.refresh(bone.joint);
     if (shape.stretches[i] != 1.0) {
-      const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * (points[i + 1] - points[i]);
+      const Vec3 offset =
+          inverseOf(Mat3(writer.worldBefore(bone.joint))) * (pointBefore(i + 1) - pointBefore(i));
       if (glm::length(offset) > 0.0) {
         stretchBone(writer, scene, bone,
                     boneStretch(glm::normalize(offset), shape.stretches[i], options.volume));

@@ -1,6 +1,7 @@
 #include "rig/body/reading/long_row.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -23,12 +24,24 @@ bool isEven(const Extremity& row) {
 
 bool hasNamedLegs(const BodyView& view) {
   constexpr double clear = 0.8;
-  const auto isNamed = [&](Side side) {
-    return std::ranges::any_of(view.names, [&](const NameEvidence& name) {
-      return name.side == side && std::max(name.role(Role::thigh), name.role(Role::shin)) >= clear;
-    });
-  };
-  return isNamed(Side::left) && isNamed(Side::right);
+  std::vector<bool> isBelowThigh(view.names.size(), false);
+  bool hasLeft = false;
+  bool hasRight = false;
+  for (std::size_t joint = 0; joint < view.names.size(); ++joint) { // parents come first
+    const NameEvidence& name = view.names[joint];
+    const int above = view.parent[joint];
+    const bool isThigh = name.role(Role::thigh) >= clear;
+    const bool isShin = name.role(Role::shin) >= clear;
+    const bool hangsFromThigh = above >= 0 && isBelowThigh[static_cast<std::size_t>(above)];
+    // A leg whose bones have names is one, though that of the other side was lost.
+    if (isShin && hangsFromThigh) {
+      return true;
+    }
+    isBelowThigh[joint] = isThigh || hangsFromThigh;
+    hasLeft = hasLeft || (name.side == Side::left && (isThigh || isShin));
+    hasRight = hasRight || (name.side == Side::right && (isThigh || isShin));
+  }
+  return hasLeft && hasRight;
 }
 
 bool startsAtAnchor(const BodyView& view, const Extremity& row) {

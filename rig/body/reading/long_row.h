@@ -9,8 +9,8 @@ namespace stretch::rig::body {
 /// hips it is far.
 [[nodiscard]] bool isEven(const Extremity& row);
 
-/// Whether joints of both sides are called thigh or shin: such a body is no serpent, though it may have lost
-/// others. Fins are called arms.
+/// Whether joints of both sides are called thigh or shin, or one called shin hangs below one called thigh:
+/// such a body is no serpent, though it may have lost others. Fins are called arms.
 [[nodiscard]] bool hasNamedLegs(const BodyView& view);
 
 /// Whether the first joint of a row carries the body and is no part of it: it moves no vertices, and hardly

@@ -138,7 +138,7 @@ TEST_CASE("a row ends before the fork of its fins, and a fin that is no fork cou
   CHECK(trunkLength(plain.view, plain.row) == Approx(15.0));
 }
 
-TEST_CASE("a body has legs by name where joints of both sides are clearly called thighs or shins") {
+TEST_CASE("a body has legs by name where both sides have a clear thigh or shin, or a shin below a thigh") {
   SeenRow body({1.0, 1.0, 1.0});
   const auto call = [&](std::size_t joint, Role role, double fit, Side side) {
     body.view.names[joint] = {};
@@ -155,4 +155,15 @@ TEST_CASE("a body has legs by name where joints of both sides are clearly called
   CHECK_FALSE(hasNamedLegs(body.view));
   call(2, Role::thigh, 1.0, Side::left);
   CHECK_FALSE(hasNamedLegs(body.view));
+  call(2, Role::shin, 0.8, Side::left);
+  CHECK(hasNamedLegs(body.view));
+  call(2, Role::shin, 0.79, Side::left);
+  CHECK_FALSE(hasNamedLegs(body.view));
+  call(1, Role::shin, 1.0, Side::left);
+  call(2, Role::thigh, 1.0, Side::left);
+  CHECK_FALSE(hasNamedLegs(body.view)); // the thigh hangs from the shin
+  call(3, Role::shin, 1.0, Side::left);
+  call(2, Role::upperArm, 1.0, Side::left);
+  call(1, Role::thigh, 1.0, Side::left);
+  CHECK(hasNamedLegs(body.view)); // with a joint of another name between them
 }
