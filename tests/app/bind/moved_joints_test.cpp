@@ -9,8 +9,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/anim/sampling.h"
 #include "core/math/rotation.h"
 #include "core/math/transform.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -104,6 +106,33 @@ TEST_CASE("Sizes of moved joints, other joints and clips without keys of them ar
   CHECK(*withMovedJoints(clips, {movedByQuarters(NodeIndex(3))}) == *clips);
   CHECK(withMovedJoints(clips, {}) == clips);
   CHECK(withMovedJoints(nullptr, {movedByQuarters(NodeIndex(3))}) == nullptr);
+}
+
+TEST_CASE(
+    "A joint without a locator goes along with the one that it hangs from, as far off and turned with it") {
+  Scene scene;
+  const NodeIndex hips = test::addNode(scene, "hips", NodeIndex::none, Vec3(0.0, 1.0, 0.0));
+  const NodeIndex spine = test::addNode(scene, "spine", hips, Vec3(0.0, 0.2, 0.0));
+  const NodeIndex pouch = test::addNode(scene, "pouch", spine, Vec3(0.1, 0.0, 0.0));
+  Skin skin;
+  for (const NodeIndex joint : {hips, spine, pouch}) {
+    skin.joints.push_back(joint);
+    skin.inverseBind.push_back(glm::inverse(worldMatrices(scene, restPose(scene))[at(joint)]));
+  }
+  scene.skins.push_back(skin);
+  rig::Locators locators;
+  locators.list = {{"hips", Vec3(0.0, 1.0, 0.0)}, {"spine", Vec3(0.0, 1.5, 0.0), quarterAboutZ}};
+  const std::vector<JointMove> moves = movesTo(scene, locators);
+  REQUIRE(moves.size() == 2); // the hips stay
+  CHECK(moves[0].node == spine);
+  CHECK(isNearPlace(positionOf(moves[0].to), Vec3(0.0, 1.5, 0.0)));
+  CHECK(moves[1].node == pouch);
+  CHECK(isNearPlace(positionOf(moves[1].from), Vec3(0.1, 1.2, 0.0)));
+  CHECK(isNearPlace(positionOf(moves[1].to), Vec3(0.0, 1.6, 0.0)));
+  CHECK(isNearPlace(Mat3(moves[1].to) * Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0)));
+  CHECK(moves[1].parentTo == moves[0].to);
+  locators.list[1] = {"spine", Vec3(0.0, 1.2, 0.0)};
+  CHECK(movesTo(scene, locators).empty());
 }
 
 TEST_CASE("A joint to bind stands and leads where it is moved to, the others as before") {
