@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/commands/pose/posing.h"
 #include "app/commands/table/command_ids.h"
@@ -11,6 +12,7 @@
 #include "app/commands/table/selection.h"
 #include "app/commands/table/tables.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/evaluate/pops.h"
 #include "core/anim/frames.h"
 
 namespace stretch::app {
@@ -97,6 +99,12 @@ Status setRange(Session& session, bool start) {
   return finish(session, std::move(document), "Change the range");
 }
 
+Status forgetRange(Session& session) {
+  session.view().rangeStart = 0.0;
+  session.view().rangeEnd = -1.0;
+  return Success{};
+}
+
 Status goToNextMoment(Session& session, bool forwards) {
   const std::optional<rig::Moment> moment = nextMoment(session, forwards);
   if (!moment) {
@@ -104,6 +112,18 @@ Status goToNextMoment(Session& session, bool forwards) {
   }
   goToMoment(session, *moment);
   return Success{};
+}
+
+Status goToNextWarning(Session& session) {
+  std::set<double> frames;
+  for (const LimbPop& pop : session.pops()) {
+    frames.insert(pop.frame);
+  }
+  if (frames.empty()) {
+    return Error{"nothing is warned of", "", "pose the character first"};
+  }
+  const auto next = frames.upper_bound(session.view().frame + frameTolerance);
+  return goTo(session, next == frames.end() ? *frames.begin() : *next);
 }
 
 bool loops(const Session& session) {
@@ -130,10 +150,7 @@ std::vector<DocumentCommand> timeCommands() {
       entry(command::rangeDefault, "Forget the range",
             "The next trail takes the stroke around the playhead again.", {},
             {[](const Session& session) { return isRangeSet(session.view()); }, "no range was set"},
-            doing([](Session& session) {
-              session.view().rangeStart = 0.0;
-              session.view().rangeEnd = -1.0;
-            })),
+            forgetRange),
       entry(
           command::timeBack, "Frame back", "Steps to the frame before.", {","}, clipNeeded(), stepBack,
           alwaysOnSequence,
@@ -159,6 +176,8 @@ std::vector<DocumentCommand> timeCommands() {
       entry(command::momentPrevious, "Previous moment",
             "Goes to where the clip struck, stepped or landed before: its limb, its range, its tip.",
             {"Shift+N"}, clipNeeded(), [](Session& session) { return goToNextMoment(session, false); }),
+      entry(command::warningNext, "Next warning", "Goes to the next warning of a pose, round and round.", {},
+            clipNeeded(), goToNextWarning),
       entry(command::timePreviousKey, "Previous key",
             "Jumps to the key before, of the selected limbs or controllers if there are any.", {"Ctrl+,"},
             clipNeeded(), [](Session& session) { return goToKey(session, false); }),

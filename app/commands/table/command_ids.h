@@ -87,6 +87,7 @@ inline constexpr const char* timePreviousKey = "time.previous-key";
 inline constexpr const char* timeNextKey = "time.next-key";
 inline constexpr const char* momentNext = "moment.next";
 inline constexpr const char* momentPrevious = "moment.previous";
+inline constexpr const char* warningNext = "warning.next";
 inline constexpr const char* timeStart = "time.start";
 inline constexpr const char* timeEnd = "time.end";
 

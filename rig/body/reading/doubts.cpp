@@ -63,7 +63,8 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
     hasTail = hasTail || (limb.kind == LimbKind::tail && limb.restLength > longestArm);
     for (const NodeIndex joint : limb.joints) {
       const std::string& name = names[at(joint)];
-      hasArms = hasArms || (isArm(limb) && readName(name).role(Role::upperArm) >= 0.5);
+      const bool isWing = limb.kind == LimbKind::wing && !partWords(name).contains(PartWord::wing);
+      hasArms = hasArms || ((isArm(limb) || isWing) && readName(name).role(Role::upperArm) >= 0.5);
       hasTail = hasTail || (limb.kind == LimbKind::tail && partWords(name).contains(PartWord::tail));
     }
   }

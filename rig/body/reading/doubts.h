@@ -16,8 +16,8 @@ void doubt(Body& result, const std::string& why);
 /// Shoulder blades and collar bones are named in beasts as well, and so they tell nothing beside a tail.
 [[nodiscard]] bool mayLie(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
 
-/// Whether what was read as a bird may be a person who lies or bows: names call its arms so, and it has no
-/// tail that is called one or is longer than an arm.
+/// Whether what was read as a bird may be a person who lies or bows: names call its arms or wings upper arms,
+/// and it has no tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
 /// Whether what was read as a serpent may be something else: its row of joints stands upright, or is less

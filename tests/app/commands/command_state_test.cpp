@@ -1,12 +1,14 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <set>
 
 #include "app/commands/pose/step_text.h"
 #include "app/commands/table/command_ids.h"
 #include "app/commands/table/document_commands.h"
 #include "app/commands/table/selection.h"
 #include "app/commands/trail/exaggerate.h"
+#include "app/edits/pose/offset_edits.h"
 #include "app/edits/trail/group_edits.h"
 #include "app/edits/trail/name_edits.h"
 #include "app/edits/trail/sphere_edits.h"
@@ -15,6 +17,7 @@
 #include "app/open_document.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/refusal.h"
 
 using namespace stretch;
@@ -116,6 +119,40 @@ TEST_CASE("The blend of a trail that exaggerates nothing yet is off, and says so
   CHECK(whyOff(menu.command(command::trailBlend), menu.open) == "exaggerate the trail first");
   menu.run(command::trailExaggerateOnce);
   CHECK(menu.isOn(command::trailBlend));
+}
+
+TEST_CASE(
+    "The next warning is the one after the playhead, past the last the first, and none is said to be none") {
+  Menu menu;
+  menu.open.open(Opened{test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy.glb")});
+  const Status none = app::run(menu.command(command::warningNext), menu.open);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().what == "nothing is warned of");
+  Session& session = menu.session();
+  for (const auto& [hand, frame] : {std::pair("left-hand", 12.0), std::pair("right-hand", 20.0)}) {
+    const std::size_t before = session.pops().size();
+    for (int axis = 0; axis < 6 && session.pops().size() == before; ++axis) { // in some direction its arm
+                                                                              // turns
+      ControllerOffset moved{hand, Vec3(0.0), Vec3(0.0)};
+      moved.move[axis % 3] = axis < 3 ? 0.5 : -0.5;
+      const Result<Document> posed = setOffsets(session.document(), 0, frame, {&moved, 1}, {}, {});
+      REQUIRE(posed);
+      REQUIRE(session.edit(*posed, "Move a hand"));
+    }
+  }
+  std::set<double> frames;
+  for (const LimbPop& pop : session.pops()) {
+    frames.insert(pop.frame);
+  }
+  REQUIRE(frames.size() > 1);
+  session.view().frame = 0.0;
+  for (const double frame : frames) {
+    menu.run(command::warningNext);
+    CHECK(session.view().frame == frame);
+  }
+  menu.run(command::warningNext);
+  CHECK(session.view().frame == *frames.begin());
+  CHECK(session.history().undoLabel() == "Move a hand"); // it is no edit
 }
 
 TEST_CASE("A step that changes the rate names the rate, not the trails that count in it") {

@@ -188,6 +188,24 @@ TEST_CASE("Corners put every vertex where the scale of leaves puts it, and shade
   }
 }
 
+TEST_CASE("The same stretch in two clips is written into each of them alike, in every form") {
+  Document document = punch();
+  document.clips = std::make_shared<const std::vector<Clip>>(2, document.clips->front());
+  document.trails.push_back(document.trails.front());
+  document.trails.back().id = document.trails.front().id + 1;
+  document.trails.back().clip = 1;
+  for (const StretchForm form : {StretchForm::volume, StretchForm::scale, StretchForm::translation}) {
+    const SavedEdits saved = editsOf(document, {.clean = true, .form = {form, 8}});
+    std::array<std::vector<Track>, 2> tracks;
+    for (const gltf::ClipTracks& clip : saved.edits.clips) {
+      std::vector<Track>& all = tracks.at(static_cast<std::size_t>(clip.clip));
+      all.insert(all.end(), clip.tracks.begin(), clip.tracks.end());
+    }
+    CHECK(tracks[0].size() >= 4);
+    CHECK(tracks[0] == tracks[1]);
+  }
+}
+
 TEST_CASE("Four influences are kept as the limit, and the miss that is told is the one that a viewer sees") {
   const test::TemporaryFolder folder;
   const Document document = punch();

@@ -208,6 +208,18 @@ TEST_CASE("A bird with upper arms may be a person, but for one with a tail that 
   CHECK_FALSE(mayBe("quadruped", "upperarm_l", "", 0.0));
 }
 
+TEST_CASE(
+    "A bird may be a person where its wings are called upper arms, and not where they are called wings too") {
+  for (const auto& [name, may] :
+       {std::pair("upperarm_l", true), {"wing_upperarm_l", false}, {"Bone_x", false}}) {
+    CAPTURE(name);
+    DoubtedBody made;
+    made.addStraight({LimbKind::wing, LimbSide::left}, {name, "Joint_y", "Thing_z"}, Vec3(0.1, 1.0, 0.0),
+                     Vec3(0.8, 0.0, 0.0));
+    CHECK(mayBePerson(made.scene, made.as("bird")) == may);
+  }
+}
+
 TEST_CASE("A row of joints may be no serpent where it stands or is little of the body, and no name tells") {
   const auto mayBeNone = [](const Vec3& way, std::size_t joints, const char* name = "Thing_z",
                             const char* plan = "serpent") {

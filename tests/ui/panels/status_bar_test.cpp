@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/table/command_ids.h"
 #include "app/commands/table/selection.h"
 #include "app/edits/pose/offset_edits.h"
 #include "tests/support/ui/drawn.h"
@@ -76,6 +77,12 @@ TEST_CASE("What a pose makes a limb do wrong is told in the status bar too, whil
   driver.frames(2);
   REQUIRE_FALSE(session.pops().empty());
   CHECK_THAT(toldUnder(driver, "status/warnings"), Catch::Contains(session.pops().front().limb.substr(5)));
+  driver.requested.clear();
+  driver.click("status/warnings");
+  CHECK(driver.requested == std::vector<std::string>{app::command::warningNext});
+  driver.requested.clear();
+  driver.click("status/selection");
+  CHECK(driver.requested.empty());
   app::selectLimb(session, "left-leg", false);
   driver.frames(2);
   CHECK(driver.find("status/warnings") == nullptr); // which is of the controllers' panel

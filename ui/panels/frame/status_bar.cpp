@@ -33,20 +33,21 @@ float roomForHints(const PanelContext& context) {
   return room;
 }
 
-/// Draws text at the cursor as wide as it is and moves on; nothing once the row is full.
-void statusText(PanelContext& context, const std::string& id, const std::string& text, ImU32 colour,
-                const Help& help) {
+/// Draws text at the cursor as wide as it is and moves on; nothing where the row is full.
+Control statusText(PanelContext& context, const std::string& id, const std::string& text, ImU32 colour,
+                   const Help& help, bool isButton = false) {
   const WidgetContext widgets = widgetsOf(context);
   const float width = std::min(textSize(context.theme.fonts.label, text).x + 2.0F,
                                ImGui::GetContentRegionAvail().x - roomForHints(context));
   if (width < context.theme.px(24.0F)) {
-    return;
+    return {};
   }
-  const Control place = takePlace(widgets, id, {width, context.theme.rowHeight()}, false);
+  const Control place = takePlace(widgets, id, {width, context.theme.rowHeight()}, isButton);
   drawText(widgets, context.theme.fonts.label, place.box, colour, text);
   const bool cut = textSize(context.theme.fonts.label, text).x > width;
   tooltip(widgets, cut ? Help{text, help.text, help.keyText} : help);
   ImGui::SameLine(0.0F, context.theme.px(afterText));
+  return place;
 }
 
 std::string controllersText(const app::Session& session) {
@@ -90,11 +91,18 @@ std::string selectionText(const app::Session& session) {
 // The panel tells them in full, below where a low window ends.
 void popsPart(PanelContext& context) {
   const std::vector<app::LimbPop>& pops = context.character().pops();
-  if (!pops.empty()) {
-    statusText(context, "status/warnings",
-               pops.size() == 1 ? "1 warning" : std::to_string(pops.size()) + " warnings",
-               context.theme.colours.warning,
-               {"What the panel warns of", capitalised(app::popWarning(pops.front())) + ".", {}});
+  if (pops.empty()) {
+    return;
+  }
+  const std::string text = std::to_string(pops.size()) + (pops.size() == 1 ? " warning" : " warnings");
+  const Help help{"Panel's warnings; a click goes on", capitalised(app::popWarning(pops.front())) + "."};
+  const Control place =
+      statusText(context, "status/warnings", text, context.theme.colours.warning, help, true);
+  if (place.hovered) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  if (place.clicked) {
+    request(context, command::warningNext);
   }
 }
 

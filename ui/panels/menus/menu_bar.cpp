@@ -295,14 +295,13 @@ void drawMenuBar(PanelContext& context) {
   poseMenu(context);
   drawTrailMenu(context);
   drawKeysMenu(context);
-  drawMenu(
-      context,
-      {"Time", {timePlay,    timeBack,       timeForward, timeFarBack,    timeFarForward, timePreviousKey,
-                timeNextKey, momentPrevious, momentNext,  timeStart,      timeEnd,        "",
-                rangeStart,  rangeEnd,       "",          timeEveryFrame, timeOnTwos,     "",
-                clipChoose,  clipPrevious,   clipNext,    clipRate24,     clipRate25,     clipRate30,
-                clipRateOwn}},
-      false);
+  drawMenu(context,
+           {"Time", {timePlay,    timeBack,       timeForward,  timeFarBack, timeFarForward, timePreviousKey,
+                     timeNextKey, momentPrevious, momentNext,   warningNext, timeStart,      timeEnd,
+                     "",          rangeStart,     rangeEnd,     "",          timeEveryFrame, timeOnTwos,
+                     "",          clipChoose,     clipPrevious, clipNext,    clipRate24,     clipRate25,
+                     clipRate30,  clipRateOwn}},
+           false);
   viewMenu(context);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
