@@ -230,16 +230,6 @@ bool hasWings(const PlanReading& reading) {
          std::ranges::any_of(reading.limbs, [](const Limb& limb) { return limb.kind == LimbKind::wing; });
 }
 
-// Whether a tail goes along a joint of a person's arm, as one does that somebody who crouches holds out.
-bool hasArmForTail(const PlanReading& reading, const Finding& finding) {
-  const Limb* const tail = limbAt(reading.limbs, {LimbKind::tail});
-  return finding.isPerson && tail != nullptr &&
-         std::ranges::any_of(finding.result.limbs, [&](const Limb& limb) {
-           return limb.kind == LimbKind::arm &&
-                  std::ranges::find_first_of(limb.joints, tail->joints) != limb.joints.end();
-         });
-}
-
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
 void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   Body& result = finding.result;
@@ -258,7 +248,8 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
     result.isBiped = true;
     return;
   }
-  const bool fits = reading && reading->confidence >= sure && !hasArmForTail(*reading, finding) &&
+  const bool fits = reading && reading->confidence >= sure &&
+                    !(finding.isPerson && hasArmForTail(*reading, result.limbs)) &&
                     (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
     const bool lies = mayLie(scene, bindPose, *reading);

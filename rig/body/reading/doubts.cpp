@@ -63,12 +63,19 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
     hasTail = hasTail || (limb.kind == LimbKind::tail && limb.restLength > longestArm);
     for (const NodeIndex joint : limb.joints) {
       const std::string& name = names[at(joint)];
-      const bool isWing = limb.kind == LimbKind::wing && !partWords(name).contains(PartWord::wing);
-      hasArms = hasArms || ((isArm(limb) || isWing) && readName(name).role(Role::upperArm) >= 0.5);
+      hasArms = hasArms ||
+                ((isArm(limb) || limb.kind == LimbKind::wing) && readName(name).role(Role::upperArm) >= 0.5);
       hasTail = hasTail || (limb.kind == LimbKind::tail && partWords(name).contains(PartWord::tail));
     }
   }
   return reading.plan->legs == 2 && hasArms && !hasTail;
+}
+
+bool hasArmForTail(const PlanReading& reading, const std::vector<Limb>& ofPerson) {
+  const Limb* const tail = limbAt(reading.limbs, {LimbKind::tail});
+  return tail != nullptr && std::ranges::any_of(ofPerson, [&](const Limb& limb) {
+           return isArm(limb) && std::ranges::find_first_of(limb.joints, tail->joints) != limb.joints.end();
+         });
 }
 
 bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {

@@ -33,7 +33,6 @@ bool hasNamedLegs(const BodyView& view) {
     const bool isThigh = name.role(Role::thigh) >= clear;
     const bool isShin = name.role(Role::shin) >= clear;
     const bool hangsFromThigh = above >= 0 && isBelowThigh[static_cast<std::size_t>(above)];
-    // A leg whose bones have names is one, though that of the other side was lost.
     if (isShin && hangsFromThigh) {
       return true;
     }

@@ -220,6 +220,26 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "A tail that goes along a joint of an arm is that arm, along one of a leg or of none it is a tail") {
+  const Vec3 out(1.0, 0.0, 0.0);
+  DoubtedBody made;
+  const std::vector<NodeIndex> arm = made.addStraight(biped::rightArm, threeBones, Vec3(0.0), out).joints;
+  const std::vector<NodeIndex> leg = made.addStraight(biped::rightLeg, threeBones, Vec3(0.0), out).joints;
+  const std::vector<Limb> person = made.body.limbs;
+  const auto isArm = [&](const std::vector<NodeIndex>& tail) {
+    PlanReading reading = made.as("bird");
+    reading.limbs.front().kind = LimbKind::tail;
+    reading.limbs.front().side = LimbSide::middle;
+    reading.limbs.front().joints = tail;
+    return hasArmForTail(reading, person);
+  };
+  CHECK(isArm({NodeIndex(90), arm.back(), NodeIndex(91)}));
+  CHECK_FALSE(isArm({NodeIndex(90), leg.back(), NodeIndex(91)}));
+  CHECK_FALSE(isArm({NodeIndex(90), NodeIndex(91)}));
+  CHECK_FALSE(hasArmForTail(made.as("bird"), person)); // no tail at all
+}
+
 TEST_CASE("A row of joints may be no serpent where it stands or is little of the body, and no name tells") {
   const auto mayBeNone = [](const Vec3& way, std::size_t joints, const char* name = "Thing_z",
                             const char* plan = "serpent") {

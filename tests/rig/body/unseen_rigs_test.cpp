@@ -50,48 +50,7 @@ SyntheticBiped onItsToes() {
   return body;
 }
 
-// Bent forward by half a right angle, knees apart, one foot ahead, and both hands held out.
-SyntheticBiped crouched() {
-  SyntheticBiped body = makeBody({.toes = false, .fingers = false});
-  const std::vector<std::pair<std::string, Vec3>> places{
-      {"hips", {0.0, 0.62, 0.0}},         {"spine0", {0.0, 0.67, 0.03}},
-      {"spine1", {0.0, 0.8, 0.12}},       {"spine2", {0.0, 0.93, 0.24}},
-      {"neck0", {0.0, 1.0, 0.36}},        {"head", {0.0, 1.03, 0.54}},
-      {"clavicle.l", {0.16, 0.99, 0.24}}, {"clavicle.r", {-0.16, 0.99, 0.24}},
-      {"upperArm.l", {0.28, 1.0, 0.25}},  {"upperArm.r", {-0.28, 1.0, 0.25}},
-      {"foreArm.l", {0.17, 0.75, 0.45}},  {"foreArm.r", {-0.3, 0.68, 0.33}},
-      {"hand.l", {-0.04, 0.6, 0.76}},     {"hand.r", {-0.14, 0.61, 0.7}},
-      {"thigh.l", {0.2, 0.62, 0.0}},      {"thigh.r", {-0.2, 0.62, 0.0}},
-      {"shin.l", {0.42, 0.4, 0.12}},      {"shin.r", {-0.36, 0.46, 0.3}},
-      {"foot.l", {0.3, 0.07, -0.2}},      {"foot.r", {-0.4, 0.07, 0.2}}};
-  for (const auto& [key, place] : places) {
-    jointOf(body, key).position = place;
-  }
-  for (const std::string side : {".l", ".r"}) {
-    jointOf(body, "clavicle" + side).parent = "neck0";
-  }
-  body.tubes = true;
-  return body;
-}
-
 } // namespace
-
-TEST_CASE("An arm of a person who crouches is no tail, whatever its joints are called") {
-  SyntheticBiped body = crouched();
-  NamingScheme scheme = namingScheme("3ds Max Biped");
-  if (GENERATE(true, false)) {
-    for (const auto& [key, name] :
-         {std::pair("clavicle", "arm"), std::pair("upperArm", "arm1"), std::pair("foreArm", "arm2"),
-          std::pair("thigh", "leg"), std::pair("shin", "leg1")}) {
-      scheme.names[key] = std::string("Bip01 % ") + name;
-    }
-  }
-  applyNames(body, scheme);
-  const BuiltBiped built = build(body);
-  const Body read = detectBody(built.scene);
-  CHECK(read.plan == "biped");
-  checkArmsAndLegs(built, read);
-}
 
 TEST_CASE("An arm ends at the hand that carries fingers, not at the helper called wrist in the same place") {
   const BuiltBiped built = build(bodyOfProgram("Source engine"));
