@@ -33,7 +33,7 @@ float roomForHints(const PanelContext& context) {
   return room;
 }
 
-/// Draws text at the cursor as wide as it is and moves on; nothing where the row is full.
+/// Draws text at the cursor, moves on and returns what the mouse does with it; nothing where the row is full.
 Control statusText(PanelContext& context, const std::string& id, const std::string& text, ImU32 colour,
                    const Help& help, bool isButton = false) {
   const WidgetContext widgets = widgetsOf(context);
@@ -95,7 +95,7 @@ void popsPart(PanelContext& context) {
     return;
   }
   const std::string text = std::to_string(pops.size()) + (pops.size() == 1 ? " warning" : " warnings");
-  const Help help{"Panel's warnings; a click goes on", capitalised(app::popWarning(pops.front())) + "."};
+  const Help help{"Warnings; a click goes to the next", capitalised(app::popWarning(pops.front())) + "."};
   const Control place =
       statusText(context, "status/warnings", text, context.theme.colours.warning, help, true);
   if (place.hovered) {
