@@ -23,34 +23,31 @@ double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std
   return polylineLength(points);
 }
 
-// Joints strictly between two that stand off their bone by more than a twist joint would: they bend the limb
-// as well.
-std::vector<int> bendingBetween(const BodyView& view, int from, int to) {
+// Whether a joint within a path stands off the bone between its ends by more than a twist joint would: it bends
+// the limb as well.
+bool bends(const BodyView& view, const std::vector<int>& path, std::size_t i) {
   constexpr double leastOffset = 0.08; // of the bone
-  const std::vector<int> path = view.path(from, to);
-  const Vec3 bone = view.at(to) - view.at(from);
-  std::vector<int> bending;
-  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    const Vec3 there = view.at(path[i]) - view.at(from);
-    const Vec3 off = there - bone * (glm::dot(there, bone) / glm::dot(bone, bone));
-    if (!view.name(path[i]).twist && glm::length(off) > leastOffset * glm::length(bone)) {
-      bending.push_back(path[i]);
-    }
-  }
-  return bending;
+  const Vec3 bone = view.at(path.back()) - view.at(path.front());
+  const Vec3 there = view.at(path[i]) - view.at(path.front());
+  const Vec3 off = there - bone * (glm::dot(there, bone) / glm::dot(bone, bone));
+  return !view.name(path[i]).twist && glm::length(off) > leastOffset * glm::length(bone);
 }
 
-std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess) {
+// Where one side of a body bends in its bind pose and the other stands straight, both bend at the same joints.
+std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess, const LimbGuess& mirrored) {
   std::vector<int> joints{guess.base};
-  const auto extend = [&](int from, int to) {
-    const std::vector<int> bending = bendingBetween(view, from, to);
-    joints.insert(joints.end(), bending.begin(), bending.end());
+  const auto extend = [&](const std::vector<int>& path, const std::vector<int>& other) {
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      if (bends(view, path, i) || (other.size() == path.size() && bends(view, other, i))) {
+        joints.push_back(path[i]);
+      }
+    }
   };
   if (guess.middle >= 0) {
-    extend(guess.base, guess.middle);
+    extend(view.path(guess.base, guess.middle), view.path(mirrored.base, mirrored.middle));
     joints.push_back(guess.middle);
     if (guess.end >= 0 && !guess.endDetached) {
-      extend(guess.middle, guess.end);
+      extend(view.path(guess.middle, guess.end), view.path(mirrored.middle, mirrored.end));
     }
   }
   return joints;
@@ -59,7 +56,6 @@ std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess) {
 std::vector<NodeIndex> nodesOf(const BodyView& view, const std::vector<int>& candidates) {
   std::vector<NodeIndex> nodes;
   nodes.reserve(candidates.size());
-
   for (const int candidate : candidates) {
     nodes.push_back(view.nodes[static_cast<std::size_t>(candidate)]);
   }
@@ -283,10 +279,11 @@ std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const
       if (guess == nullptr || !*guess) {
         continue;
       }
+      const LimbGuess mirrored = (positive ? pair->negative : pair->positive).value_or(**guess);
       const LimbEnd end = (*guess)->end >= 0 ? jointEnd(view, (*guess)->end)
                                              : LimbEnd{NodeIndex::none, (*guess)->endPosition};
-      limbs.push_back(
-          makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
+      limbs.push_back(makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess, mirrored)), end,
+                               bindPose.worlds));
       limbs.back().confidence = confidenceOf(view, **guess, *pair, sides);
       limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, sides);
     }

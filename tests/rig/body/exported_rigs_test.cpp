@@ -150,6 +150,22 @@ TEST_CASE("A person with one arm raised has a foot on either side, though collar
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r -> foot.r");
 }
 
+TEST_CASE("Where one leg bends at a joint more than the other stands, both have it") {
+  const bool leftIsBent = GENERATE(true, false);
+  SyntheticBiped body = makeNamedBody("Unreal");
+  for (const auto& [side, sign] : sides) {
+    const Vec3 knee = jointOf(body, "shin" + side).position;
+    const bool isBent = (side == ".l") == leftIsBent;
+    add(body, "horselink" + side, "shin" + side,
+        0.5 * (knee + jointOf(body, "foot" + side).position) - Vec3(0.0, 0.0, isBent ? 0.1 : 0.0));
+    jointOf(body, "foot" + side).parent = "horselink" + side;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l horselink.l -> foot.l");
+  CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r horselink.r -> foot.r");
+}
+
 TEST_CASE("A row of joints that stands upright is doubted as a serpent, one that lies is none") {
   CHECK(warnsOf(detectBody(build(rowOf({0.0, 0.2, 0.02})).scene), "if it is no serpent"));
   CHECK_FALSE(warnsOf(detectBody(build(rowOf({0.0, 0.01, 0.2})).scene), "if it is no serpent"));
