@@ -249,7 +249,7 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
     return;
   }
   const bool fits = reading && reading->confidence >= sure &&
-                    !(finding.isPerson && hasArmForTail(*reading, result.limbs)) &&
+                    !(finding.isPerson && hasArmInMiddle(*reading, result.limbs)) &&
                     (upright ? hasWings(*reading) : !result.isBiped || isRather(*reading, finding));
   if (fits) {
     const bool lies = mayLie(scene, bindPose, *reading);

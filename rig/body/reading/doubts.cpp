@@ -71,11 +71,12 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   return reading.plan->legs == 2 && hasArms && !hasTail;
 }
 
-bool hasArmForTail(const PlanReading& reading, const std::vector<Limb>& ofPerson) {
-  const Limb* const tail = limbAt(reading.limbs, {LimbKind::tail});
-  return tail != nullptr && std::ranges::any_of(ofPerson, [&](const Limb& limb) {
-           return isArm(limb) && std::ranges::find_first_of(limb.joints, tail->joints) != limb.joints.end();
-         });
+bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson) {
+  return std::ranges::any_of(reading.limbs, [&](const Limb& middle) {
+    return middle.side == LimbSide::middle && std::ranges::any_of(ofPerson, [&](const Limb& limb) {
+             return isArm(limb) && std::ranges::find_first_of(limb.joints, middle.joints) != limb.joints.end();
+           });
+  });
 }
 
 bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanReading& reading) {

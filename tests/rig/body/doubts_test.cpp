@@ -220,24 +220,24 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "A tail that goes along a joint of an arm is that arm, along one of a leg or of none it is a tail") {
+TEST_CASE("What goes along a joint of an arm in the middle of a body is that arm, along one of a leg it is not") {
+  const LimbKind kind = GENERATE(LimbKind::tail, LimbKind::neck, LimbKind::spine);
   const Vec3 out(1.0, 0.0, 0.0);
   DoubtedBody made;
   const std::vector<NodeIndex> arm = made.addStraight(biped::rightArm, threeBones, Vec3(0.0), out).joints;
   const std::vector<NodeIndex> leg = made.addStraight(biped::rightLeg, threeBones, Vec3(0.0), out).joints;
   const std::vector<Limb> person = made.body.limbs;
-  const auto isArm = [&](const std::vector<NodeIndex>& tail) {
+  const auto isArm = [&](const std::vector<NodeIndex>& joints) {
     PlanReading reading = made.as("bird");
-    reading.limbs.front().kind = LimbKind::tail;
+    reading.limbs.front().kind = kind;
     reading.limbs.front().side = LimbSide::middle;
-    reading.limbs.front().joints = tail;
-    return hasArmForTail(reading, person);
+    reading.limbs.front().joints = joints;
+    return hasArmInMiddle(reading, person);
   };
   CHECK(isArm({NodeIndex(90), arm.back(), NodeIndex(91)}));
   CHECK_FALSE(isArm({NodeIndex(90), leg.back(), NodeIndex(91)}));
   CHECK_FALSE(isArm({NodeIndex(90), NodeIndex(91)}));
-  CHECK_FALSE(hasArmForTail(made.as("bird"), person)); // no tail at all
+  CHECK_FALSE(hasArmInMiddle(made.as("bird"), person)); // nothing in the middle
 }
 
 TEST_CASE("A row of joints may be no serpent where it stands or is little of the body, and no name tells") {
