@@ -103,6 +103,24 @@ bool standsAlone(const BodyView& view, const MirrorPlane& plane, const LimbGuess
          });
 }
 
+// Whether names call two limbs on one side of the mirror plane left and right, as of a trunk that is turned.
+bool areNamedApart(const BodyView& view, const LimbGuess& one, const LimbGuess& other) {
+  const Side side = namedSide(view, one);
+  const Side opposite = side == Side::left ? Side::right : Side::left;
+  return one.lateral * other.lateral > 0.0 && side != Side::none && namedSide(view, other) == opposite &&
+         std::min(one.nameFit, other.nameFit) >= leastNameFitAlone &&
+         structurePenalty(view, one, other) == 0.0;
+}
+
+// Such a pair, each on its side of the middle between them.
+LimbPair pairBesideMiddle(const BodyView& view, const MirrorPlane& plane, LimbGuess negative,
+                          LimbGuess positive) {
+  const double half = 0.5 * (positive.lateral - negative.lateral);
+  negative.lateral = -half;
+  positive.lateral = half;
+  return makePair(view, plane, negative, positive);
+}
+
 std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane, Region region) {
   const std::vector<LimbGuess> guesses = guessLimbs(view, plane, region, guessesOnASide);
   std::vector<LimbPair> pairs;
@@ -112,8 +130,13 @@ std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane
       pairs.push_back(makeSingle(guess));
     }
     for (const LimbGuess& other : guesses) {
-      if (guess.lateral < 0.0 && other.lateral > 0.0 && !shareJoint(view, guess, other)) {
+      if (guess.lateral >= other.lateral || shareJoint(view, guess, other)) {
+        continue;
+      }
+      if (guess.lateral < 0.0 && other.lateral > 0.0) {
         pairs.push_back(makePair(view, plane, guess, other));
+      } else if (areNamedApart(view, guess, other)) {
+        pairs.push_back(pairBesideMiddle(view, plane, guess, other));
       }
     }
   }

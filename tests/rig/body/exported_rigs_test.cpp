@@ -166,6 +166,19 @@ TEST_CASE("Where one leg bends at a joint more than the other stands, both have 
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r horselink.r -> foot.r");
 }
 
+TEST_CASE("A person who bends to one side has both arms, though both begin on that side") {
+  const std::string scheme = GENERATE("Unreal", "Mixamo");
+  const double angle = GENERATE(-1.0, 0.7, 0.9, 1.1);
+  SyntheticBiped body = makeNamedBody(scheme);
+  turnBelow(body, "spine0", glm::angleAxis(angle, Vec3(0.0, 0.0, 1.0)));
+  body.tubes = true;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, read, biped::rightArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, read, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+}
+
 TEST_CASE("A row of joints that stands upright is doubted as a serpent, one that lies is none") {
   CHECK(warnsOf(detectBody(build(rowOf({0.0, 0.2, 0.02})).scene), "if it is no serpent"));
   CHECK_FALSE(warnsOf(detectBody(build(rowOf({0.0, 0.01, 0.2})).scene), "if it is no serpent"));
