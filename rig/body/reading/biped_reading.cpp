@@ -103,13 +103,33 @@ bool standsAlone(const BodyView& view, const MirrorPlane& plane, const LimbGuess
          });
 }
 
-// Whether names call two limbs on one side of the mirror plane left and right, as of a trunk that is turned.
-bool areNamedApart(const BodyView& view, const LimbGuess& one, const LimbGuess& other) {
+// Whether two limbs on one side of the mirror plane are a pair nevertheless, as of a trunk that is turned or
+// bends aside: names call them left and right and alike but for that, or both hang equally far from one
+// joint, and are of equal bones.
+bool belongTogether(const BodyView& view, const LimbGuess& one, const LimbGuess& other) {
+  constexpr double alike = 0.02; // of a limb
   const Side side = namedSide(view, one);
-  const Side opposite = side == Side::left ? Side::right : Side::left;
-  return one.lateral * other.lateral > 0.0 && side != Side::none && namedSide(view, other) == opposite &&
-         std::min(one.nameFit, other.nameFit) >= leastNameFitAlone &&
-         structurePenalty(view, one, other) == 0.0;
+  const Side opposite = side == Side::left ? Side::right : side == Side::right ? Side::left : Side::none;
+  if (one.lateral * other.lateral <= 0.0 || namedSide(view, other) != opposite ||
+      structurePenalty(view, one, other) > 0.0) {
+    return false;
+  }
+  const auto areCalledAlike = [&](int joint, int counterpart) {
+    return joint < 0 || counterpart < 0 ? joint == counterpart
+                                        : view.name(joint).key == view.name(counterpart).key;
+  };
+  const bool areNamedApart =
+      side != Side::none &&
+      ((areCalledAlike(one.base, other.base) && areCalledAlike(one.middle, other.middle) &&
+        areCalledAlike(one.end, other.end)) ||
+       std::min(one.nameFit, other.nameFit) >= leastNameFitAlone);
+  const int carrier = view.parentOf(one.base);
+  return areNamedApart || (carrier >= 0 && carrier == view.parentOf(other.base) && one.middle >= 0 &&
+                           std::abs(glm::distance(view.at(carrier), view.at(one.base)) -
+                                    glm::distance(view.at(carrier), view.at(other.base))) +
+                                   std::abs(boneLength(view, one, true) - boneLength(view, other, true)) +
+                                   std::abs(boneLength(view, one, false) - boneLength(view, other, false)) <
+                               alike * one.length);
 }
 
 // Such a pair, each on its side of the middle between them.
@@ -135,7 +155,7 @@ std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane
       }
       if (guess.lateral < 0.0 && other.lateral > 0.0) {
         pairs.push_back(makePair(view, plane, guess, other));
-      } else if (areNamedApart(view, guess, other)) {
+      } else if (belongTogether(view, guess, other)) {
         pairs.push_back(pairBesideMiddle(view, plane, guess, other));
       }
     }
@@ -283,6 +303,32 @@ std::optional<double> bestOfOthers(const BodyView& view, const std::vector<Combi
   return best;
 }
 
+// 1 where names call the limb on the positive side left, -1 where they call it right; 0 where they tell
+// nothing.
+double namedOrientation(const BodyView& view, const LimbPair& pair) {
+  double votes = 0.0;
+  for (const LimbGuess* limb : limbsOf(pair)) {
+    const Side side = namedSide(view, *limb);
+    votes += side == Side::none ? 0.0 : (side == Side::left) == (limb->lateral > 0.0) ? 1.0 : -1.0;
+  }
+  return votes > 0.0 ? 1.0 : votes < 0.0 ? -1.0 : 0.0;
+}
+
+// Arms of a trunk that is turned far stand on the other sides of the plane than the legs: names tell.
+void turnArmsToLegs(const BodyView& view, BipedReading& reading) {
+  if (!reading.arms || !reading.legs ||
+      namedOrientation(view, *reading.arms) * namedOrientation(view, *reading.legs) >= 0.0) {
+    return;
+  }
+  LimbPair& arms = *reading.arms;
+  std::swap(arms.negative, arms.positive);
+  for (std::optional<LimbGuess>* arm : {&arms.negative, &arms.positive}) {
+    if (*arm) {
+      (*arm)->lateral = -(*arm)->lateral;
+    }
+  }
+}
+
 } // namespace
 
 Vec3 meanBase(const BodyView& view, const LimbPair& pair) {
@@ -362,6 +408,7 @@ BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
     const auto next = bestOfOthers(view, all, *most->legs, &Combination::legs);
     best.legsAhead = next ? most->score - *next : best.legsAhead;
   }
+  turnArmsToLegs(view, best);
   return best;
 }
 

@@ -74,7 +74,8 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
 bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson) {
   return std::ranges::any_of(reading.limbs, [&](const Limb& middle) {
     return middle.side == LimbSide::middle && std::ranges::any_of(ofPerson, [&](const Limb& limb) {
-             return isArm(limb) && std::ranges::find_first_of(limb.joints, middle.joints) != limb.joints.end();
+             return isArm(limb) &&
+                    std::ranges::find_first_of(limb.joints, middle.joints) != limb.joints.end();
            });
   });
 }

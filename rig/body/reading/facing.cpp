@@ -235,13 +235,25 @@ Sides fromHints(const Hints& hints, const Frame& frame) {
   return sides;
 }
 
+// Whether a body stands alike on both sides: of one in the middle of an action feet and face point anywhere.
+bool standsAlike(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
+  constexpr double near = 0.1; // of the body
+  const auto isAlike = [&](const std::optional<LimbPair>& pair) {
+    return !pair || !pair->negative || !pair->positive ||
+           glm::distance(plane.mirrored(pair->negative->endPosition), pair->positive->endPosition) <
+               near * view.size;
+  };
+  return isAlike(reading.legs) && isAlike(reading.arms);
+}
+
 } // namespace
 
 Sides findSides(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
   const Frame frame = frameOf(view, plane, reading);
   const Hints hints = hintsOf(view, reading, frame);
   const NameVotes names = nameVotes(view, reading);
-  const bool overruled = hints.speakingFor(-names.side()) >= 2 && hints.speakingFor(names.side()) == 0;
+  const bool overruled = hints.speakingFor(-names.side()) >= 2 && hints.speakingFor(names.side()) == 0 &&
+                         standsAlike(view, plane, reading);
   Sides sides = names.clear() && !overruled ? fromNames(names, hints) : fromHints(hints, frame);
   if (names.clear() && overruled) {
     sides.contradicted = true;

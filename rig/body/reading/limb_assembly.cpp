@@ -23,8 +23,8 @@ double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std
   return polylineLength(points);
 }
 
-// Whether a joint within a path stands off the bone between its ends by more than a twist joint would: it bends
-// the limb as well.
+// Whether a joint within a path stands off the bone between its ends by more than a twist joint would: it
+// bends the limb as well.
 bool bends(const BodyView& view, const std::vector<int>& path, std::size_t i) {
   constexpr double leastOffset = 0.08; // of the bone
   const Vec3 bone = view.at(path.back()) - view.at(path.front());
@@ -33,7 +33,8 @@ bool bends(const BodyView& view, const std::vector<int>& path, std::size_t i) {
   return !view.name(path[i]).twist && glm::length(off) > leastOffset * glm::length(bone);
 }
 
-// Where one side of a body bends in its bind pose and the other stands straight, both bend at the same joints.
+// Where one side of a body bends in its bind pose and the other stands straight, both bend at the same
+// joints.
 std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess, const LimbGuess& mirrored) {
   std::vector<int> joints{guess.base};
   const auto extend = [&](const std::vector<int>& path, const std::vector<int>& other) {

@@ -202,7 +202,8 @@ private:
     const Vec3 middle = guess.middle >= 0 ? view_.at(guess.middle) : guess.endPosition;
     guess.length = glm::distance(base, middle) + glm::distance(middle, guess.endPosition);
     guess.lateral = sideOf(base, middle);
-    if (guess.length <= 0.0 || std::abs(guess.lateral) < 0.005 * view_.size) {
+    const bool isInPlane = std::abs(guess.lateral) < 0.005 * view_.size;
+    if (guess.length <= 0.0 || (isInPlane && namedSide(view_, guess) == Side::none)) {
       return;
     }
     guess.nameFit = nameFit(view_, guess, region_);

@@ -107,10 +107,19 @@ private:
                                [&](int base) { return view_.isAboveOrSelf(base, joint); });
   }
 
+  // Of a trunk that bends aside, what is beyond its arms may stand as far from them as they do from the legs.
+  [[nodiscard]] bool isInPlane(const Vec3& place) const {
+    const double near = 0.04 * view_.size;
+    const double aside = plane_.lateral(attachment_.armBase);
+    const double bend = reading_.arms && reading_.legs ? aside - plane_.lateral(attachment_.legBase) : 0.0;
+    const double lateral = plane_.lateral(place);
+    return std::abs(lateral) < near || (std::abs(bend) > near && std::abs(lateral - aside) < std::abs(bend));
+  }
+
   [[nodiscard]] bool isCentral(int joint) const {
     const NameEvidence& name = view_.name(joint);
-    return std::abs(plane_.lateral(view_.at(joint))) < 0.04 * view_.size && !name.accessory && !name.finger &&
-           !name.fin && name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
+    return (name.role(Role::head) >= clearName || isInPlane(view_.at(joint))) && !name.accessory &&
+           !name.finger && !name.fin && name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
   }
 
   // The less the likelier: above the arms, else near them; on a neck; high in the tree, before a hood or a

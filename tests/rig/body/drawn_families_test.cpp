@@ -18,6 +18,7 @@ namespace {
 
 constexpr int drawn = 40;  // of each family
 constexpr int wholes = 12; // of each program
+constexpr int inAction = 120;
 
 bool isOneOf(const std::string& key, const std::string& alternatives) {
   return ("|" + alternatives + "|").find("|" + key + "|") != std::string::npos;
@@ -121,6 +122,7 @@ std::string familiesTable(const std::vector<FamilyRig>& rigs, Calibration& limbs
 TEST_CASE("Drawn rigs of every family are read as a person reads them, as often as was counted") {
   Calibration limbs;
   std::string text = familiesTable(bipedFamilies(drawn), limbs, nullptr);
+  text += familiesTable(bipedsInAction(inAction), limbs, nullptr);
   text += familiesTable(beastFamilies(drawn), limbs, nullptr);
   text += familiesTable(rareBeasts(drawn), limbs, nullptr);
   text += familiesTable(wholeBipeds(wholes), limbs, nullptr);
@@ -143,6 +145,7 @@ TEST_CASE("What is read wrongly of drawn rigs, for looking at", "[.drawn]") {
   const char* const number = std::getenv("EACH");
   const int each = number == nullptr ? drawn : std::atoi(number);
   std::string text = familiesTable(bipedFamilies(each), limbs, &details);
+  text += familiesTable(bipedsInAction(each), limbs, &details);
   text += familiesTable(wholeBipeds(each), limbs, &details);
   text += familiesTable(beastFamilies(each), limbs, &details);
   text += familiesTable(rareBeasts(each), limbs, &details);

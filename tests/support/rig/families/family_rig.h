@@ -56,6 +56,9 @@ void standOn(SyntheticBiped& body, double height);
 [[nodiscard]] std::vector<FamilyRig> bipedFamilies(int each);
 [[nodiscard]] std::vector<FamilyRig> beastFamilies(int each);
 
+/// Bipeds whose bind pose is a moment of an action: trunk bent and turned, each limb anywhere.
+[[nodiscard]] std::vector<FamilyRig> bipedsInAction(int each);
+
 /// Beasts that are rarer, or named as programs name them.
 [[nodiscard]] std::vector<FamilyRig> rareBeasts(int each);
 
