@@ -62,6 +62,9 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
 // Joints farther from the mirror plane than this stand on a side; in sizes of the body.
 constexpr double offMiddle = 0.004;
 
+// Of rows that names call left and right, in whatever pose; in lengths.
+constexpr double calledAlikeError = 0.1;
+
 // No body has more limbs, ears and teeth on a side; keeps a file that has more from costing much.
 constexpr std::size_t mostOfOneSide = 64;
 
@@ -132,6 +135,37 @@ private:
         sideSum_[index(parent)] += sideSum_[index(joint)];
         below_[index(parent)] = std::max(
             below_[index(parent)], below_[index(joint)] + glm::distance(view_.at(joint), view_.at(parent)));
+      }
+    }
+    findNamedSides();
+  }
+
+  // In the middle of an action a limb may reach across the plane: names tell its side, where they call
+  // another one alike.
+  void findNamedSides() {
+    double leftIsPositive = 0.0;
+    std::set<std::pair<std::string, Side>> called;
+    std::vector<bool> hasLeft(sided_.size(), false);
+    std::vector<bool> hasRight(sided_.size(), false);
+    for (const int joint : deepestFirst_) {
+      const Side side = view_.name(joint).side;
+      called.emplace(view_.name(joint).key, side);
+      hasLeft[index(joint)] = hasLeft[index(joint)] || side == Side::left;
+      hasRight[index(joint)] = hasRight[index(joint)] || side == Side::right;
+      const double lateral = plane_.lateral(view_.at(joint));
+      leftIsPositive += side == Side::left ? lateral : side == Side::right ? -lateral : 0.0;
+      if (const int parent = view_.parentOf(joint); parent >= 0) {
+        hasLeft[index(parent)] = hasLeft[index(parent)] || hasLeft[index(joint)];
+        hasRight[index(parent)] = hasRight[index(parent)] || hasRight[index(joint)];
+      }
+    }
+    for (const int joint : deepestFirst_) {
+      const Side side = view_.name(joint).side;
+      const Side other = side == Side::left ? Side::right : Side::left;
+      if (side != Side::none && hasLeft[index(joint)] != hasRight[index(joint)] &&
+          called.contains({view_.name(joint).key, other})) {
+        sided_[index(joint)] = true;
+        sideSum_[index(joint)] = std::copysign(1.0, leftIsPositive) * (side == Side::left ? 1.0 : -1.0);
       }
     }
   }
@@ -359,7 +393,16 @@ private:
       sum += glm::distance(plane_.mirrored(pointAlong(a, share)), pointAlong(b, share)) / 4.0;
     }
     const double apart = a.attach == b.attach ? 0.0 : 0.02;
-    return sum / size + apart;
+    const double error = sum / size + apart;
+    return areCalledAlike(a, b) ? std::min(error, calledAlikeError) : error;
+  }
+
+  // Whether names call the first joints of two rows left and right, and alike but for that.
+  [[nodiscard]] bool areCalledAlike(const Extremity& a, const Extremity& b) const {
+    const NameEvidence& one = view_.name(a.path.front());
+    const NameEvidence& other = view_.name(b.path.front());
+    return one.side != Side::none && other.side != Side::none && one.side != other.side && !one.key.empty() &&
+           one.key == other.key;
   }
 
   struct Match {

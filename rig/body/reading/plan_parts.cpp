@@ -465,18 +465,14 @@ private:
   }
 
   void orderPairs() {
-    std::ranges::stable_sort(parts_.pairs, [&](const KindredPair& a, const KindredPair& b) {
-      const auto ahead = [&](const KindredPair& one) {
-        const Vec3 middle =
-            one.kind == LimbKind::leg && legs().size() > 2
-                ? (baseOf(one.pair) +
-                   (one.pair.negative.points.back() + one.pair.positive.points.back()) / 2.0) /
-                      2.0
-                : baseOf(one.pair);
-        return -glm::dot(middle, parts_.axis.forward);
-      };
-      return std::pair(a.kind, ahead(a)) < std::pair(b.kind, ahead(b));
-    });
+    const bool hasFrontLegs = legs().size() > 2;
+    const auto ahead = [&](const KindredPair& one) {
+      const Vec3 ends = one.pair.negative.points.back() + one.pair.positive.points.back();
+      const bool isLeg = one.kind == LimbKind::leg && hasFrontLegs;
+      const Vec3 middle = isLeg ? (baseOf(one.pair) + ends / 2.0) / 2.0 : baseOf(one.pair);
+      return std::pair(one.kind, -glm::dot(middle, parts_.axis.forward));
+    };
+    std::ranges::stable_sort(parts_.pairs, {}, ahead);
   }
 
   // Places on the row where the legs hang, and what else carries limbs before the head.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -9,6 +10,7 @@
 #include "tests/support/recorded.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/families/family_rig.h"
+#include "tests/support/row.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -135,6 +137,22 @@ TEST_CASE("Drawn rigs of every family are read as a person reads them, as often 
   CHECK(limbs.right[0] + limbs.right[1] >= 0.9 * (limbs.all[0] + limbs.all[1]));
   CHECK(limbs.right[1] >= 0.9 * limbs.all[1]);
   const std::string difference = differenceFromRecord("families-of-rigs", text);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+TEST_CASE(
+    "Drawn beasts whose bind pose is a moment of an action are read or doubted as often as was counted") {
+  constexpr int moved = 20; // of each family
+  std::vector<FamilyRig> rigs = beastFamilies(moved);
+  std::ranges::move(rareBeasts(moved), std::back_inserter(rigs));
+  Row row(77);
+  for (FamilyRig& rig : rigs) {
+    moveEachJoint(rig.body, 15.0, row);
+  }
+  Calibration limbs;
+  const std::string difference =
+      differenceFromRecord("beasts-in-action", familiesTable(rigs, limbs, nullptr));
   INFO(difference);
   CHECK(difference.empty());
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
 #include "tests/support/rig/families/family_rig.h"
 #include "tests/support/rig/naming_schemes.h"
 
@@ -176,6 +177,19 @@ void turnBelow(SyntheticBiped& body, const std::string& key, const Quat& turn) {
       joint.position = about + turn * (joint.position - about);
       joint.flesh = turn * joint.flesh;
     }
+  }
+}
+
+void moveEachJoint(SyntheticBiped& body, double degrees, Row& row) {
+  std::vector<std::string> keys;
+  for (const SyntheticJoint& joint : body.joints) {
+    if (!joint.parent.empty()) {
+      keys.push_back(joint.key);
+    }
+  }
+  for (const std::string& key : keys) {
+    const Vec3 axis = row.vector(1.0) + Vec3(1e-3);
+    turnBelow(body, key, axisAngle(axis, row.around(degrees) * pi / 180.0));
   }
 }
 

@@ -46,6 +46,9 @@ void nameOthers(SyntheticBiped& body, const DrawnNames& names, Row& row);
 /// Turns what hangs from a joint about it, the joint's own bone included.
 void turnBelow(SyntheticBiped& body, const std::string& key, const Quat& turn);
 
+/// Turns every joint but the root about an axis of its own by up to `degrees`, as in a moment of an action.
+void moveEachJoint(SyntheticBiped& body, double degrees, Row& row);
+
 /// Scales the length of one joint's bone to its parent by moving all that hangs from it.
 void moveBelow(SyntheticBiped& body, const std::string& key, const Vec3& offset);
 
