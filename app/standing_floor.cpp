@@ -208,10 +208,6 @@ StandingFloor standingFloor(const Document& document, int clip, const rig::BindP
   return standing;
 }
 
-std::optional<double> standingAnkles(const Document& document, int clip) {
-  return standingFloor(document, clip, rig::bindPlaces(*document.scene)).ankles;
-}
-
 std::optional<double> floorHeight(const Document& document, int clip) {
   return standingFloor(document, clip, rig::bindPlaces(*document.scene)).floor;
 }

@@ -22,8 +22,7 @@ struct StandingFloor {
 /// `places`: those of the document's scene.
 [[nodiscard]] StandingFloor standingFloor(const Document& document, int clip, const rig::BindPlaces& places);
 
-/// The parts of it where only one of them is asked for.
-[[nodiscard]] std::optional<double> standingAnkles(const Document& document, int clip);
+/// Its floor alone.
 [[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
 
 /// How high the lowest point of all feet is in the bind pose, along +Y. Nothing where there is no leg.

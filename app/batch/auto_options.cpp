@@ -126,7 +126,7 @@ void printClip(const Json& clip) {
     fmt::print("  the clip is marked as a loop, so that the way back goes on at its start\n");
   }
   for (const Json& trail : clip["trails"]) {
-    printWarnings(trail["warnings"]);
+    printWarnings(trail["warnings"], clip["clip"].get<std::string>());
   }
   if (clip.contains("elastic")) {
     printWeight(clip["elastic"]);

@@ -188,8 +188,9 @@ Result<gltf::Json> exaggeratedClips(const ExaggerateArguments& arguments,
 
 void printClips(const gltf::Json& report) {
   for (const gltf::Json& clip : report["clips"]) {
-    fmt::print("{}:\n", clip["clip"].get<std::string>());
-    printExaggeration(clip);
+    const auto name = clip["clip"].get<std::string>();
+    fmt::print("{}:\n", name);
+    printExaggeration(clip, name);
     for (const gltf::Json& left : clip["left_out"]) {
       fmt::print("left out: {}\n", left.get<std::string>());
     }
@@ -219,10 +220,16 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   }
   if (arguments.json) {
     arguments.json.print(*report);
-  } else {
-    (isAuto ? printAuto : arguments.every.allClips ? printClips : printExaggeration)(*report);
-    printSaved(*report);
+    return Success{};
   }
+  if (isAuto) {
+    printAuto(*report);
+  } else if (arguments.every.allClips) {
+    printClips(*report);
+  } else {
+    printExaggeration(*report);
+  }
+  printSaved(*report);
   return Success{};
 }
 

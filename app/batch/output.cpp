@@ -113,7 +113,8 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
 void printSaved(const Json& report) {
   printChanges(report.contains("worse") ? report["worse"] : Json::array());
   if (report.contains("whole_frames")) {
-    fmt::print("keys   on whole frames: between them the motion is at most {:.3f} % of the height off\n",
+    fmt::print("keys   on whole frames and where a range or its way back ends: between them the motion is at "
+               "most {:.3f} % of the height off\n",
                report["whole_frames"]["miss_percent_of_height"].get<double>());
   }
   if (!report.contains("form")) {

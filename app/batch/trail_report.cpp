@@ -178,7 +178,7 @@ std::string seenText(const Json& trail) {
 
 } // namespace
 
-void printExaggeration(const Json& report) {
+void printExaggeration(const Json& report, const std::string& clip) {
   for (const Json& trail : report["trails"]) {
     const auto space = trail["space"].get<std::string>();
     fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}{}{}\n", trail["limb"].get<std::string>(),
@@ -186,7 +186,7 @@ void printExaggeration(const Json& report) {
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
                trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "",
                trail.contains("kept") ? ", " + trail["kept"].get<std::string>() : "", seenText(trail));
-    printWarnings(trail["warnings"]);
+    printWarnings(trail["warnings"], clip);
   }
   if (report.contains("controllers")) {
     printPoseReport(report);
@@ -221,9 +221,9 @@ void addGaveWay(const Document& before, const Document& after, gltf::Json& repor
   }
 }
 
-void printWarnings(const gltf::Json& warnings) {
+void printWarnings(const gltf::Json& warnings, const std::string& clip) {
   for (const gltf::Json& warning : warnings) {
-    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
+    fmt::print(stderr, "warning: {}{}{}\n", clip, clip.empty() ? "" : ": ", warning.get<std::string>());
   }
 }
 

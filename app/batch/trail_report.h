@@ -20,8 +20,9 @@ class EvaluationCache;
 /// (limbPops) on its way there or back.
 void addFlips(const Document& document, int clip, const std::vector<int>& ids, gltf::Json& report);
 
-/// Prints the outcome as lines of text; warnings on standard error.
-void printExaggeration(const gltf::Json& report);
+/// Prints the outcome as lines of text; warnings on standard error. `clip`: its name before each of them,
+/// where there are several; empty: none.
+void printExaggeration(const gltf::Json& report, const std::string& clip = {});
 
 /// The files that were added to the document, each with the node that carries its thing.
 [[nodiscard]] gltf::Json addedFilesToJson(const Document& document);
@@ -32,8 +33,8 @@ void printExaggeration(const gltf::Json& report);
 /// Adds what of `before` gave way (gaveWay) to a report's warnings.
 void addGaveWay(const Document& before, const Document& after, gltf::Json& report);
 
-/// Each of the list on standard error.
-void printWarnings(const gltf::Json& warnings);
+/// Each of the list on standard error, behind the clip's name where one is given.
+void printWarnings(const gltf::Json& warnings, const std::string& clip = {});
 
 /// Outcome of the weight of each limb of a clip, as `elastic` and `exaggerate` report it.
 [[nodiscard]] gltf::Json weightJson(const Document& document, int clip, EvaluationCache& cache);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "app/evaluate/evaluation_input.h"
 #include "app/evaluate/free_turns.h"
 #include "core/base/index.h"
 #include "core/math/rotation.h"
@@ -291,7 +292,7 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
   std::vector<Watched> watched;
   std::ranges::transform(limbs, std::back_inserter(watched),
                          [&](const rig::Limb& limb) { return Watched(scene, limb, motion); });
-  const Clip& clip = clipOf(document, motion.clip);
+  const Clip& clip = clipOrStill(*document.clips, motion.clip);
   const std::int64_t first = std::max<std::int64_t>(frames.first, 0);
   for (std::int64_t frame = first; frame <= std::min(frames.last, frameCount(clip) - 1); ++frame) {
     const double seconds = static_cast<double>(frame) / clip.framesPerSecond;

@@ -66,7 +66,14 @@ std::string keptFromLength(const Document& document, const rig::MotionState& mot
       return std::string("held by a ") + holdWord(goal.kind);
     }
   }
-  return isStoppedAtTip(document, motion, solved) ? stoppedOnTheWay : "";
+  if (isStoppedAtTip(document, motion, solved)) {
+    return stoppedOnTheWay;
+  }
+  const bool isShared = std::ranges::any_of(motion.trails, [&](const rig::SolvedTrail& other) {
+    return other.active && other.trail.id != solved.trail.id && other.limb.id == solved.limb.id &&
+           other.windowStartSeconds <= solved.tipSeconds && solved.tipSeconds <= other.windowEndSeconds;
+  });
+  return isShared ? "shared with another trail of the limb" : "";
 }
 
 std::string keptBySettings(const rig::SolvedTrail& solved) {

@@ -56,7 +56,9 @@ double rateOf(const std::vector<float>& times) {
     spacings.push_back(static_cast<double>(times[i]) - static_cast<double>(times[i - 1]));
   }
   const double rate = 1.0 / medianOf(std::move(spacings), 1.0);
-  return rate > 1.0 && rate <= 240.0 && shareOnFrames(times, rate) >= mostKeys ? rate : 0.0;
+  // Times in single precision put the spacing of a highest rate a little off.
+  constexpr double highest = 240.5;
+  return rate > 1.0 && rate <= highest && shareOnFrames(times, rate) >= mostKeys ? rate : 0.0;
 }
 
 // Share of the tracks, of those with enough keys to tell, that are keyed on whole frames of a rate.

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
+#include "core/math/rotation.h"
 #include "rig/reach/pose_writer.h"
 
 namespace stretch::rig {
@@ -107,6 +108,31 @@ bool isDetached(const LimbTopology& topology, std::size_t bone) {
   return bone > 0 && topology.bones[bone - 1].pathNodes.empty();
 }
 
+// Whether a linear map keeps angles and ratios of lengths, but for a thousandth.
+bool isEven(const Mat3& map) {
+  constexpr double least = 2e-3; // of squares
+  const double size = glm::dot(map[0], map[0]);
+  const double uneven =
+      std::max(std::abs(glm::dot(map[1], map[1]) - size), std::abs(glm::dot(map[2], map[2]) - size));
+  const double sheared = std::max({std::abs(glm::dot(map[0], map[1])), std::abs(glm::dot(map[1], map[2])),
+                                   std::abs(glm::dot(map[2], map[0]))});
+  return std::max(uneven, sheared) <= least * size;
+}
+
+// Under an uneven scale a turn in the world is no turn of the joint: brings the bone, `offset` in the joint's
+// space, to the direction that is wanted. Returns the stretch by which it comes to its length there.
+double pointBone(PoseWriter& writer, NodeIndex joint, const Vec3& offset, const Vec3& wantedWorld) {
+  const Mat3 toParent = inverseOf(Mat3(writer.parentWorld(joint)));
+  const Vec3 now = toParent * (Mat3(writer.world(joint)) * offset);
+  const Vec3 wanted = toParent * wantedWorld;
+  Transform& local = writer.local(joint);
+  local.rotation = glm::normalize(shortestArc(now, wanted) * local.rotation);
+  writer.refresh(joint);
+  return glm::length(now) > 0.0 ? glm::length(wanted) / glm::length(now) : 1.0;
+}
+
+constexpr double unseenStretch = 1e-9;
+
 // What hangs on the limb, wherever its joints hang.
 void refreshLimb(PoseWriter& writer, const Limb& limb, const LimbTopology& topology) {
   for (std::size_t i = 0; i < topology.bones.size(); ++i) {
@@ -183,7 +209,6 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   const auto pointBefore = [&](std::size_t point) {
     return point < limb.joints.size() ? positionOf(writer.worldBefore(limb.joints[point])) : end;
   };
-  const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
   for (const NodeIndex node : topology.staying) {
     kept.push_back({node, frame.worlds[at(node)]});
@@ -208,12 +233,15 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(bone.joint, pointBefore(0) + shape.baseMove);
     }
     writer.refresh(bone.joint);
-    if (shape.stretches[i] != 1.0) {
-      const Vec3 offset =
-          inverseOf(Mat3(writer.worldBefore(bone.joint))) * (pointBefore(i + 1) - pointBefore(i));
-      if (glm::length(offset) > 0.0) {
-        stretchBone(writer, scene, bone,
-                    boneStretch(glm::normalize(offset), shape.stretches[i], options.volume));
+    const bool isUneven = !isPlaced && !isEven(Mat3(writer.parentWorld(bone.joint)));
+    if (shape.stretches[i] != 1.0 || isUneven) {
+      const Vec3 boneWorld = pointBefore(i + 1) - pointBefore(i);
+      const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * boneWorld;
+      const Vec3 wantedWorld = shape.stretches[i] * (shape.turns[i] * boneWorld);
+      const double length =
+          isUneven ? pointBone(writer, bone.joint, offset, wantedWorld) : shape.stretches[i];
+      if (glm::length(offset) > 0.0 && std::abs(length - 1.0) > unseenStretch) {
+        stretchBone(writer, scene, bone, boneStretch(glm::normalize(offset), length, options.volume));
       }
     }
     refreshBetween(writer, bone);
@@ -227,7 +255,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     }
   }
   for (const KeptTransform& keep : kept) {
-    writer.turnInWorld(keep.node, still);
+    writer.turnInWorld(keep.node, Quat(1.0, 0.0, 0.0, 0.0));
     writer.setWorldPosition(keep.node, positionOf(keep.world));
   }
   refreshLimb(writer, limb, topology);

@@ -379,13 +379,17 @@ TEST_CASE(
 TEST_CASE(
     "What a vertex does not follow is written as the first joint, and weights that nothing names any more "
     "are emptied") {
-  const bool areNamedElsewhere = GENERATE(true, false);
-  CAPTURE(areNamedElsewhere);
+  const auto [areNamedElsewhere, namedAt] =
+      GENERATE(table<bool, const char*>({{true, "/meshes/1/primitives/0/attributes/WEIGHTS_0"},
+                                         {true, "/meshes/0/extensions/VENDOR_groups/attributes/W"},
+                                         {true, "/meshes/1/primitives/0/extensions/VENDOR_groups/W"},
+                                         {false, ""}}));
+  CAPTURE(areNamedElsewhere, namedAt);
   const TemporaryFolder folder;
   GlbBuilder arm = test::armBuilder();
   const Json before = arm.json["meshes"][0]["primitives"][0]["attributes"];
   if (areNamedElsewhere) {
-    arm.json["meshes"][1]["primitives"][0]["attributes"]["WEIGHTS_0"] = before["WEIGHTS_0"];
+    arm.json[Json::json_pointer(namedAt)] = before["WEIGHTS_0"];
   }
   const gltf::Loaded file = test::loaded(arm);
   VertexInfluences last;

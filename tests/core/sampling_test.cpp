@@ -153,6 +153,22 @@ TEST_CASE("The frame rate is guessed from the keys") {
   CHECK(rateOf({0, 0.0123F, 0.0301F, 0.0449F}) == 30.0); // no rate fits
 }
 
+TEST_CASE(
+    "A rate is told up to 240 frames in each second, whose times no single precision holds, and none above") {
+  const auto rateOf = [](double framesPerSecond) {
+    Track track = moves(Interpolation::linear);
+    track.times.clear();
+    for (int frame = 0; frame <= 600; ++frame) {
+      track.times.push_back(static_cast<float>(frame / framesPerSecond));
+    }
+    track.values.assign(track.times.size() * 3, 0.0F);
+    return guessFramesPerSecond({CopyOnWrite<Track>(std::move(track))});
+  };
+  CHECK(rateOf(239.76) == Approx(239.76).epsilon(1e-4));
+  CHECK(rateOf(240.0) == Approx(240.0).epsilon(1e-4));
+  CHECK(rateOf(241.0) == 30.0);
+}
+
 TEST_CASE("Keys between the frames of some tracks do not double the frame rate") {
   const auto keyedEvery = [](double framesPerSecond, double stepFrames) {
     Track track = moves(Interpolation::linear);

@@ -86,7 +86,7 @@ void importClip(Shell& shell, const ClipAnswer& wanted) {
 void updateClipImport(Shell& shell) {
   ClipImport& import = shell.beside.clipImport;
   app::Session* const session = shell.open.character();
-  const bool isDragging = session != nullptr && session->isDragging();
+  const bool isDragging = (session != nullptr && session->isDragging()) || isRunning(shell.tool);
   if (import.job == nullptr || !import.job->isFinished() || isDragging) {
     return;
   }

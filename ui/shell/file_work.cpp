@@ -211,6 +211,7 @@ std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
 /// A file that was dropped: one that a hand of the open character could hold, or that has clips, is asked
 /// about, another is opened.
 void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
+  finishWhatIsDragged(shell);
   const bool isAsked =
       shell.files.question().kind != app::FileQuestion::Kind::none || shell.files.isOpening();
   const app::Session* const character = shell.open.character();

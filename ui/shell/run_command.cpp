@@ -20,6 +20,7 @@
 #include "ui/panels/context/key_bar.h"
 #include "ui/panels/context/panel_support.h"
 #include "ui/shell/key_pane.h"
+#include "ui/shell/playback.h"
 #include "ui/shell/stroke_news.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -55,9 +56,6 @@ bool isChecked(const Shell& shell, std::string_view id) {
   return command != nullptr && isOn(shell, *command);
 }
 
-namespace {
-
-/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
 void finishWhatIsDragged(Shell& shell) {
   if (isRunning(shell.tool)) {
     finishTool(*shell.open.character(), shell.tool, true);
@@ -73,6 +71,8 @@ void finishWhatIsDragged(Shell& shell) {
     ImGui::ClearActiveID();
   }
 }
+
+namespace {
 
 /// What answers in the middle of a tool or a drag too.
 bool answersAlways(std::string_view id) {
@@ -228,6 +228,9 @@ void runCommand(Shell& shell, std::string_view commandId) {
     return;
   }
   finishWhatIsDragged(shell);
+  if (shell.ui.time.timeline.playing) {
+    snapPlayhead(shell);
+  }
   if (!command->enabled(shell)) {
     // Enter that came too late for a refused tool says nothing new.
     if (commandId != command::trailApply || !isRefusalShown(shell)) {

@@ -23,7 +23,11 @@ namespace stretch::ui {
 /// Whether a switch is on; false for commands that are not switches.
 [[nodiscard]] bool isChecked(const Shell& shell, std::string_view commandId);
 
-/// Runs a command by its id; what went wrong is told in a toast.
+/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
+void finishWhatIsDragged(Shell& shell);
+
+/// Runs a command by its id; what went wrong is told in a toast. While the clip plays it is run at the whole
+/// frame that is nearest.
 void runCommand(Shell& shell, std::string_view commandId);
 
 /// Tells what of the document before stood where new things are now, and made room for them.

@@ -48,7 +48,7 @@ double largestCosine(const Mat4& world) {
       largest = std::max(largest, lengths > 1e-12 ? std::abs(glm::dot(first, second)) / lengths : 0.0);
     }
   }
-  return largest;
+  return std::min(largest, 1.0);
 }
 
 std::vector<double> someKeyTimes(const Clip& clip) {

@@ -172,8 +172,32 @@ private:
 
 // Weights that nothing names any more are emptied, so that no reader finds fault with them: zeros, without
 // data.
-void emptyUnusedWeights(const std::set<int>& before, Journal& journal) {
+// Marks all that an extension may name: every whole number in it.
+void markNumbers(const Json& json, std::set<int>& numbers) {
+  if (json.is_number_integer()) {
+    numbers.insert(json.get<int>());
+  }
+  for (const Json& part : json.is_structured() ? json : Json::array()) {
+    markNumbers(part, numbers);
+  }
+}
+
+// Accessors that extensions of meshes and their primitives may use.
+std::set<int> namedByExtensions(const Json& json) {
+  std::set<int> numbers;
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    markNumbers(mesh.value("extensions", Json()), numbers);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      markNumbers(element(mesh, "primitives", k).value("extensions", Json()), numbers);
+    }
+  }
+  return numbers;
+}
+
+void emptyUnusedWeights(std::set<int> before, Journal& journal) {
   const std::vector<bool> used = usedAccessors(journal.json());
+  std::erase_if(before, [named = namedByExtensions(journal.json())](int one) { return named.contains(one); });
   for (const int accessor : before) {
     const Pointer place = Pointer("/accessors") / static_cast<std::size_t>(accessor);
     for (const char* const name : {"bufferView", "byteOffset", "sparse", "min", "max"}) {
@@ -191,7 +215,7 @@ void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
   if (edits.boundMeshes.empty()) {
     return;
   }
-  const std::set<int> before = weightAccessors(journal.json());
+  std::set<int> before = weightAccessors(journal.json());
   MeshBinding binding(edits.boundMeshes, journal, data);
   const std::size_t skinsBefore = sizeOf(journal.json(), "skins") - edits.addedSkins.size();
   for (const BoundMesh& bound : edits.boundMeshes) {
@@ -200,7 +224,7 @@ void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
       showJoints(skin, bound.node, journal);
     }
   }
-  emptyUnusedWeights(before, journal);
+  emptyUnusedWeights(std::move(before), journal);
 }
 
 } // namespace stretch::gltf

@@ -20,8 +20,8 @@ void doubt(Body& result, const std::string& why);
 /// and it has no tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
-/// Whether a trunk, neck or tail goes along a joint of an arm, as that of a person may be who crouches with it
-/// held out.
+/// Whether a trunk, neck or tail goes along a joint of an arm, as that of a person may be who crouches with
+/// it held out.
 [[nodiscard]] bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson);
 
 /// Whether what was read as a serpent may be something else: its row of joints stands upright, or is less

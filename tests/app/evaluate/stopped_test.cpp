@@ -6,8 +6,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/evaluate/evaluate.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
+#include "rig/motion/evaluate.h"
 #include "rig/motion/paths.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -36,6 +42,17 @@ Document stoppedPunch(const Vec3& place, const Vec3& way, std::optional<double> 
 rig::DrawnTrail punchOf(const Document& document) {
   const rig::MotionState motion = prepareMotion(document, 0);
   return rig::pathsAt(*document.scene, clipOf(document, 0), motion, 0, {10.0});
+}
+
+/// The bundled character below a node of this scale.
+Document scaledBy(const test::TemporaryFolder& folder, const std::vector<double>& scale) {
+  gltf::Source source = *test::openedFile(test::posedCharacter).source;
+  gltf::Json& json = *source.json;
+  json["nodes"].push_back({{"name", "squash"}, {"scale", scale}, {"children", json["scenes"][0]["nodes"]}});
+  json["scenes"][0]["nodes"] = {json["nodes"].size() - 1};
+  const std::filesystem::path file = folder / "squashed.glb";
+  REQUIRE(gltf::save(source, file).ok());
+  return test::openedFile(file.string());
 }
 
 } // namespace
@@ -95,6 +112,23 @@ TEST_CASE("A limb has the length that is asked of it in lengths of its tip's pos
   CHECK_FALSE(hasIt(1.0));
 }
 
+TEST_CASE("A limb that two trails pull at one time is shared, one whose trails are apart is not") {
+  Document document = stoppedPunch({}, {}, std::nullopt);
+  rig::Trail second = document.trails.front();
+  second.id = 2;
+  second.settings.pivot = rig::Pivot::end;
+  second.settings.releaseFrames = 2.0;
+  const bool areApart = GENERATE(false, true);
+  second.settings.startFrame = areApart ? 14.0 : 10.0;
+  second.settings.endFrame = 20.0;
+  document.trails.front().settings.releaseFrames = 2.0;
+  document.trails.push_back(second);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  CHECK(hasWantedLength(document, motion, motion.trails.front()) == areApart);
+  CHECK(keptFromLength(document, motion, motion.trails.front()) ==
+        (areApart ? "" : "shared with another trail of the limb"));
+}
+
 TEST_CASE(
     "A trail names its blend, then its stretch switch, then a sphere at its tip, and nothing else of it") {
   rig::SolvedTrail solved;
@@ -112,4 +146,19 @@ TEST_CASE(
   CHECK(keptBySettings(solved) == "by its stretch switch");
   solved.settings.blend = 1.99;
   CHECK(keptBySettings(solved) == "by its blend");
+}
+
+TEST_CASE("Below an uneven scale a limb is as long at the tip as is asked, and ends where its trail does") {
+  const test::TemporaryFolder folder;
+  const std::vector<double> scale = GENERATE(std::vector{1.0, 1.5, 1.0}, std::vector{1.5, 1.0, 1.0},
+                                             std::vector{1.0, 1.0, 0.6}, std::vector{1.0, 1.05, 1.0});
+  const std::string limb = GENERATE("right-leg", "left-arm");
+  const bool isLeg = limb == "right-leg";
+  const Document document = test::withNewTrail(
+      scaledBy(folder, scale), {limb, isLeg ? 37.0 : 21.0, isLeg ? 44.0 : 27.0, isLeg ? 1.5 : 2.0});
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const rig::SolvedTrail& solved = motion.trails.front();
+  CHECK(hasWantedLength(document, motion, solved));
+  const FrameState tip = evaluate(document, motion, solved.tipSeconds);
+  CHECK(glm::distance(rig::endPosition(solved.limb, tip), solved.tip.tip) < 1e-4 * document.body.height);
 }

@@ -220,7 +220,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("What goes along a joint of an arm in the middle of a body is that arm, along one of a leg it is not") {
+TEST_CASE(
+    "What goes along a joint of an arm in the middle of a body is that arm, along one of a leg it is not") {
   const LimbKind kind = GENERATE(LimbKind::tail, LimbKind::neck, LimbKind::spine);
   const Vec3 out(1.0, 0.0, 0.0);
   DoubtedBody made;

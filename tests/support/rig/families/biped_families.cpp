@@ -4,50 +4,13 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/rig/families/biped_draft.h"
 #include "tests/support/rig/families/family_rig.h"
 #include "tests/support/rig/families/whole_rigs.h"
 
 namespace stretch::test {
 
 namespace {
-
-double signOf(const std::string& side) {
-  return side == ".l" ? 1.0 : -1.0;
-}
-
-// A body that is drawn, and what becomes of it.
-struct Draft {
-  SyntheticBiped body;
-  Row& row;
-  std::map<std::string, WantedLimb> wanted{};
-  std::vector<std::string> absent{};
-  std::vector<std::pair<std::string, std::string>> moved{}; // joints that hang elsewhere once posed
-  std::map<std::string, std::string> names{};               // of joints that a trait names like a limb's
-
-  Vec3 at(const std::string& key) { return jointOf(body, key).position; }
-  [[nodiscard]] bool has(const std::string& key) const {
-    return std::ranges::find(body.joints, key, &SyntheticJoint::key) != body.joints.end();
-  }
-  void add(const std::string& key, const std::string& parent, const Vec3& place, bool movesMesh = true) {
-    body.joints.push_back({key, parent, place, true, movesMesh});
-  }
-  // A row of joints from a place, each `step` from the one before.
-  void addRow(const std::string& stem, const std::string& side, const std::string& parent, Vec3 place,
-              const Vec3& step, int count) {
-    std::string above = parent;
-    for (int i = 0; i < count; ++i) {
-      const std::string key = fmt::format("{}{}{}", stem, i + 1, side);
-      add(key, above, place);
-      above = key;
-      place += step;
-    }
-  }
-  std::string chest() { return jointOf(body, has("clavicle.l") ? "clavicle.l" : "upperArm.l").parent; }
-};
-
-std::string idOf(const std::string& side, const std::string& limb) {
-  return (side == ".l" ? "left-" : "right-") + limb;
-}
 
 // Proportions from a child's to a giant's, with large heads and short or long limbs.
 void drawProportions(Draft& draft) {
@@ -70,32 +33,6 @@ void drawProportions(Draft& draft) {
   const double head = row.once(3) ? row.between(0.35, 0.7) : row.between(0.2, 0.28);
   jointOf(body, "head").flesh = {0.0, head, 0.3 * head};
 }
-
-// Turns joints of the body that it has.
-struct Poser {
-  Draft& draft;
-
-  void turn(const std::string& key, const Vec3& axis, double degrees) const {
-    if (draft.has(key)) {
-      turnBelow(draft.body, key, axisAngle(axis, degrees * pi / 180.0));
-    }
-  }
-  void arms(double down, double forward, double elbow) const {
-    for (const std::string& side : bothSides) {
-      const double sign = signOf(side);
-      turn("foreArm" + side, Vec3(0, 1, 0), -sign * elbow);
-      turn("upperArm" + side, Vec3(0, 1, 0), -sign * forward);
-      turn("upperArm" + side, Vec3(0, 0, 1), -sign * down);
-    }
-  }
-  void legs(double thigh, double shin, double foot) const {
-    for (const std::string& side : bothSides) {
-      turn("foot" + side, Vec3(1, 0, 0), foot);
-      turn("shin" + side, Vec3(1, 0, 0), shin);
-      turn("thigh" + side, Vec3(1, 0, 0), thigh);
-    }
-  }
-};
 
 std::string drawPose(Draft& draft) {
   Row& row = draft.row;
@@ -441,51 +378,6 @@ const std::vector<Family> families{{"plain", upright},
                                    {"horns and beard", horns},
                                    {"several at once", twoTraits, false}};
 
-BodyOptions drawOptions(Row& row) {
-  BodyOptions options;
-  options.spineJoints = static_cast<int>(row.once(5) ? row.below(2) : 2 + row.below(4));
-  options.neckJoints = row.once(4) ? static_cast<int>(row.below(2)) * 2 : 1;
-  options.clavicles = !row.once(4);
-  options.hands = !row.once(8);
-  options.feet = !row.once(10);
-  options.toes = options.feet && !row.once(3);
-  options.fingers = options.hands && row.once(2);
-  return options;
-}
-
-void wantLimbs(Draft& draft, const BodyOptions& options) {
-  draft.absent.emplace_back("tail");
-  for (const std::string& side : bothSides) {
-    draft.wanted[idOf(side, "arm")] = {"upperArm" + side, "foreArm" + side,
-                                       options.hands ? "hand" + side : "estimated"};
-    draft.wanted[idOf(side, "leg")] = {"thigh" + side, "shin" + side,
-                                       options.feet ? "foot" + side : "estimated"};
-  }
-  if (options.spineJoints > 0) {
-    const std::string last = "spine" + std::to_string(options.spineJoints - 1);
-    draft.wanted["spine"] = {"spine0", "", last + "|neck0|head|estimated"};
-  }
-  if (options.neckJoints > 0) {
-    draft.wanted["neck"] = {"neck0", "", "head"};
-  } else {
-    draft.absent.emplace_back("neck");
-  }
-}
-
-// What the meshes of the last joints reach.
-void giveFlesh(Draft& draft, const BodyOptions& options) {
-  for (SyntheticJoint& joint : draft.body.joints) {
-    const std::string stem = joint.key.substr(0, joint.key.find('.'));
-    joint.flesh = stem == "foot" && !options.toes       ? Vec3(0, -0.06, 0.16)
-                  : stem == "foot"                      ? Vec3(0, -0.06, -0.04)
-                  : stem == "toe"                       ? Vec3(0, -0.01, 0.08)
-                  : stem == "shin" && !options.feet     ? Vec3(0, -0.42, 0.02)
-                  : stem == "foreArm" && !options.hands ? Vec3(joint.position.x > 0 ? 0.28 : -0.28, 0, 0)
-                  : stem == "hand" && !options.fingers  ? Vec3(joint.position.x > 0 ? 0.14 : -0.14, 0, 0)
-                                                        : Vec3(0.0);
-  }
-}
-
 FamilyRig drawRig(const Family& family, Row& row) {
   const BodyOptions options = drawOptions(row);
   Draft draft{makeBody(options), row};
@@ -541,45 +433,6 @@ FamilyRig drawRig(const Family& family, Row& row) {
   return {family.title, title, "biped", std::move(body), std::move(draft.wanted), std::move(draft.absent)};
 }
 
-// Turns trunk, arms and legs as in the middle of an action, each side by itself.
-std::string drawAction(Draft& draft) {
-  Row& row = draft.row;
-  const Poser poser{draft};
-  const Vec3 x(1, 0, 0);
-  const Vec3 y(0, 1, 0);
-  const Vec3 z(0, 0, 1);
-  for (const std::string& side : bothSides) {
-    const double sign = signOf(side);
-    poser.turn("hand" + side, x, row.around(50));
-    poser.turn("foreArm" + side, y, -sign * row.between(0, 140));
-    poser.turn("upperArm" + side, y, -sign * row.between(-40, 120));
-    poser.turn("upperArm" + side, z, -sign * row.between(-70, 85));
-    poser.turn("clavicle" + side, z, sign * row.between(-10, 25));
-    poser.turn("foot" + side, x, row.between(-20, 40));
-    poser.turn("shin" + side, x, row.between(0, 130));
-    poser.turn("thigh" + side, z, sign * row.between(-10, 45));
-    poser.turn("thigh" + side, x, row.between(-110, 35));
-  }
-  const double bend = row.between(-20, 75);
-  const double aside = row.around(50);
-  const double twist = row.around(60);
-  const int joints = draft.has("spine2") ? 3 : draft.has("spine1") ? 2 : 1;
-  for (int i = joints - 1; i >= 0; --i) {
-    const std::string key = fmt::format("spine{}", i);
-    poser.turn(key, x, bend / joints);
-    poser.turn(key, z, aside / joints);
-    poser.turn(key, y, twist / joints);
-  }
-  poser.turn("neck0", y, row.around(40));
-  poser.turn("neck0", x, row.around(30));
-  const double lean = row.between(-20, 50);
-  const double yaw = row.once(2) ? row.around(60) : 0.0;
-  poser.turn("hips", x, lean);
-  poser.turn("hips", y, yaw);
-  return fmt::format("bent {:.0f}, aside {:.0f}, twisted {:.0f}, leaning {:.0f}, yaw {:.0f}", bend, aside,
-                     twist, lean, yaw);
-}
-
 // A rig with its program's own names and helpers, of any proportions in any pose.
 FamilyRig drawWhole(const WholeRig& rig, Row& row) {
   BodyOptions options = optionsOf(rig);
@@ -616,32 +469,6 @@ std::vector<FamilyRig> wholeBipeds(int each) {
       rigs.push_back(drawWhole(rig, row));
     }
   }
-  return rigs;
-}
-
-std::vector<FamilyRig> bipedsInAction(int each) {
-  std::vector<FamilyRig> rigs;
-  Row row(1871);
-  for (int i = 0; i < each; ++i) {
-    const BodyOptions options = drawOptions(row);
-    Draft draft{makeBody(options), row};
-    wantLimbs(draft, options);
-    giveFlesh(draft, options);
-    const std::string pose = drawAction(draft);
-    standOn(draft.body, 0.0);
-    const DrawnNames names = drawNames(draft.body, row);
-    draft.body.tubes = true;
-    draft.body.withMesh = !options.hands || !options.feet || !row.once(8);
-    rigs.push_back(
-        {names.tell ? "in the middle of an action, named" : "in the middle of an action, without names",
-         fmt::format("{}, {}, spine {}, neck {}{}{}{}{}{}", names.title, pose, options.spineJoints,
-                     options.neckJoints, options.clavicles ? "" : ", no clavicles",
-                     options.hands ? "" : ", no hands",
-                     options.feet ? options.toes ? "" : ", no toes" : ", no feet",
-                     options.fingers ? ", fingers" : "", draft.body.withMesh ? "" : ", no mesh"),
-         "biped", std::move(draft.body), std::move(draft.wanted), std::move(draft.absent)});
-  }
-  std::ranges::stable_sort(rigs, {}, &FamilyRig::family);
   return rigs;
 }
 
