@@ -71,7 +71,30 @@ double combine(double nameShare, double shape) {
   return 1.0 - (1.0 - 0.9 * nameShare) * (1.0 - 0.7 * shape);
 }
 
-double confidenceOf(const BodyView& view, const LimbGuess& guess, const LimbPair& pair, const Sides& sides) {
+// Whether names call joints elsewhere the rest of a limb of one bone: all hang side by side in the file.
+bool isCutShort(const Scene& scene, const BodyView& view, const LimbGuess& guess, Region region) {
+  if (guess.middle >= 0) {
+    return false;
+  }
+  constexpr double clear = 0.8;
+  const NodeIndex base = view.nodes[static_cast<std::size_t>(guess.base)];
+  return std::ranges::any_of(skinJoints(scene), [&](NodeIndex joint) {
+    const NameEvidence name = readName(scene.nodes[at(joint)].name);
+    return name.role(region == Region::arm ? Role::foreArm : Role::shin) >= clear &&
+           name.side == namedSide(view, guess) && !isAncestorOrSelf(scene, base, joint);
+  });
+}
+
+// Whether two limbs are far from equally long, which no pose makes them.
+bool areUnequal(const LimbPair& pair) {
+  constexpr double most = 1.3;
+  return pair.negative && pair.positive &&
+         std::max(pair.negative->length, pair.positive->length) >
+             most * std::min(pair.negative->length, pair.positive->length);
+}
+
+double confidenceOf(const Scene& scene, const BodyView& view, const LimbGuess& guess, const LimbPair& pair,
+                    Region region, const Sides& sides) {
   // Three joints well named, or the one or two that the limb has.
   const double fullNameFit = guess.middle < 0 ? 0.9 : guess.end < 0 ? 1.7 : 2.6;
   const double names = std::clamp(guess.nameFit / fullNameFit, 0.0, 1.0);
@@ -83,15 +106,17 @@ double confidenceOf(const BodyView& view, const LimbGuess& guess, const LimbPair
       alike ? std::min(pair.negative->shapePenalty, pair.positive->shapePenalty) : guess.shapePenalty;
   const double shape = std::exp(-0.6 * std::max(0.0, penalty)) * mirror;
   constexpr double contradictedShare = 0.75;
-  constexpr double heldShare = 0.45; // at most, of a limb that ends at a thing instead of a hand or foot
+  // At most, of a limb that ends at a thing instead of a hand or foot, or before it.
+  constexpr double doubtedShare = 0.45;
   const bool endsAtThing = guess.end >= 0 && (view.name(guess.end).accessory || view.name(guess.end).twist);
-  const double most = endsAtThing ? heldShare : 1.0;
+  const double most =
+      endsAtThing || isCutShort(scene, view, guess, region) || areUnequal(pair) ? doubtedShare : 1.0;
   return std::min(most, combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) *
                             (0.85 + 0.15 * sides.certainty) * (sides.contradicted ? contradictedShare : 1.0));
 }
 
 std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, const LimbGuess& guess,
-                                   const LimbPair& pair, const Sides& sides) {
+                                   const LimbPair& pair, Region region, const Sides& sides) {
   std::vector<int> joints{guess.base};
   for (const int joint : {guess.middle, guess.end}) {
     if (joint >= 0) {
@@ -112,7 +137,12 @@ std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, con
     reasons.emplace_back("no counterpart on the other side");
   }
   reasons.push_back(sides.reason);
-  if (guess.end < 0) {
+  if (areUnequal(pair)) {
+    reasons.emplace_back("far from as long as the limb on the other side");
+  }
+  if (isCutShort(scene, view, guess, region)) {
+    reasons.emplace_back("joints that names call the rest of it hang elsewhere");
+  } else if (guess.end < 0) {
     const std::optional<EstimatedEnd> end = estimateEnd(view, guess.middle >= 0 ? guess.middle : guess.base);
     reasons.emplace_back(end && end->fromPalms
                              ? "no end joint: estimated from the palm joints"
@@ -285,8 +315,8 @@ std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const
                                              : LimbEnd{NodeIndex::none, (*guess)->endPosition};
       limbs.push_back(makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess, mirrored)), end,
                                bindPose.worlds));
-      limbs.back().confidence = confidenceOf(view, **guess, *pair, sides);
-      limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, sides);
+      limbs.back().confidence = confidenceOf(scene, view, **guess, *pair, region, sides);
+      limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, region, sides);
     }
   }
   return limbs;

@@ -166,6 +166,52 @@ TEST_CASE("Where one leg bends at a joint more than the other stands, both have 
   CHECK(describe(built, read, biped::rightLeg) == "thigh.r shin.r horselink.r -> foot.r");
 }
 
+TEST_CASE("Limbs whose joints hang side by side in the file are doubted, and say why") {
+  SyntheticBiped body = makeNamedBody("Unreal");
+  body.tubes = true;
+  const auto confidences = [&] {
+    const Body read = detectBody(build(body).scene);
+    std::vector<double> found;
+    for (const LimbPlace& place : {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg}) {
+      const Limb* const limb = limbAt(read.limbs, place);
+      REQUIRE(limb != nullptr);
+      const bool saysWhy =
+          std::ranges::count(limb->reasons,
+                             std::string("joints that names call the rest of it hang elsewhere")) == 1;
+      CHECK(saysWhy == (limb->confidence < 0.5));
+      found.push_back(limb->confidence);
+    }
+    return found;
+  };
+  CHECK(std::ranges::min(confidences()) > 0.8);
+  for (const auto& [side, sign] : sides) {
+    for (const std::string stem : {"foreArm", "hand", "shin", "foot"}) {
+      jointOf(body, stem + side).parent.clear();
+    }
+  }
+  CHECK(std::ranges::max(confidences()) < 0.5);
+}
+
+TEST_CASE("A pair of limbs of which one is far longer is doubted, one that differs a little is not") {
+  const double longer = GENERATE(1.2, 1.5);
+  const std::string base = GENERATE("thigh", "upperArm");
+  SyntheticBiped body = makeNamedBody("Unreal");
+  const bool isLeg = base == "thigh";
+  for (const auto& [key, parent] :
+       {std::pair(isLeg ? "foot.l" : "hand.l", isLeg ? "shin.l" : "foreArm.l"),
+        std::pair(isLeg ? "shin.l" : "foreArm.l", isLeg ? "thigh.l" : "upperArm.l")}) {
+    moveBelow(body, key, (longer - 1.0) * (jointOf(body, key).position - jointOf(body, parent).position));
+  }
+  const Body read = detectBody(build(body).scene);
+  const bool isDoubted = longer > 1.3;
+  const Limb& left = *limbAt(read.limbs, isLeg ? biped::leftLeg : biped::leftArm);
+  const Limb& right = *limbAt(read.limbs, isLeg ? biped::rightLeg : biped::rightArm);
+  CHECK((left.confidence < 0.5) == isDoubted);
+  CHECK((right.confidence < 0.5) == isDoubted);
+  CHECK(std::ranges::count(left.reasons, std::string("far from as long as the limb on the other side")) ==
+        (isDoubted ? 1 : 0));
+}
+
 TEST_CASE("A person who bends to one side has both arms, though both begin on that side") {
   const std::string scheme = GENERATE("Unreal", "Mixamo");
   const double angle = GENERATE(-1.0, 0.7, 0.9, 1.1);
