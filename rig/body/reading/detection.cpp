@@ -254,6 +254,7 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
   if (fits) {
     const bool lies = mayLie(scene, bindPose, *reading);
     const bool isPerson = mayBePerson(scene, *reading);
+    const bool hasOtherLegs = hasArmsForLegs(scene, *reading);
     const bool isRow = mayBeNoSerpent(scene, bindPose, *reading);
     takeReading(std::move(*reading), finding);
     if (lies) {
@@ -264,6 +265,8 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
       doubt(result,
             "its arms are called so, and nothing is called a tail: if it is a person who lies or bows, "
             "choose the plan biped");
+    } else if (hasOtherLegs) {
+      doubt(result, "names call its legs arms: if it stands on others, choose another plan");
     } else if (isRow) {
       doubt(result, "a row of joints, and no name tells of what: if it is no serpent, choose another plan");
     }

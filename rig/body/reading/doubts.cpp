@@ -71,6 +71,16 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   return reading.plan->legs == 2 && hasArms && !hasTail;
 }
 
+bool hasArmsForLegs(const Scene& scene, const PlanReading& reading) {
+  constexpr double clear = 0.8;
+  const std::vector<std::string> names = ownNames(scene);
+  return reading.plan->legs == 2 && std::ranges::any_of(reading.limbs, [&](const Limb& limb) {
+           return isLeg(limb) && std::ranges::any_of(limb.joints, [&](NodeIndex joint) {
+                    return readName(names[at(joint)]).role(Role::upperArm) >= clear;
+                  });
+         });
+}
+
 bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson) {
   return std::ranges::any_of(reading.limbs, [&](const Limb& middle) {
     return middle.side == LimbSide::middle && std::ranges::any_of(ofPerson, [&](const Limb& limb) {

@@ -20,6 +20,9 @@ void doubt(Body& result, const std::string& why);
 /// and it has no tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
+/// Whether names call the legs of what stands on two of them arms: its own may not have been found.
+[[nodiscard]] bool hasArmsForLegs(const Scene& scene, const PlanReading& reading);
+
 /// Whether a trunk, neck or tail goes along a joint of an arm, as that of a person may be who crouches with
 /// it held out.
 [[nodiscard]] bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson);

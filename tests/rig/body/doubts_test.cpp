@@ -189,6 +189,18 @@ TEST_CASE("A biped leans as a bird does where its spine is more than 60 degrees 
   CHECK_FALSE(leansAsABird(made.bindPose, made.body, legsReach));
 }
 
+TEST_CASE("What stands on two legs that names call arms is doubted, a beast on four and its arms are not") {
+  const auto doubted = [](const char* plan, const char* joint, const LimbPlace& place) {
+    DoubtedBody made;
+    made.addStraight(place, {"Bone_x", joint, "Thing_z"}, Vec3(0.1, 1.0, 0.0), Vec3(0.0, -1.0, 0.0));
+    return hasArmsForLegs(made.scene, made.as(plan));
+  };
+  CHECK(doubted("bird", "UpperArm.L", biped::leftLeg));
+  CHECK_FALSE(doubted("bird", "Joint_y", biped::leftLeg));
+  CHECK_FALSE(doubted("bird", "UpperArm.L", biped::leftArm));
+  CHECK_FALSE(doubted("quadruped", "UpperArm.L", biped::leftLeg));
+}
+
 TEST_CASE("A bird with upper arms may be a person, but for one with a tail that is called so or long") {
   const auto mayBe = [](const char* plan, const char* upperArm, const char* tailJoint, double tailLength) {
     DoubtedBody made;
