@@ -112,13 +112,15 @@ std::string shownName(const fs::path& path) {
 fs::path nextIncrement(const fs::path& path) {
   std::string stem = path.stem().string();
   const std::size_t dash = stem.rfind('-');
-  const bool numbered = dash != std::string::npos && dash + 1 < stem.size() &&
-                        std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(dash) + 1, stem.end(),
-                                    [](unsigned char c) { return std::isdigit(c) != 0; });
+  constexpr std::size_t mostDigits = 6;
+  const std::string digits = dash == std::string::npos ? std::string() : stem.substr(dash + 1);
+  const bool numbered = !digits.empty() && digits.size() <= mostDigits &&
+                        std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c) != 0; });
   stem = numbered ? stem.substr(0, dash) : stem;
+  const int own = numbered ? std::stoi(digits) : 0;
   fs::path next = path;
   std::error_code ignored;
-  for (int number = 1; number < 100000; ++number) {
+  for (int number = own + 1; number < own + 100000; ++number) {
     next.replace_filename(fmt::format("{}-{:03}{}", stem, number, path.extension().string()));
     if (!fs::exists(next, ignored)) {
       break;

@@ -180,7 +180,7 @@ private:
 /// The name to show, of a folder with a slash at its end too.
 [[nodiscard]] std::string shownName(const std::filesystem::path& path);
 
-/// "punch-002.glb" after "punch.glb" and "punch-001.glb": the first free number.
+/// "punch-002.glb" after "punch.glb" and "punch-001.glb": the first free number above the name's own.
 [[nodiscard]] std::filesystem::path nextIncrement(const std::filesystem::path& path);
 
 } // namespace stretch::app

@@ -411,6 +411,9 @@ TEST_CASE("Save incremental takes the next free number") {
   CHECK(nextIncrement(file).filename() == "punch-002.glb");
   CHECK(nextIncrement(folder.path() / "punch-001.glb").filename() == "punch-002.glb");
   CHECK(nextIncrement(folder.path() / "one-two.glb").filename() == "one-two-001.glb");
+  CHECK(nextIncrement(folder.path() / "punch-008.glb").filename() == "punch-009.glb"); // not one of before
+  CHECK(nextIncrement(folder.path() / "jump-360.glb").filename() == "jump-361.glb");
+  CHECK(nextIncrement(folder.path() / "take-20261130.glb").filename() == "take-20261130-001.glb");
 }
 
 TEST_CASE("Unsaved work that cannot be taken up stays where it is, and what is left out of it is told") {
