@@ -110,8 +110,7 @@ bool belongTogether(const BodyView& view, const LimbGuess& one, const LimbGuess&
   constexpr double alike = 0.02; // of a limb
   const Side side = namedSide(view, one);
   const Side opposite = side == Side::left ? Side::right : side == Side::right ? Side::left : Side::none;
-  if (one.lateral * other.lateral <= 0.0 || namedSide(view, other) != opposite ||
-      structurePenalty(view, one, other) > 0.0) {
+  if (namedSide(view, other) != opposite || structurePenalty(view, one, other) > 0.0) {
     return false;
   }
   const auto areCalledAlike = [&](int joint, int counterpart) {

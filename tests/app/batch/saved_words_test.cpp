@@ -1,4 +1,5 @@
 // What the verbs that write tell in words of the form of what was saved, as they tell it in numbers.
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,19 @@ TEST_CASE("What corners make of a stretch, and how far off its fit is, is told i
                         form["fitted_vertices"].get<int>(), miss["median"].get<double>(),
                         miss["percentile_99"].get<double>(), miss["worst"].get<double>())));
   CHECK_THAT(words, !Catch::Contains("keep their thickness"));
+}
+
+TEST_CASE("Each warning about one of all clips begins with the clip's name") {
+  const test::TemporaryFolder folder;
+  const test::VerbAnswer answer =
+      test::runVerb({"exaggerate", test::posedCharacter, "-o", (folder / "out.glb").string(), "--all-clips",
+                     "--limb", "left-arm", "--scale", "4"});
+  REQUIRE(answer.exitCode == 0);
+  REQUIRE_THAT(answer.told, Catch::Contains("warning: "));
+  std::istringstream lines(answer.told);
+  for (std::string line; std::getline(lines, line);) {
+    CHECK_THAT(line, Catch::StartsWith("warning: Guard: ") || Catch::StartsWith("warning: One-two punch: "));
+  }
 }
 
 TEST_CASE(

@@ -192,6 +192,21 @@ TEST_CASE("Limbs whose joints hang side by side in the file are doubted, and say
   CHECK(std::ranges::max(confidences()) < 0.5);
 }
 
+TEST_CASE("An arm of one bone is none that is cut short where the other arm alone has a forearm") {
+  SyntheticBiped body = makeNamedBody("Unreal", {.fingers = false});
+  body.tubes = true;
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key == "hand.l" || joint.key == "foreArm.l";
+  });
+  jointOf(body, "upperArm.l").flesh = {0.4, 0.0, 0.0};
+  const Body read = detectBody(build(body).scene);
+  const Limb* const arm = limbAt(read.limbs, biped::leftArm);
+  REQUIRE(arm != nullptr);
+  REQUIRE(arm->joints.size() == 1);
+  CHECK(std::ranges::count(arm->reasons,
+                           std::string("joints that names call the rest of it hang elsewhere")) == 0);
+}
+
 TEST_CASE("A pair of limbs of which one is far longer is doubted, one that differs a little is not") {
   const double longer = GENERATE(1.2, 1.5);
   const std::string base = GENERATE("thigh", "upperArm");
