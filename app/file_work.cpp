@@ -112,7 +112,7 @@ std::string shownName(const fs::path& path) {
 fs::path nextIncrement(const fs::path& path) {
   std::string stem = path.stem().string();
   const std::size_t dash = stem.rfind('-');
-  constexpr std::size_t mostDigits = 6;
+  constexpr std::size_t mostDigits = 6; // a longer one is a date
   const std::string digits = dash == std::string::npos ? std::string() : stem.substr(dash + 1);
   const bool numbered = !digits.empty() && digits.size() <= mostDigits &&
                         std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c) != 0; });

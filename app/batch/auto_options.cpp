@@ -129,7 +129,7 @@ void printClip(const Json& clip) {
     printWarnings(trail["warnings"], clip["clip"].get<std::string>());
   }
   if (clip.contains("elastic")) {
-    printWeight(clip["elastic"]);
+    printWeight(clip["elastic"], clip["clip"].get<std::string>());
   }
 }
 

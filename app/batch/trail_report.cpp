@@ -192,7 +192,7 @@ void printExaggeration(const Json& report, const std::string& clip) {
     printPoseReport(report);
   }
   if (report.contains("elastic")) {
-    printWeight(report["elastic"]);
+    printWeight(report["elastic"], clip);
   }
   if (report.contains("warnings")) {
     printWarnings(report["warnings"]);
@@ -243,13 +243,13 @@ gltf::Json weightJson(const Document& document, int clip, EvaluationCache& cache
   return limbs;
 }
 
-void printWeight(const gltf::Json& limbs) {
+void printWeight(const gltf::Json& limbs, const std::string& clip) {
   for (const gltf::Json& limb : limbs) {
     fmt::print("{}: {:.3g} to {:.3g} times its length (frames {:.4g} and {:.4g}), modulus {:.3g} Pa\n",
                limb["limb"].get<std::string>(), limb["shortest"].get<double>(), limb["longest"].get<double>(),
                limb["shortest_frame"].get<double>(), limb["longest_frame"].get<double>(),
                limb["young"].get<double>());
-    printWarnings(limb["warnings"]);
+    printWarnings(limb["warnings"], clip);
   }
 }
 

@@ -20,8 +20,8 @@ class EvaluationCache;
 /// (limbPops) on its way there or back.
 void addFlips(const Document& document, int clip, const std::vector<int>& ids, gltf::Json& report);
 
-/// Prints the outcome as lines of text; warnings on standard error. `clip`: its name before each of them,
-/// where there are several; empty: none.
+/// Prints the outcome as lines of text; warnings on standard error, behind the clip's name where one is
+/// given.
 void printExaggeration(const gltf::Json& report, const std::string& clip = {});
 
 /// The files that were added to the document, each with the node that carries its thing.
@@ -40,6 +40,6 @@ void printWarnings(const gltf::Json& warnings, const std::string& clip = {});
 [[nodiscard]] gltf::Json weightJson(const Document& document, int clip, EvaluationCache& cache);
 
 /// Prints it as lines of text; warnings on standard error.
-void printWeight(const gltf::Json& limbs);
+void printWeight(const gltf::Json& limbs, const std::string& clip = {});
 
 } // namespace stretch::app

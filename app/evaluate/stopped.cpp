@@ -69,11 +69,11 @@ std::string keptFromLength(const Document& document, const rig::MotionState& mot
   if (isStoppedAtTip(document, motion, solved)) {
     return stoppedOnTheWay;
   }
-  const bool isShared = std::ranges::any_of(motion.trails, [&](const rig::SolvedTrail& other) {
-    return other.active && other.trail.id != solved.trail.id && other.limb.id == solved.limb.id &&
-           other.windowStartSeconds <= solved.tipSeconds && solved.tipSeconds <= other.windowEndSeconds;
-  });
-  return isShared ? "shared with another trail of the limb" : "";
+  rig::MotionState alone = motion;
+  for (rig::SolvedTrail& other : alone.trails) {
+    other.active = other.active && (other.limb.id != solved.limb.id || other.trail.id == solved.trail.id);
+  }
+  return hasWantedLength(document, alone, solved) ? "shared with another trail of the limb" : "";
 }
 
 std::string keptBySettings(const rig::SolvedTrail& solved) {

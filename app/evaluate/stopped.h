@@ -18,9 +18,8 @@ namespace stretch::app {
 
 inline constexpr const char* stoppedOnTheWay = "stopped on the way";
 
-/// Names what keeps a limb from that length though its path reaches it: stoppedOnTheWay, "held by a grip" or
-/// another trail of it.
-/// Empty where nothing does.
+/// Names what keeps a limb from that length though its path reaches it: stoppedOnTheWay, "held by a grip", or
+/// "shared with another trail of the limb". Empty where nothing does.
 [[nodiscard]] std::string keptFromLength(const Document& document, const rig::MotionState& motion,
                                          const rig::SolvedTrail& solved);
 

@@ -108,15 +108,17 @@ bool isDetached(const LimbTopology& topology, std::size_t bone) {
   return bone > 0 && topology.bones[bone - 1].pathNodes.empty();
 }
 
-// Whether a linear map keeps angles and ratios of lengths, but for a thousandth.
-bool isEven(const Mat3& map) {
-  constexpr double least = 2e-3; // of squares
-  const double size = glm::dot(map[0], map[0]);
-  const double uneven =
-      std::max(std::abs(glm::dot(map[1], map[1]) - size), std::abs(glm::dot(map[2], map[2]) - size));
+// Whether a linear map changes angles or ratios of lengths by more than a thousandth. One that makes a body
+// all but flat does not count: no turn of a joint makes up for that.
+bool isUneven(const Mat3& map) {
+  constexpr double unseen = 2e-3; // of squares
+  constexpr double flat = 0.0025; // of squares: a twentieth
+  const Vec3 squares(glm::dot(map[0], map[0]), glm::dot(map[1], map[1]), glm::dot(map[2], map[2]));
+  const double most = std::max({squares.x, squares.y, squares.z});
+  const double least = std::min({squares.x, squares.y, squares.z});
   const double sheared = std::max({std::abs(glm::dot(map[0], map[1])), std::abs(glm::dot(map[1], map[2])),
                                    std::abs(glm::dot(map[2], map[0]))});
-  return std::max(uneven, sheared) <= least * size;
+  return least > flat * most && std::max(most - least, sheared) > unseen * most;
 }
 
 // Under an uneven scale a turn in the world is no turn of the joint: brings the bone, `offset` in the joint's
@@ -131,7 +133,19 @@ double pointBone(PoseWriter& writer, NodeIndex joint, const Vec3& offset, const 
   return glm::length(now) > 0.0 ? glm::length(wanted) / glm::length(now) : 1.0;
 }
 
-constexpr double unseenStretch = 1e-9;
+// Stretches a bone that was turned; below an uneven scale it is turned on, and comes to its length there.
+// `boneWorld`: from its joint to the next one, before.
+void stretchPosed(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Vec3& boneWorld,
+                  const Vec3& wantedWorld, double stretch, double volume) {
+  constexpr double unseen = 1e-9; // of the bone
+  const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * boneWorld;
+  if (isUneven(Mat3(writer.parentWorld(bone.joint)))) {
+    stretch = pointBone(writer, bone.joint, offset, wantedWorld);
+  }
+  if (glm::length(offset) > 0.0 && std::abs(stretch - 1.0) > unseen) {
+    stretchBone(writer, scene, bone, boneStretch(glm::normalize(offset), stretch, volume));
+  }
+}
 
 // What hangs on the limb, wherever its joints hang.
 void refreshLimb(PoseWriter& writer, const Limb& limb, const LimbTopology& topology) {
@@ -204,7 +218,7 @@ LimbPose poseToLead(const Limb& limb, const LimbShape& shape, const FrameState& 
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
   PoseWriter writer(scene, frame);
-  // Asked for where a bone is stretched or hangs elsewhere alone.
+  // Asked for where a bone is stretched, hangs elsewhere or is below an uneven scale alone.
   const Vec3 end = endPosition(limb, frame.worlds);
   const auto pointBefore = [&](std::size_t point) {
     return point < limb.joints.size() ? positionOf(writer.worldBefore(limb.joints[point])) : end;
@@ -220,7 +234,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   for (std::size_t i = isLed ? 1 : 0; i < topology.bones.size(); ++i) {
     const BoneTopology& bone = topology.bones[i];
     const bool isPlaced = isDetached(topology, i) || (isLed && i == 1);
-    // A joint that turns exactly as its parent bone does keeps its local rotation.
+    // A joint that turns exactly as its parent bone does keeps its local rotation, if it can.
     if (i == 0 || isPlaced || shape.turns[i] != shape.turns[i - 1]) {
       writer.turnInWorld(bone.joint, shape.turns[i]);
     }
@@ -233,16 +247,10 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(bone.joint, pointBefore(0) + shape.baseMove);
     }
     writer.refresh(bone.joint);
-    const bool isUneven = !isPlaced && !isEven(Mat3(writer.parentWorld(bone.joint)));
-    if (shape.stretches[i] != 1.0 || isUneven) {
+    if (shape.stretches[i] != 1.0 || isUneven(Mat3(writer.parentWorld(bone.joint)))) {
       const Vec3 boneWorld = pointBefore(i + 1) - pointBefore(i);
-      const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * boneWorld;
-      const Vec3 wantedWorld = shape.stretches[i] * (shape.turns[i] * boneWorld);
-      const double length =
-          isUneven ? pointBone(writer, bone.joint, offset, wantedWorld) : shape.stretches[i];
-      if (glm::length(offset) > 0.0 && std::abs(length - 1.0) > unseenStretch) {
-        stretchBone(writer, scene, bone, boneStretch(glm::normalize(offset), length, options.volume));
-      }
+      stretchPosed(writer, scene, bone, boneWorld, shape.stretches[i] * (shape.turns[i] * boneWorld),
+                   shape.stretches[i], options.volume);
     }
     refreshBetween(writer, bone);
   }

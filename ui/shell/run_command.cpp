@@ -228,15 +228,15 @@ void runCommand(Shell& shell, std::string_view commandId) {
     return;
   }
   finishWhatIsDragged(shell);
-  if (shell.ui.time.timeline.playing) {
-    snapPlayhead(shell);
-  }
   if (!command->enabled(shell)) {
     // Enter that came too late for a refused tool says nothing new.
     if (commandId != command::trailApply || !isRefusalShown(shell)) {
       refuse(shell, command->label + ": " + reasonOf(shell, *command));
     }
     return;
+  }
+  if (shell.ui.time.timeline.playing && !commandId.starts_with("view.")) {
+    snapPlayhead(shell);
   }
   const std::string undone = undoneText(shell, commandId);
   const std::vector<int> applied = trailsToApply(shell, commandId);

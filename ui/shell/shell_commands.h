@@ -27,7 +27,7 @@ namespace stretch::ui {
 void finishWhatIsDragged(Shell& shell);
 
 /// Runs a command by its id; what went wrong is told in a toast. While the clip plays it is run at the whole
-/// frame that is nearest.
+/// frame that is nearest, if snapping is on and it does more than look.
 void runCommand(Shell& shell, std::string_view commandId);
 
 /// Tells what of the document before stood where new things are now, and made room for them.

@@ -168,17 +168,14 @@ private:
   std::map<std::size_t, std::vector<WrittenSet>> written_; // by accessor of the positions
 };
 
-} // namespace
-
-// Weights that nothing names any more are emptied, so that no reader finds fault with them: zeros, without
-// data.
 // Marks all that an extension may name: every whole number in it.
 void markNumbers(const Json& json, std::set<int>& numbers) {
   if (json.is_number_integer()) {
     numbers.insert(json.get<int>());
-  }
-  for (const Json& part : json.is_structured() ? json : Json::array()) {
-    markNumbers(part, numbers);
+  } else if (json.is_structured()) {
+    for (const Json& part : json) {
+      markNumbers(part, numbers);
+    }
   }
 }
 
@@ -195,6 +192,8 @@ std::set<int> namedByExtensions(const Json& json) {
   return numbers;
 }
 
+// Weights that nothing names any more are emptied, so that no reader finds fault with them: zeros, without
+// data.
 void emptyUnusedWeights(std::set<int> before, Journal& journal) {
   const std::vector<bool> used = usedAccessors(journal.json());
   std::erase_if(before, [named = namedByExtensions(journal.json())](int one) { return named.contains(one); });
@@ -207,6 +206,8 @@ void emptyUnusedWeights(std::set<int> before, Journal& journal) {
     }
   }
 }
+
+} // namespace
 
 void patchBinding(const Edits& edits, Journal& journal, AppendedData& data) {
   for (const AddedSkin& skin : edits.addedSkins) {

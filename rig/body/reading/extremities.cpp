@@ -162,7 +162,8 @@ private:
     for (const int joint : deepestFirst_) {
       const Side side = view_.name(joint).side;
       const Side other = side == Side::left ? Side::right : Side::left;
-      if (side != Side::none && hasLeft[index(joint)] != hasRight[index(joint)] &&
+      if (side != Side::none && !view_.name(joint).key.empty() &&
+          hasLeft[index(joint)] != hasRight[index(joint)] &&
           called.contains({view_.name(joint).key, other})) {
         sided_[index(joint)] = true;
         sideSum_[index(joint)] = std::copysign(1.0, leftIsPositive) * (side == Side::left ? 1.0 : -1.0);
@@ -393,8 +394,16 @@ private:
       sum += glm::distance(plane_.mirrored(pointAlong(a, share)), pointAlong(b, share)) / 4.0;
     }
     const double apart = a.attach == b.attach ? 0.0 : 0.02;
-    const double error = sum / size + apart;
-    return areCalledAlike(a, b) ? std::min(error, calledAlikeError) : error;
+    return sum / size + apart;
+  }
+
+  // As mirrorError, but for rows as long as each other that names call left and right.
+  [[nodiscard]] double pairError(const Extremity& a, const Extremity& b) const {
+    constexpr double longer = 1.3;
+    const double error = mirrorError(a, b);
+    const bool areAlike =
+        areCalledAlike(a, b) && std::max(a.length, b.length) < longer * std::min(a.length, b.length);
+    return areAlike ? std::min(error, calledAlikeError) : error;
   }
 
   // Whether names call the first joints of two rows left and right, and alike but for that.
@@ -418,7 +427,7 @@ private:
     std::vector<Match> matches;
     for (std::size_t a = 0; a < negative.size(); ++a) {
       for (std::size_t b = 0; b < positive.size(); ++b) {
-        const double error = mirrorError(negative[a], positive[b]);
+        const double error = pairError(negative[a], positive[b]);
         if (error < mostError) {
           matches.push_back({error, a, b});
         }
@@ -443,14 +452,16 @@ private:
   void evenOut(ExtremityPair& pair) const {
     Extremity& longer = pair.negative.path.size() > pair.positive.path.size() ? pair.negative : pair.positive;
     const Extremity& other = &longer == &pair.negative ? pair.positive : pair.negative;
+    double before = mirrorError(pair.negative, pair.positive);
     while (longer.path.size() > std::max<std::size_t>(other.path.size(), 2)) {
       Extremity shorter = extremityOf({longer.path.begin() + 1, longer.path.end()}, longer.attach);
       const double error = mirrorError(shorter, other);
-      if (error >= pair.mirrorError) {
+      if (error >= before) {
         break;
       }
       longer = std::move(shorter);
-      pair.mirrorError = error;
+      before = error;
+      pair.mirrorError = std::min(pair.mirrorError, error);
     }
   }
 

@@ -39,7 +39,9 @@ std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess, const Li
   std::vector<int> joints{guess.base};
   const auto extend = [&](const std::vector<int>& path, const std::vector<int>& other) {
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      if (bends(view, path, i) || (other.size() == path.size() && bends(view, other, i))) {
+      const bool isMirrored =
+          other.size() == path.size() && !view.name(path[i]).twist && bends(view, other, i);
+      if (bends(view, path, i) || isMirrored) {
         joints.push_back(path[i]);
       }
     }
