@@ -133,17 +133,23 @@ double pointBone(PoseWriter& writer, NodeIndex joint, const Vec3& offset, const 
   return glm::length(now) > 0.0 ? glm::length(wanted) / glm::length(now) : 1.0;
 }
 
+// What a pose makes of a bone.
+struct PosedBone {
+  Vec3 before{0.0}; // from its joint to the next one, world
+  Quat turn{1.0, 0.0, 0.0, 0.0};
+  double stretch = 1.0;
+};
+
 // Stretches a bone that was turned; below an uneven scale it is turned on, and comes to its length there.
-// `boneWorld`: from its joint to the next one, before.
-void stretchPosed(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Vec3& boneWorld,
-                  const Vec3& wantedWorld, double stretch, double volume) {
+void stretchPosed(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, PosedBone posed,
+                  double volume) {
   constexpr double unseen = 1e-9; // of the bone
-  const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * boneWorld;
+  const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * posed.before;
   if (isUneven(Mat3(writer.parentWorld(bone.joint)))) {
-    stretch = pointBone(writer, bone.joint, offset, wantedWorld);
+    posed.stretch = pointBone(writer, bone.joint, offset, posed.stretch * (posed.turn * posed.before));
   }
-  if (glm::length(offset) > 0.0 && std::abs(stretch - 1.0) > unseen) {
-    stretchBone(writer, scene, bone, boneStretch(glm::normalize(offset), stretch, volume));
+  if (glm::length(offset) > 0.0 && std::abs(posed.stretch - 1.0) > unseen) {
+    stretchBone(writer, scene, bone, boneStretch(glm::normalize(offset), posed.stretch, volume));
   }
 }
 
@@ -248,9 +254,8 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     }
     writer.refresh(bone.joint);
     if (shape.stretches[i] != 1.0 || isUneven(Mat3(writer.parentWorld(bone.joint)))) {
-      const Vec3 boneWorld = pointBefore(i + 1) - pointBefore(i);
-      stretchPosed(writer, scene, bone, boneWorld, shape.stretches[i] * (shape.turns[i] * boneWorld),
-                   shape.stretches[i], options.volume);
+      stretchPosed(writer, scene, bone,
+                   {pointBefore(i + 1) - pointBefore(i), shape.turns[i], shape.stretches[i]}, options.volume);
     }
     refreshBetween(writer, bone);
   }
