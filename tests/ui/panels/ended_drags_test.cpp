@@ -13,17 +13,20 @@ namespace {
 
 /// A field that is held and was moved: of a character's trail, or of a mesh sequence.
 struct HeldField {
-  explicit HeldField(bool ofSequence) : driver(std::nullopt), isSequence(ofSequence) {
-    const test::Work work{driver.open, driver.ui, driver.status};
-    ofSequence ? test::withSequence(work) : test::withTrail(work);
-    driver.frames(3);
-    before = value();
+  explicit HeldField(bool ofSequence) : driver(std::nullopt), isSequence(ofSequence), before(opened()) {
     driver.moveTo(ofSequence ? "sequence/bones" : "trail/scale");
     driver.pressMouse();
     driver.moveBy(40.0F, 0.0F);
     driver.moveBy(20.0F, 0.0F);
     REQUIRE(value() > before);
     REQUIRE(isDragging());
+  }
+  /// Opens what has the field; its value.
+  [[nodiscard]] double opened() {
+    const test::Work work{driver.open, driver.ui, driver.status};
+    isSequence ? test::withSequence(work) : test::withTrail(work);
+    driver.frames(3);
+    return value();
   }
   [[nodiscard]] double value() {
     return isSequence ? driver.open.sequence()->document().settings.bones
@@ -38,7 +41,7 @@ struct HeldField {
 
   PanelDriver driver;
   bool isSequence;
-  double before = 0.0;
+  double before;
 };
 
 } // namespace
