@@ -13,6 +13,7 @@
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
 #include "core/scene/scene.h"
+#include "rig/body/evidence/joint_nodes.h"
 #include "rig/body/evidence/own_names.h"
 
 namespace stretch::rig::body {
@@ -25,14 +26,9 @@ constexpr int mostForFeet = 800; // joints of a tree in which feet are looked fo
 
 // Nodes of the asked-for kind, before names and weights are looked at.
 std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
-  std::vector<bool> possible(scene.nodes.size(), candidates != Candidates::skinJoints);
-  if (candidates == Candidates::skinJoints) {
-    for (const NodeIndex joint : skinJoints(scene)) {
-      if (joint.exists() && at(joint) < possible.size()) {
-        possible[at(joint)] = true;
-      }
-    }
-  }
+  std::vector<bool> possible = candidates == Candidates::skinJoints
+                                   ? jointNodes(scene, bindPose)
+                                   : std::vector<bool>(scene.nodes.size(), true);
   for (std::size_t i = 0; i < possible.size(); ++i) {
     const Node& node = scene.nodes[i];
     // The mesh itself stands for no bone, unless it says so: on a joint of a skin it changes nothing.

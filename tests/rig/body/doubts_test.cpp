@@ -85,6 +85,7 @@ Limb foundLimb(const LimbPlace& place, double confidence = 1.0) {
 
 bool makeBiped(const std::vector<LimbPlace>& places, double confidence = 1.0) {
   std::vector<Limb> limbs;
+  limbs.reserve(places.size());
   for (const LimbPlace& place : places) {
     limbs.push_back(foundLimb(place, confidence));
   }
