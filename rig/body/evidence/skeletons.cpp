@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include <glm/geometric.hpp>
+
+#include "core/math/bounds.h"
+
 namespace stretch::rig::body {
 
 namespace {
@@ -59,6 +63,35 @@ std::vector<NodeIndex> skeletonsUnder(const Scene& scene, NodeIndex top) {
   std::ranges::copy_if(scene.nodes[at(top)].children, std::back_inserter(tops),
                        [&](NodeIndex child) { return joints.carried[at(child)] >= leastJoints; });
   return joints.largest(std::move(tops));
+}
+
+std::vector<NodeIndex> copiesOf(const Scene& scene, const BindPose& bindPose,
+                                const std::vector<NodeIndex>& own) {
+  constexpr double samePlace = 1e-3; // of how far they reach
+  Bounds bounds;
+  for (const NodeIndex joint : own) {
+    bounds.add(positionOf(bindPose.worlds[at(joint)]));
+  }
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  const auto isTwin = [&](NodeIndex node) {
+    const Vec3 place = positionOf(bindPose.worlds[at(node)]);
+    return std::ranges::any_of(own, [&](NodeIndex joint) {
+      return glm::distance(place, positionOf(bindPose.worlds[at(joint)])) <
+             samePlace * bounds.largestExtent();
+    });
+  };
+  std::vector<NodeIndex> copies;
+  for (const NodeIndex top : skeletonsApart(scene)) {
+    std::vector<NodeIndex> nodes = withSubtrees(scene, {top});
+    std::erase_if(nodes, [&](NodeIndex node) { return !joints.contains(node); });
+    const bool isOwn =
+        std::ranges::any_of(own, [&](NodeIndex joint) { return isAncestorOrSelf(scene, top, joint); });
+    const auto twins = static_cast<std::size_t>(std::ranges::count_if(nodes, isTwin));
+    if (!isOwn && twins > 0 && 2 * twins >= std::min(nodes.size(), own.size())) {
+      copies.push_back(top);
+    }
+  }
+  return copies;
 }
 
 } // namespace stretch::rig::body

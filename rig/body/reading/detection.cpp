@@ -304,6 +304,24 @@ bool addsEnds(const Body& together, const Body& alone) {
   return isSame && adds;
 }
 
+// Whether no vertex follows a skeleton.
+bool isIdle(const Scene& scene, const std::vector<std::vector<Vec3>>& clouds, NodeIndex top) {
+  return std::ranges::all_of(withSubtrees(scene, {top}),
+                             [&](NodeIndex node) { return clouds[at(node)].empty(); });
+}
+
+// Of several skeletons those that vertices follow, if there are any.
+std::vector<NodeIndex> notIdle(const Scene& scene, const BindPose& bindPose,
+                               std::vector<NodeIndex> skeletons) {
+  const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, RigidMeshes::none);
+  const auto rest =
+      std::ranges::stable_partition(skeletons, [&](NodeIndex top) { return !isIdle(scene, clouds, top); });
+  if (rest.begin() != skeletons.begin()) {
+    skeletons.erase(rest.begin(), rest.end());
+  }
+  return skeletons;
+}
+
 // Of several skeletons that are each a body, the one that is read best: limbs of two bodies make none.
 // Nothing where none is a body by itself. `plan`: that alone; empty: any.
 std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bindPose,
@@ -311,6 +329,7 @@ std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bind
   std::vector<NodeIndex> skeletons = skeletonsApart(scene);
   const bool hasOneRoot = skeletons.size() == 1;
   skeletons = hasOneRoot ? skeletonsUnder(scene, skeletons.front()) : std::move(skeletons);
+  skeletons = skeletons.size() > 1 ? notIdle(scene, bindPose, std::move(skeletons)) : skeletons;
   std::vector<Finding> bodies;
   for (const NodeIndex top : skeletons.size() < 2 ? std::vector<NodeIndex>{} : skeletons) {
     Finding finding = findWith(scene, bindPose, Candidates::skinJoints, top);
@@ -443,6 +462,26 @@ void tellGuesses(Body& result) {
   }
 }
 
+// Only one of several skeletons in one place is exaggerated.
+void tellCopies(const Scene& scene, const BindPose& bindPose, Body& result) {
+  std::vector<NodeIndex> joints;
+  for (const Limb& limb : result.limbs) {
+    const std::vector<NodeIndex> own = jointsAndEnd(limb);
+    joints.insert(joints.end(), own.begin(), own.end());
+  }
+  std::vector<NodeIndex> copies = copiesOf(scene, bindPose, joints);
+  if (copies.empty()) {
+    return;
+  }
+  const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, RigidMeshes::none);
+  std::erase_if(copies, [&](NodeIndex top) { return isIdle(scene, clouds, top); });
+  if (!copies.empty()) {
+    result.warnings.push_back(
+        "more than one skeleton in the same place: what follows " + nodeNames(scene, copies) +
+        " does not follow the limbs; let one skeleton move all meshes, or choose its chains");
+  }
+}
+
 void measure(const Scene& scene, const BindPose& bindPose, const Clip* clip, Finding& finding) {
   Body& result = finding.result;
   BodyParts parts{result.hips, {}, finding.bodyUp};
@@ -484,6 +523,7 @@ Body detectBody(const Scene& scene, const Clip* clip) {
     body::tellDoubts(scene, bindPose, finding);
   }
   body::tellGuesses(finding.result);
+  body::tellCopies(scene, bindPose, finding.result);
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }

@@ -24,6 +24,7 @@ struct Attachment {
   double trunkLength = 0.0;
   std::vector<int> limbBases;
   int legJoint = -1; // nearest common ancestor of the legs
+  bool hasBothLegs = false;
   int armJoint = -1;
 };
 
@@ -46,6 +47,7 @@ Attachment attachmentOf(const BodyView& view, const BipedReading& reading) {
     attachment.legBase = meanBase(view, *reading.legs);
     attachment.legLength = lengthOf(*reading.legs);
     attachment.legJoint = meetingJoint(view, *reading.legs);
+    attachment.hasBothLegs = reading.legs->negative && reading.legs->positive;
     attachment.up = attachment.legBase - meanEnd(*reading.legs);
     addBases(attachment.limbBases, *reading.legs);
   }
@@ -171,6 +173,10 @@ private:
 
   void findLandmarks() {
     hips_ = hipsIndex();
+    if (hangsBesideHips()) {
+      hips_ += view_.isAboveOrSelf(chain_[hips_], attachment_.legJoint) ? 1 : 0;
+      chain_.insert(chain_.begin() + static_cast<std::ptrdiff_t>(hips_), attachment_.legJoint);
+    }
     arms_ = armsIndex();
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       namesHead_ = namesHead_ || std::max(role(i, Role::neck), role(i, Role::head)) >= clearName;
@@ -185,19 +191,34 @@ private:
     if (!reading_.legs) {
       return 0;
     }
-    const int meeting =
-        attachment_.legJoint < 0 ? -1 : view_.commonAncestor(attachment_.legJoint, chain_.back());
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
-      const double distance = glm::distance(view_.at(chain_[i]), attachment_.legBase);
-      if (chain_[i] == meeting && distance < 0.35 * attachment_.legLength) {
+      if (isMeeting(i)) {
         return i;
       }
+      const double distance = glm::distance(view_.at(chain_[i]), attachment_.legBase);
       if (distance < glm::distance(view_.at(chain_[nearest]), attachment_.legBase) - 1e-6 * view_.size) {
         nearest = i;
       }
     }
     return nearest;
+  }
+
+  // Whether the trunk hangs from a root, or from nothing, and the legs from hips of their own; those of
+  // another copy of the skeleton stand where its own do.
+  [[nodiscard]] bool hangsBesideHips() const {
+    const int hips = attachment_.legJoint;
+    return attachment_.hasBothLegs && hips >= 0 && !isMeeting(hips_) &&
+           !view_.isAboveOrSelf(hips, chain_.back()) &&
+           (spineRole(hips_) >= clearName ||
+            glm::distance(view_.at(hips), view_.at(chain_[hips_])) > 0.01 * view_.size);
+  }
+
+  // Whether legs and trunk hang from a joint of the chain, near the thighs.
+  [[nodiscard]] bool isMeeting(std::size_t index) const {
+    return attachment_.legJoint >= 0 &&
+           chain_[index] == view_.commonAncestor(attachment_.legJoint, chain_.back()) &&
+           glm::distance(view_.at(chain_[index]), attachment_.legBase) < 0.35 * attachment_.legLength;
   }
 
   [[nodiscard]] std::size_t armsIndex() const {
