@@ -20,7 +20,7 @@ FrameState bindPoseOf(const Scene& scene) {
   return bind;
 }
 
-// All of the body's joints at frames of the clip and in the bind pose.
+// All of the body's joints at frames of the clip and at rest.
 double lowestPlaceOf(const Document& document, int clip) {
   constexpr double mostFrames = 240.0;
   const Scene& scene = *document.scene;
@@ -42,7 +42,7 @@ double lowestPlaceOf(const Document& document, int clip) {
       lowest = std::min(lowest, rig::endPosition(limb, frame).y);
     }
   };
-  lookAt(bindPoseOf(scene));
+  lookAt(frameOf(scene, restPose(scene), 0.0));
   const Clip& motion = clipOf(document, clip);
   const double last = endInFrames(motion);
   const double step = std::max(1.0, last / mostFrames);
@@ -130,7 +130,8 @@ double ClipFacts::lowestVertex() {
     for (double frame = step; frame <= endInFrames(clip); frame += step) {
       lowest = lowestVertexIn(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond), lowest);
     }
-    lowestVertex_ = standing().floor ? lowest : lowestVertexIn(bindPoseOf(scene), lowest);
+    // At rest, not as it is bound: what rests in a frame of a clip is bound wherever its legs are straight.
+    lowestVertex_ = standing().floor ? lowest : lowestVertexIn(frameOf(scene, restPose(scene), 0.0), lowest);
   }
   return *lowestVertex_;
 }

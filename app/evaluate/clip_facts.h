@@ -58,11 +58,11 @@ public:
   [[nodiscard]] const std::shared_ptr<const rig::BindPlaces>& places() const { return character_->places(); }
 
   [[nodiscard]] const StandingFloor& standing();
-  /// Height of the lowest joint of the body in the clip and in the bind pose, along +Y. What hangs in the air
+  /// Height of the lowest joint of the body in the clip and at rest, along +Y. What hangs in the air
   /// without beating wings is measured by it. Nothing for a body without joints.
   [[nodiscard]] std::optional<double> lowestPlace();
   /// Height that no vertex may go below in the clip, along +Y: the floor on which feet stand, or the lowest
-  /// vertex where that is higher; without such a floor the lowest of joints, vertices and the bind pose.
+  /// vertex where that is higher; without such a floor the lowest of joints and vertices, at rest as well.
   [[nodiscard]] double ground();
   /// Height that ground() is not above, told without looking at the whole clip.
   [[nodiscard]] double groundAtMost() { return groundOver(lowestVertex_.value_or(lowestVertexAtFirst())); }
@@ -81,7 +81,7 @@ private:
   std::optional<StandingFloor> standing_;
   std::optional<std::optional<double>> lowestPlace_;
   std::optional<double> lowestAtFirst_; // of the vertices at frame 0
-  std::optional<double> lowestVertex_;  // of the clip, and of the bind pose where feet stand on no floor
+  std::optional<double> lowestVertex_;  // of the clip, and at rest where feet stand on no floor
 };
 
 } // namespace stretch::app

@@ -14,6 +14,7 @@ namespace stretch::rig {
 std::optional<double> standingHeight(const Scene& scene, const Clip& clip, const Limb& leg) {
   constexpr double restingSpeed = 0.25; // Limb lengths per second.
   constexpr double restingSeconds = 0.1;
+  constexpr double clearly = 0.1; // limb lengths
   std::vector<NodeIndex> nodes = leg.joints;
   if (leg.endNode.exists()) {
     nodes.push_back(leg.endNode);
@@ -26,16 +27,19 @@ std::optional<double> standingHeight(const Scene& scene, const Clip& clip, const
   std::optional<Vec3> before;
   FrameState pose;
   double rested = 0.0;
+  double level = 0.0;
+  std::optional<double> lowestLevel;
   for (double frame = 0.0; frame <= last; frame += 1.0) {
     sampler.sample(frame / clip.framesPerSecond, pose);
     const Vec3 end = endPosition(leg, pose);
     rested = before && glm::length(end - *before) <= farthestStep ? rested + 1.0 : 0.0;
+    level = before && std::abs(end.y - before->y) <= farthestStep ? level + 1.0 : 0.0;
     before = end;
-    if (rested >= leastRest) {
-      lowest = std::min(lowest.value_or(end.y), end.y);
-    }
+    lowest = rested >= leastRest ? std::min(lowest.value_or(end.y), end.y) : lowest;
+    lowestLevel = level >= leastRest ? std::min(lowestLevel.value_or(end.y), end.y) : lowestLevel;
   }
-  return lowest;
+  // In a walk on the spot a foot rests in the air alone, where it turns round, and slides far below that.
+  return lowest && lowestLevel && *lowest - *lowestLevel > clearly * leg.restLength ? lowestLevel : lowest;
 }
 
 } // namespace stretch::rig

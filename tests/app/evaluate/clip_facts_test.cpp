@@ -10,7 +10,9 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
@@ -73,7 +75,7 @@ TEST_CASE(
   CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(1.5)); // That arm is level.
 }
 
-TEST_CASE("The lowest place of a body counts hips, fingers, ends that are no joint, and the bind pose") {
+TEST_CASE("The lowest place of a body counts hips, fingers, ends that are no joint, and the rest pose") {
   Document document = dipping({{0, -0.5}, {20, -0.5}});        // Up all the time.
   CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(1.0)); // The hips.
   document.body.hips = NodeIndex::none;
@@ -91,12 +93,12 @@ TEST_CASE("The lowest place of a body counts hips, fingers, ends that are no joi
   CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(0.5));
   arm.endOffset = Vec3(0.0);
   std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id == "spine"; });
-  CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(1.5)); // In the bind pose the left arm is level.
+  CHECK(*ClipFacts(document, 0).lowestPlace() == Approx(1.5)); // At rest the left arm is level.
   document.body.limbs.clear();
   CHECK_FALSE(ClipFacts(document, 0).lowestPlace());
 }
 
-TEST_CASE("The lowest place of a body is no higher than in its bind pose, whatever it does in the clip") {
+TEST_CASE("The lowest place of a body is no higher than at rest, whatever it does in the clip") {
   Document document = dipping({{0, -1.2}, {20, -1.2}}); // Up all the time.
   Scene scene = *document.scene;
   const NodeIndex shoulder = findLimb(document, "left-arm")->joints.front();
@@ -134,7 +136,7 @@ TEST_CASE("Of a long clip the lowest place is looked for at 240 steps, its ends 
   CHECK(lowestWith(478.0) == Approx(dippedHand(1.3)));
 }
 
-TEST_CASE("Without a floor the ground is the lowest of joints and vertices in the clip and the bind pose") {
+TEST_CASE("Without a floor the ground is the lowest of joints and vertices in the clip and at rest") {
   const auto keys =
       GENERATE(std::vector<std::pair<double, double>>{{0, 1.3}, {1, -0.3}, {20, -0.3}},
                std::vector<std::pair<double, double>>{{0, -0.3}, {19, -0.3}, {20, 1.3}},
@@ -150,15 +152,45 @@ TEST_CASE("Without a floor the ground is the lowest of joints and vertices in th
     const Mat4 plate = evaluateOriginal(document, 0, frame / 30.0).worlds.back();
     lowest = std::min(lowest, Vec3(plate * Vec4(0.3, 0.0, 0.0, 1.0)).y);
   }
-  lowest = std::min(lowest, 1.0); // In the bind pose, with the hand at 1.5.
+  lowest = std::min(lowest, 1.0); // At rest, with the hand at 1.5.
   ClipFacts facts(document, 0);
   CHECK(facts.ground() == Approx(lowest).margin(1e-6));
   CHECK(facts.ground() == Approx(lowest).margin(1e-6)); // Asked again.
 }
 
-TEST_CASE("Without a floor what hangs lowest in the bind pose alone is the ground, with one it is not") {
+TEST_CASE("A body that is bound lower than it ever is has no lower ground for that") {
+  Document document = dipping({{0, 0.0}, {20, 0.0}});
+  document.body.hips = NodeIndex::none;
+  addTriangle(document, handOf(document), -0.5);
+  const double ground = ClipFacts(document, 0).ground();
+  Scene scene = *document.scene;
+  Node& plate = scene.nodes.back();
+  const Mat4 world = evaluateOriginal(document, 0, 0.0).worlds.back();
+  VertexInfluences byHand;
+  byHand.joints[0] = 1;
+  byHand.weights[0] = 1.0F;
+  Primitive& primitive = scene.meshes.back().primitives.front();
+  for (glm::vec3& place : primitive.positions) {
+    place = glm::vec3(world * Vec4(Vec3(place) - Vec3(0.0, 1.0, 0.0), 1.0));
+    primitive.influences.push_back(byHand);
+  }
+  Skin skin;
+  for (const auto& [joint, lower] :
+       {std::pair(scene.nodes[at(findLimb(document, "left-arm")->joints.front())].parent, 0.0),
+        std::pair(handOf(document), 1.0)}) {
+    const Mat4 rest = evaluateOriginal(document, 0, 0.0).worlds[at(joint)];
+    skin.joints.push_back(joint);
+    skin.inverseBind.push_back(glm::inverse(rest) * glm::translate(Mat4(1.0), Vec3(0.0, lower, 0.0)));
+  }
+  plate.skin = static_cast<int>(scene.skins.size());
+  scene.skins.push_back(skin);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  CHECK(ClipFacts(document, 0).ground() == Approx(ground).margin(1e-6));
+}
+
+TEST_CASE("Without a floor what hangs lowest at rest alone is the ground, with one it is not") {
   Document document = dipping({{0, -1.5}, {20, -1.5}}); // Straight up.
-  addTriangle(document, handOf(document), -1.2);        // At 0.3 in the bind pose.
+  addTriangle(document, handOf(document), -1.2);        // At 0.3 at rest.
   const auto highest = [&] {
     double lowest = std::numeric_limits<double>::infinity();
     for (const double x : {0.0, 0.3}) {

@@ -91,6 +91,20 @@ TEST_CASE("A leg rests below a quarter of its length per second, in whatever dir
   }
 }
 
+TEST_CASE("In a walk on the spot a foot that rests in the air stands where it slides, if that is far lower") {
+  const double length = still(namedBody()).limb("left-leg").restLength;
+  const auto standsAbove = [&](double air) {
+    const Vec3 back(0.0, 0.0, -0.5 * length);
+    const Vec3 top = high(air * length);
+    // Rests in the air for three frames, comes down and slides back at half a length within six frames.
+    return standsAt({{0, top}, {3, top}, {6, Vec3(0.0)}, {12, back}, {15, top + back}}).value_or(-1.0) /
+           length;
+  };
+  CHECK(standsAbove(0.11) == Approx(0.0).margin(1e-5));
+  CHECK(standsAbove(0.09) == Approx(0.09).margin(1e-5));
+  CHECK_FALSE(standsAt({{0, Vec3(0.0)}, {12, Vec3(0.0, 0.0, -length)}})); // Nowhere at all.
+}
+
 TEST_CASE("A leg without a foot stands by its last bone's end") {
   MovingBiped biped = moved({{0, high(0.4)}, {4, high(0.4)}, {6, high(2.0)}}, 24.0);
   Limb leg = biped.limb("right-leg");
