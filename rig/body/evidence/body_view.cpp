@@ -24,23 +24,6 @@ namespace {
 constexpr int mostCandidates = 3000;
 constexpr int mostForFeet = 800; // joints of a tree in which feet are looked for elsewhere
 
-// Nodes of the asked-for kind, before names and weights are looked at.
-std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
-  std::vector<bool> possible = candidates == Candidates::skinJoints
-                                   ? jointNodes(scene, bindPose)
-                                   : std::vector<bool>(scene.nodes.size(), true);
-  for (std::size_t i = 0; i < possible.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    // The mesh itself stands for no bone, unless it says so: on a joint of a skin it changes nothing.
-    const bool carriesSkin = node.mesh >= 0 && node.skin >= 0 && candidates != Candidates::skinJoints;
-    const bool carriesMesh = node.mesh >= 0 && candidates == Candidates::nodesNoMeshes;
-    if (carriesSkin || carriesMesh || !isFinite(positionOf(bindPose.worlds[i]))) {
-      possible[i] = false;
-    }
-  }
-  return possible;
-}
-
 std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIndex>& order,
                                     const std::vector<std::vector<Vec3>>& clouds) {
   std::vector<std::size_t> below(scene.nodes.size(), 0);
@@ -67,9 +50,8 @@ public:
   ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates, NodeIndex within)
       : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)), ownNames_(ownNames(scene)),
         clouds_(
-            vertexClouds(scene, bindPose,
-                         candidates == Candidates::skinJoints ? RigidMeshes::bodyParts : RigidMeshes::all)),
-        possible_(possibleNodes(scene, bindPose, candidates)) {
+            vertexClouds(scene, bindPose, isOfSkins(candidates) ? RigidMeshes::bodyParts : RigidMeshes::all)),
+        possible_(possibleNodes(scene, bindPose, candidates, clouds_)) {
     if (within.exists()) {
       leaveOutAllBut(withSubtrees(scene, {within}));
     }

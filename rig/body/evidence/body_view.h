@@ -11,10 +11,16 @@ namespace stretch::rig::body {
 
 /// Which nodes may be joints of the body.
 enum class Candidates {
+  deformJoints,  ///< Joints of any skin that move a mesh or are called DEF-, as rigs of Blender call those.
   skinJoints,    ///< Joints of any skin.
   nodesNoMeshes, ///< Nodes without a mesh of their own: rigid pieces hang under them.
   allNodes       ///< Every node: rigid pieces are the limbs.
 };
+
+/// Whether these are joints of skins.
+[[nodiscard]] inline bool isOfSkins(Candidates candidates) {
+  return candidates == Candidates::deformJoints || candidates == Candidates::skinJoints;
+}
 
 /// A bone tree reduced to the joints that can belong to limbs and trunk, with all evidence at hand. Vectors
 /// are indexed by candidate, which is an int; -1 means none. Positions are of the bind pose, in world units.

@@ -1,6 +1,7 @@
 #include "rig/body/evidence/joint_nodes.h"
 
 #include <algorithm>
+#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -44,7 +45,9 @@ bool isAmid(const Scene& scene, const BindPose& bindPose, const Rows& rows, Node
          });
 }
 
-} // namespace
+bool isCalledDeforming(const Node& node) {
+  return node.name.starts_with("DEF-");
+}
 
 std::vector<bool> jointNodes(const Scene& scene, const BindPose& bindPose) {
   constexpr double samePlace = 0.02; // of the way from the joint above to the one below
@@ -78,6 +81,31 @@ std::vector<bool> jointNodes(const Scene& scene, const BindPose& bindPose) {
     }
   }
   return isJoint;
+}
+
+} // namespace
+
+bool hasDeformJoints(const Scene& scene) {
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  return std::ranges::any_of(joints,
+                             [&](NodeIndex joint) { return isCalledDeforming(scene.nodes[at(joint)]); });
+}
+
+std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates,
+                                const std::vector<std::vector<Vec3>>& clouds) {
+  std::vector<bool> possible =
+      isOfSkins(candidates) ? jointNodes(scene, bindPose) : std::vector<bool>(scene.nodes.size(), true);
+  for (std::size_t i = 0; i < possible.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    // The mesh itself stands for no bone, unless it says so: on a joint of a skin it changes nothing.
+    const bool carriesSkin = node.mesh >= 0 && node.skin >= 0 && !isOfSkins(candidates);
+    const bool carriesMesh = node.mesh >= 0 && candidates == Candidates::nodesNoMeshes;
+    const bool isHandle =
+        candidates == Candidates::deformJoints && clouds[i].empty() && !isCalledDeforming(node);
+    possible[i] =
+        possible[i] && !carriesSkin && !carriesMesh && !isHandle && isFinite(positionOf(bindPose.worlds[i]));
+  }
+  return possible;
 }
 
 } // namespace stretch::rig::body

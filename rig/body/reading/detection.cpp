@@ -9,6 +9,7 @@
 
 #include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
+#include "rig/body/evidence/joint_nodes.h"
 #include "rig/body/evidence/skeletons.h"
 #include "rig/body/reading/doubts.h"
 #include "rig/body/reading/finding.h"
@@ -164,8 +165,12 @@ void warn(const Scene& scene, Finding& finding) {
 template <typename Read>
 auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read,
                  NodeIndex within = NodeIndex::none) {
-  for (const Candidates candidates : {Candidates::skinJoints, Candidates::nodesNoMeshes}) {
-    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+  for (const Candidates candidates :
+       {Candidates::deformJoints, Candidates::skinJoints, Candidates::nodesNoMeshes}) {
+    const bool isThere = candidates == Candidates::deformJoints ? hasDeformJoints(scene)
+                         : candidates == Candidates::skinJoints ? !scene.skins.empty()
+                                                                : true;
+    if (!isThere) {
       continue;
     }
     if (auto found = read(viewBody(scene, bindPose, candidates, within))) {
@@ -361,7 +366,9 @@ std::optional<Finding> findOneOfSeveral(const Scene& scene, const BindPose& bind
   }
   Finding together = findWith(scene, bindPose, Candidates::skinJoints);
   takeFittingPlan(scene, bindPose, together);
-  if (addsEnds(together.result, best.result)) {
+  // A rig of Blender hangs its trunk beside the legs.
+  const bool isOneInParts = apart.size() < 2 && hasDeformJoints(scene) && isWholeBody(together);
+  if (isOneInParts || addsEnds(together.result, best.result)) {
     return together;
   }
   if (apart.size() > 1) {

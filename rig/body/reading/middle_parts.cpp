@@ -81,6 +81,12 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
   return tail;
 }
 
+bool hangsFromTip(const BodyView& view, const Axis& axis) {
+  const Vec3& hips = view.at(std::max(axis.hips, 0));
+  return view.parentOf(axis.tail->path.front()) < 0 &&
+         glm::distance(axis.tail->points.back(), hips) < 0.5 * glm::distance(axis.tail->points.front(), hips);
+}
+
 bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint, bool countsChains) {
   return std::ranges::any_of(parts.pairs, [&](const KindredPair& one) {
     return (countsChains || one.kind != LimbKind::chain) &&

@@ -21,6 +21,10 @@ namespace stretch::rig::body {
 /// A row of the middle that goes back from the trunk, without the joints that carry legs.
 [[nodiscard]] std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts);
 
+/// Whether the joints of the tail, which is there, hang from its tip: it starts from nothing and comes up to
+/// the hips.
+[[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis);
+
 /// From which on a joint's name tells its role clearly.
 inline constexpr double clearRole = 0.5;
 

@@ -220,6 +220,14 @@ private:
     return std::ranges::find(row, joint) != row.end();
   }
 
+  // The joint of the row after which legs stand that hang from nothing.
+  [[nodiscard]] int lastBefore(const std::vector<int>& row, const Vec3& place) const {
+    const Vec3 along = view_.at(row.back()) - view_.at(row.front());
+    const auto next =
+        std::ranges::find_if(row, [&](int joint) { return glm::dot(view_.at(joint) - place, along) > 0.0; });
+    return std::max(0, static_cast<int>(next - row.begin()) - 1);
+  }
+
   // Where a pair hangs on the row: its carrier or the nearest joint above that is of the row; -1: nowhere.
   [[nodiscard]] int placeOn(const std::vector<int>& row, int joint) const {
     while (joint >= 0 && !isOn(row, joint)) {
@@ -229,8 +237,9 @@ private:
   }
 
   [[nodiscard]] double headness(const Extremity& row) const {
-    double score = 2.0 * (row.word(PartWord::head) > 0.0 ? 1.0 : 0.0) -
-                   2.0 * (row.word(PartWord::tail) > 0.0 ? 1.0 : 0.0) + 0.1 * row.length / view_.size;
+    const double says = isPieceOfFace(row) ? -1.0 : row.word(PartWord::head) > 0.0 ? 1.0 : 0.0;
+    double score =
+        2.0 * says - 2.0 * (row.word(PartWord::tail) > 0.0 ? 1.0 : 0.0) + 0.1 * row.length / view_.size;
     for (const KindredPair& one : parts_.pairs) {
       score += isOn(row.path, carrierOf(view_, one.pair)) ? 0.5 : 0.0;
     }
@@ -238,6 +247,14 @@ private:
       score += isOn(row.path, carrierOf(view_, *ornament)) ? 0.5 : 0.0;
     }
     return score - (row.word(PartWord::ornament) > 0.0 ? 0.5 : 0.0);
+  }
+
+  // Where joints hang side by side a tongue or a jaw is a row of its own, and short beside the trunk.
+  [[nodiscard]] bool isPieceOfFace(const Extremity& row) const {
+    constexpr double isShort = 0.25;
+    return std::ranges::any_of(parts_.extremities.middle, [&](const Extremity& other) {
+      return row.length < isShort * other.length && other.path.front() != row.path.front();
+    });
   }
 
   // On four legs a neck and a tail look much alike; an insect's feelers tell which end its head is.
@@ -417,7 +434,6 @@ private:
     return (pair.negative.points.front() + pair.positive.points.front()) / 2.0;
   }
 
-  // From where the other rows and the legs are to the head.
   // Legs that are called front and hind ones tell, if they stand apart: 1 along a direction, -1 against it.
   [[nodiscard]] double namedAhead(const Vec3& forward) const {
     double front = 0.0;
@@ -483,9 +499,14 @@ private:
   [[nodiscard]] Hangs hangs() const {
     Hangs hangs;
     const auto legCount = legs().size();
+    const bool hasNeck =
+        std::ranges::any_of(parts_.axis.row, [&](int joint) { return isNeck(view_, joint); });
     for (const KindredPair& one : parts_.pairs) {
       const bool counts = one.kind == LimbKind::leg || (legCount < 2 && one.kind != LimbKind::feeler);
-      const int place = counts ? placeOn(parts_.axis.row, carrierOf(view_, one.pair)) : -1;
+      const int carrier = carrierOf(view_, one.pair);
+      const int place = !counts                   ? -1
+                        : carrier < 0 && !hasNeck ? lastBefore(parts_.axis.row, baseOf(one.pair))
+                                                  : placeOn(parts_.axis.row, carrier);
       if (place < 0) {
         continue;
       }

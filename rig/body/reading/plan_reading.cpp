@@ -386,6 +386,10 @@ private:
     const PlannedLimb* const tail = plannedLimb(plan, {LimbKind::tail});
     if (axis.tail && tail != nullptr) {
       addWhole(*tail, *axis.tail, "goes back from the trunk", limbs);
+      if (hangsFromTip(view_, axis) && !limbs.empty()) {
+        limbs.back().confidence = std::min(limbs.back().confidence, 0.45);
+        limbs.back().reasons.emplace_back("its joints hang from its tip");
+      }
     }
   }
 

@@ -299,3 +299,70 @@ TEST_CASE("A neck that hangs from nothing is no spine, and the trunk is what lea
   CHECK(keyOf(built, read.hips) == "hips");
   checkHorse(body);
 }
+
+namespace {
+
+/// A horse as rigs of Blender have it: what moves the mesh is called DEF- and hangs side by side, a tongue
+/// and a jaw among it, and handles without a mesh hang from a root of their own.
+SyntheticBiped horseOfBlender(bool hasHandles) {
+  SyntheticBiped body = makeHorse();
+  body.joints.push_back({"tongue", "", {0.0, 1.9, 1.15}});
+  for (SyntheticJoint& joint : body.joints) {
+    const bool isSided = joint.key.ends_with(".l") || joint.key.ends_with(".r");
+    const bool isUnderMiddle = !joint.parent.ends_with(".l") && !joint.parent.ends_with(".r");
+    joint.parent =
+        (isSided && isUnderMiddle) || joint.key == "jaw" || joint.key == "tail0" ? "" : joint.parent;
+  }
+  for (const SyntheticJoint& joint : body.joints) {
+    body.names[joint.key] = "DEF-" + joint.key;
+  }
+  for (const auto& [key, called] :
+       {std::pair("neck0", "DEF-spine2"), {"neck1", "DEF-spine3"}, {"head", "DEF-spine4"}}) {
+    body.names[key] = called;
+  }
+  if (hasHandles) {
+    std::string above;
+    for (const auto& [key, place] : {std::pair("root", Vec3(0.0)),
+                                     {"torso", Vec3(0.0, 1.35, -0.6)},
+                                     {"chest", Vec3(0.0, 1.4, 0.1)},
+                                     {"jaw_master", Vec3(0.0, 1.9, 1.0)}}) {
+      body.joints.push_back({key, above, place, true, false});
+      body.names[key] = key;
+      above = key;
+    }
+    for (SyntheticJoint& joint : body.joints) {
+      joint.parent = joint.parent.empty() && joint.key != "root"
+                         ? (joint.key == "jaw" ? "jaw_master" : "torso")
+                         : joint.parent;
+    }
+  }
+  return body;
+}
+
+} // namespace
+
+TEST_CASE("A beast's trunk is what moves its mesh: no tongue by itself, and no handle") {
+  const BuiltBiped built = build(horseOfBlender(GENERATE(false, true)));
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "quadruped");
+  CHECK(describe(built, read, biped::spine) == "spine0 -> spine1");
+  CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 2}).starts_with("thigh.l "));
+}
+
+TEST_CASE("A tail whose joints hang from its tip is doubted") {
+  const bool fromTip = GENERATE(true, false);
+  SyntheticBiped body = horseOfBlender(false);
+  std::vector<std::string> tail;
+  for (int i = 0; body.names.contains("tail" + std::to_string(i)); ++i) {
+    tail.push_back("tail" + std::to_string(i));
+  }
+  REQUIRE(tail.size() > 1);
+  for (std::size_t i = 0; fromTip && i < tail.size(); ++i) {
+    jointOf(body, tail[i]).parent = i + 1 < tail.size() ? tail[i + 1] : "";
+  }
+  const Body read = detectBody(build(body).scene);
+  const Limb* const found = limbAt(read.limbs, {LimbKind::tail});
+  REQUIRE(found != nullptr);
+  CHECK((found->confidence < 0.5) == fromTip);
+}
