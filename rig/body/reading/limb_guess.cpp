@@ -114,11 +114,23 @@ private:
     return ends_[static_cast<std::size_t>(joint)];
   }
 
+  // A joint from which a leg goes on straight, as far as it came down to it, whatever it is called.
+  [[nodiscard]] bool isKnee(int base, int end) const {
+    constexpr double asFar = 0.6;
+    constexpr double straight = 0.85; // cosine
+    const std::optional<EstimatedEnd>& last = endOf(end);
+    const Vec3 bone = view_.at(end) - view_.at(base);
+    const Vec3 beyond = last ? last->position - view_.at(end) : Vec3(0.0);
+    return region_ == Region::leg && view_.childrenOf(end).empty() &&
+           glm::length(beyond) > asFar * glm::length(bone) &&
+           glm::dot(beyond, bone) > straight * glm::length(beyond) * glm::length(bone);
+  }
+
   // An arm that is one bone: the hand hangs from it and is called so.
   [[nodiscard]] bool isEndOfOneBone(int base, int end) const {
     const Role role = region_ == Region::arm ? Role::wrist : Role::ankle;
     const Role above = region_ == Region::arm ? Role::upperArm : Role::thigh;
-    return view_.name(end).role(role) >= 0.8 && view_.name(base).role(above) >= 0.4 &&
+    return !isKnee(base, end) && view_.name(end).role(role) >= 0.8 && view_.name(base).role(above) >= 0.4 &&
            isBone(view_.at(base), view_.at(end));
   }
 

@@ -121,7 +121,14 @@ private:
   [[nodiscard]] bool isCentral(int joint) const {
     const NameEvidence& name = view_.name(joint);
     return (name.role(Role::head) >= clearName || isInPlane(view_.at(joint))) && !name.accessory &&
-           !name.finger && !name.fin && name.side == Side::none && view_.movesMesh(joint) && !isInLimb(joint);
+           !name.finger && !name.fin && name.side == Side::none && isSeen(joint) && !isInLimb(joint);
+  }
+
+  // A head whose mesh follows the neck is one by its name.
+  [[nodiscard]] bool isSeen(int joint) const {
+    const int below = view_.parentOf(joint);
+    return view_.movesMesh(joint) || (below >= 0 && view_.name(joint).role(Role::head) >= clearName &&
+                                      view_.name(below).role(Role::neck) >= clearName);
   }
 
   // The less the likelier: above the arms, else near them; on a neck; high in the tree, before a hood or a

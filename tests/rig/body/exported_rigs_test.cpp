@@ -255,3 +255,27 @@ TEST_CASE("Sides that names alone tell are asked where a negative scale mirrors 
   body.armatureScale = -1.0;
   CHECK(warnsOf(detectBody(build(body).scene), "negative scale"));
 }
+
+TEST_CASE(
+    "A joint called foot from which the leg goes on as far as it came is its knee, a foot ahead is its end") {
+  const bool isKnee = GENERATE(true, false);
+  SyntheticBiped body = ofBlocks();
+  for (const auto& [side, sign] : sides) {
+    const Vec3 thigh = jointOf(body, "leg" + side).position;
+    jointOf(body, "leg" + side).flesh = {0.0, -0.42, 0.0};
+    body.names["leg" + side] = "thigh" + side;
+    add(body, "foot" + side, "leg" + side, thigh + (isKnee ? Vec3(0.0, -0.42, 0.0) : Vec3(0.0, -0.8, 0.0)));
+    jointOf(body, "foot" + side).flesh = isKnee ? Vec3(0.0, -0.42, 0.0) : Vec3(0.0, 0.0, 0.25);
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  CHECK(describe(built, read, biped::leftLeg) == (isKnee ? "leg.l foot.l -> estimated" : "leg.l -> foot.l"));
+  CHECK(describe(built, read, biped::rightLeg) == (isKnee ? "leg.r foot.r -> estimated" : "leg.r -> foot.r"));
+}
+
+TEST_CASE("A neck ends at its head though the head's mesh follows the neck") {
+  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
+  jointOf(body, "head").movesMesh = false;
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), biped::neck) == "neck0 -> head");
+}
