@@ -1,6 +1,7 @@
 #include "app/batch/output.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -66,6 +67,26 @@ Json formJson(const SaveOptions& options, const rig::CornerFit& fit) {
   return json;
 }
 
+std::size_t keysOf(const std::vector<Track>& tracks) {
+  return std::accumulate(tracks.begin(), tracks.end(), std::size_t(0),
+                         [](std::size_t sum, const Track& track) { return sum + track.times.size(); });
+}
+
+// Keys of the tracks that are written, beside those that the source has in them.
+Json keyCountsOf(const Document& document, const std::vector<gltf::ClipTracks>& clips) {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (const gltf::ClipTracks& clip : clips) {
+    after += keysOf(clip.tracks);
+    for (const Track& track : clip.tracks) {
+      const Clip& source = sourceClipOf(document, clip.clip);
+      const int own = findTrack(source, track.node, track.channel);
+      before += own < 0 ? 0 : source.tracks[static_cast<std::size_t>(own)]->times.size();
+    }
+  }
+  return {{"before", before}, {"after", after}};
+}
+
 } // namespace
 
 void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
@@ -101,6 +122,9 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
   for (const gltf::ClipTracks& clip : saved.edits.clips) {
     edited.emplace_back(clip.clip, clip.tracks);
   }
+  if (!edited.empty()) {
+    report["key_counts"] = keyCountsOf(document, saved.edits.clips);
+  }
   if (const std::vector<ClipChange> worse = worseThanSource(document, edited, cache); !worse.empty()) {
     report["worse"] = changesToJson(worse);
   }
@@ -112,6 +136,11 @@ Status saveReported(const Document& document, const OutputArguments& arguments, 
 
 void printSaved(const Json& report) {
   printChanges(report.contains("worse") ? report["worse"] : Json::array());
+  if (report.contains("key_counts")) {
+    const Json& counts = report["key_counts"];
+    fmt::print("keys   {} in the tracks that were changed, {} before\n", counts["after"].get<int>(),
+               counts["before"].get<int>());
+  }
   if (report.contains("whole_frames")) {
     fmt::print("keys   on whole frames and where a range or its way back ends: between them the motion is at "
                "most {:.3f} % of the height off\n",
