@@ -13,6 +13,7 @@
 #include "app/locators/fit_locators.h"
 #include "app/schema/locator_json.h"
 #include "core/gltf/json/json.h"
+#include "core/scene/stray_vertices.h"
 
 namespace stretch::app {
 
@@ -115,6 +116,7 @@ Status runBind(const BindArguments& arguments) {
     return saved;
   }
   BindReport report = bound->report;
+  std::ranges::move(strayVertexWarnings(*document->scene), std::back_inserter(report.warnings));
   std::ranges::copy(besideLines(*document->source, arguments.output.path),
                     std::back_inserter(report.warnings));
   if (arguments.json) {

@@ -22,6 +22,7 @@
 #include "core/anim/frames.h"
 #include "core/gltf/json/json.h"
 #include "core/scene/bind_chains.h"
+#include "core/scene/stray_vertices.h"
 #include "rig/rekey/bind_leaves.h"
 #include "rig/rekey/rekey.h"
 
@@ -232,6 +233,7 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
   document.scene = loaded->scene;
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
   document.warnings = std::move(loaded->warnings);
+  std::ranges::move(strayVertexWarnings(*document.scene), std::back_inserter(document.warnings));
   document.body = bodyOfSource(document);
   if (!loaded->savedWork.isNull()) {
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
