@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -319,10 +320,9 @@ bool isIdle(const Scene& scene, const std::vector<std::vector<Vec3>>& clouds, No
 std::vector<NodeIndex> notIdle(const Scene& scene, const BindPose& bindPose,
                                std::vector<NodeIndex> skeletons) {
   const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, RigidMeshes::none);
-  const auto rest =
-      std::ranges::stable_partition(skeletons, [&](NodeIndex top) { return !isIdle(scene, clouds, top); });
-  if (rest.begin() != skeletons.begin()) {
-    skeletons.erase(rest.begin(), rest.end());
+  const auto isMoving = [&](NodeIndex top) { return !isIdle(scene, clouds, top); };
+  if (std::ranges::any_of(skeletons, isMoving)) {
+    std::erase_if(skeletons, std::not_fn(isMoving));
   }
   return skeletons;
 }

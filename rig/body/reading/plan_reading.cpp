@@ -11,6 +11,7 @@
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/limb_end.h"
 #include "rig/body/reading/long_row.h"
+#include "rig/body/reading/middle_parts.h"
 #include "rig/body/reading/plan_parts.h"
 #include "rig/body/reading/stance.h"
 
