@@ -13,8 +13,8 @@
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
 #include "core/scene/scene.h"
-#include "rig/body/evidence/joint_nodes.h"
 #include "rig/body/evidence/own_names.h"
+#include "rig/body/evidence/skeletons.h"
 
 namespace stretch::rig::body {
 

@@ -10,7 +10,6 @@
 
 #include "core/anim/frame_state.h"
 #include "rig/body/evidence/height.h"
-#include "rig/body/evidence/joint_nodes.h"
 #include "rig/body/evidence/skeletons.h"
 #include "rig/body/reading/doubts.h"
 #include "rig/body/reading/finding.h"
