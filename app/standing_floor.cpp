@@ -195,17 +195,22 @@ std::optional<double> soleHeight(const Document& document, const rig::BindPlaces
 StandingFloor standingFloor(const Document& document, int clip, const rig::BindPlaces& places) {
   StandingFloor standing;
   standing.flies = beatsInTheAir(document, clip, places);
-  double depth = 0.0;
   for (const rig::Limb& limb : document.body.limbs) {
-    if (isLeg(limb) && !standing.flies) {
-      const std::optional<double> height = rig::standingHeight(*document.scene, clipOf(document, clip), limb);
-      standing.ankles =
-          height ? std::optional(std::min(standing.ankles.value_or(*height), *height)) : standing.ankles;
-      depth = std::max(depth, soleDepth(*document.scene, limb, places));
+    const std::optional<double> height =
+        isLeg(limb) && !standing.flies ? rig::standingHeight(*document.scene, clipOf(document, clip), limb)
+                                       : std::nullopt;
+    if (height) {
+      const double sole = *height - soleDepth(*document.scene, limb, places);
+      standing.floor = std::min(standing.floor.value_or(sole), sole);
     }
   }
-  standing.floor = standing.ankles ? std::optional(*standing.ankles - depth) : std::nullopt;
   return standing;
+}
+
+std::optional<double> standingEnd(const Document& document, const rig::Limb& leg,
+                                  const rig::BindPlaces& places, const StandingFloor& standing) {
+  return standing.floor ? std::optional(*standing.floor + soleDepth(*document.scene, leg, places))
+                        : std::nullopt;
 }
 
 std::optional<double> floorHeight(const Document& document, int clip) {

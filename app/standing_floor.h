@@ -15,8 +15,8 @@ struct StandingFloor {
   /// the body stands in the bind pose and below its feet, on a quarter of the clip or more, and no foot keeps
   /// its place while its leg's base moves. What only dips or hangs there is not. No leg stands then.
   bool flies = false;
-  std::optional<double> ankles = {}; ///< Ends of legs where they stand lowest.
-  std::optional<double> floor = {};  ///< What stands on it is as far below the ankle as in the bind pose.
+  std::optional<double> floor = {}; ///< Below the end of a leg that stands as far as its sole in the bind
+                                    ///< pose; of several legs the lowest.
 };
 
 /// `places`: those of the document's scene.
@@ -24,6 +24,10 @@ struct StandingFloor {
 
 /// Its floor alone.
 [[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
+
+/// How high the end of a leg is where it stands on the floor. Nothing where no leg stands.
+[[nodiscard]] std::optional<double> standingEnd(const Document& document, const rig::Limb& leg,
+                                                const rig::BindPlaces& places, const StandingFloor& standing);
 
 /// How high the lowest point of all feet is in the bind pose, along +Y. Nothing where there is no leg.
 [[nodiscard]] std::optional<double> soleHeight(const Document& document, const rig::BindPlaces& places);

@@ -121,7 +121,8 @@ private:
 
   void stopAtFloor() {
     const StandingFloor& standing = look_.facts()->standing();
-    stopAt(isLeg(trail_.limb) ? standing.ankles : standing.floor);
+    stopAt(isLeg(trail_.limb) ? standingEnd(document_, trail_.limb, *look_.facts()->places(), standing)
+                              : standing.floor);
   }
 
   void stopAt(std::optional<double> height) {

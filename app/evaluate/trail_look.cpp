@@ -108,7 +108,9 @@ TrailLook::TrailLook(std::shared_ptr<ClipFacts> facts, const rig::SolvedTrail& t
     findHead();
   }
   const StandingFloor& standing = facts_->standing();
-  lowestEnd_ = isArm(trail.limb) ? standing.floor : isLeg(trail.limb) ? standing.ankles : std::nullopt;
+  lowestEnd_ = isArm(trail.limb)   ? standing.floor
+               : isLeg(trail.limb) ? standingEnd(facts_->document(), trail.limb, *facts_->places(), standing)
+                                   : std::nullopt;
   if (!lowestEnd_ && !standing.flies) {
     lowestPlace_ = facts_->lowestPlace();
   }

@@ -1,5 +1,6 @@
 // What a foot may stand on beside the floor.
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -7,6 +8,8 @@
 #include "app/standing_floor.h"
 #include "rig/motion/evaluate.h"
 #include "tests/support/app/auto_clips.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/standing_leg.h"
 #include "tests/support/nodes.h"
 
 using namespace stretch;
@@ -120,4 +123,36 @@ TEST_CASE("A leg that is lifted stops at the block under its foot, and at the fl
   CHECK(floorWith({ankle.x + 0.6, top, ankle.z}) == Approx(floor));
   CHECK(floorWith({ankle.x, ankle.y + 0.05, ankle.z}) == Approx(floor));
   CHECK(floorWith({ankle.x, lowest - 0.2, ankle.z}) == Approx(floor));
+}
+
+TEST_CASE(
+    "Legs whose ends stand at other heights stand on one floor, each as far above it as its own sole says") {
+  Document document = test::boxer();
+  test::addStandingLeg(document); // Its foot is at 0.
+  Scene scene = *document.scene;
+  rig::Limb paw = *findLimb(document, "left-leg");
+  paw.id = "right-leg";
+  paw.side = rig::LimbSide::right;
+  const NodeIndex elbow = test::addNode(scene, "Elbow", paw.joints[0], {0.0, -0.4, 0.2});
+  paw.joints[1] = elbow;
+  paw.endNode = test::addNode(scene, "Wrist", elbow, {0.0, -0.35, 0.0}); // At 0.25.
+  for (const auto& [node, lower] :
+       {std::pair(findLimb(document, "left-leg")->endNode, -0.05F), std::pair(paw.endNode, -0.3F)}) {
+    Primitive sole;
+    sole.positions = {{0.0F, lower, 0.0F}, {0.1F, lower, 0.0F}, {0.0F, lower, 0.1F}};
+    sole.indices = {0, 1, 2};
+    scene.nodes[at(node)].mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back({"sole", {sole}, {}});
+  }
+  document.body.limbs.push_back(paw);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
+  const StandingFloor standing = standingFloor(document, 0, places);
+  REQUIRE(standing.floor);
+  CHECK(*standing.floor == Approx(-0.05).margin(1e-6));
+  CHECK(*standingEnd(document, paw, places, standing) == Approx(0.25).margin(1e-6));
+  CHECK(*standingEnd(document, *findLimb(document, "left-leg"), places, standing) ==
+        Approx(0.0).margin(1e-6));
+  CHECK(floorForLeg(document, 0, paw, 5.0)->point.y == Approx(0.25).margin(1e-6));
+  CHECK_FALSE(standingEnd(document, paw, places, StandingFloor{}));
 }
