@@ -1,6 +1,7 @@
 #include "app/edits/keys/import_clip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -145,6 +146,14 @@ std::vector<std::string> notesOf(const Clip& clip, const NewClip& brought,
   return notes;
 }
 
+// Why a body takes no clip of another skeleton, or gives none.
+std::string lackOf(const rig::Body& body) {
+  const bool lacksLeg =
+      std::ranges::any_of(std::array{rig::biped::leftLeg, rig::biped::rightLeg},
+                          [&](const auto& place) { return rig::limbAt(body.limbs, place) == nullptr; });
+  return body.isBiped && lacksLeg ? "has not both legs of a biped" : "is no biped";
+}
+
 Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Document& document,
                    const std::string& file) {
   const std::string names =
@@ -154,7 +163,8 @@ Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Do
     return {"the file holds no skeleton that this character could follow", file,
             "give a clip of a biped, or of joints with the same names"};
   }
-  const char* const who = !donor.skeleton ? "its body is no biped" : "this character is no biped";
+  const std::string who =
+      !donor.skeleton ? "its body " + lackOf(donor.document.body) : "this character " + lackOf(document.body);
   const bool isOfCharacter = donor.skeleton && document.source != nullptr;
   return {fmt::format("the clip cannot be brought to this character: {}, and {}", who, names),
           isOfCharacter ? document.source->path.string() : file,

@@ -200,6 +200,20 @@ TEST_CASE("A biped's clip is refused by a character that is none and has none of
              Catch::Contains("this character is no biped, and 0 of the") && Catch::Contains("post.glb"));
 }
 
+TEST_CASE("A biped whose leg was not found is said to lack it, and not to be no biped") {
+  const TemporaryFolder folder;
+  Document document = openedFile(test::posedCharacter);
+  REQUIRE(document.body.isBiped);
+  std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id == "left-leg"; });
+  Scene scene = *document.scene;
+  for (Node& node : scene.nodes) {
+    node.name += "_other";
+  }
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  CHECK_THAT(test::refusal(clipsFromFile(document, {punchFile(folder), {}, {}})),
+             Catch::Contains("this character has not both legs of a biped, and 0 of the"));
+}
+
 TEST_CASE("Clips that lack the same are told in one line") {
   const TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();

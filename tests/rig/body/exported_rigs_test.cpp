@@ -265,7 +265,7 @@ TEST_CASE(
     jointOf(body, "leg" + side).flesh = {0.0, -0.42, 0.0};
     body.names["leg" + side] = "thigh" + side;
     add(body, "foot" + side, "leg" + side, thigh + (isKnee ? Vec3(0.0, -0.42, 0.0) : Vec3(0.0, -0.8, 0.0)));
-    jointOf(body, "foot" + side).flesh = isKnee ? Vec3(0.0, -0.42, 0.0) : Vec3(0.0, 0.0, 0.25);
+    jointOf(body, "foot" + side).flesh = isKnee ? Vec3(0.0, -0.42, 0.0) : Vec3(0.0, 0.0, 0.6);
   }
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);
@@ -278,4 +278,24 @@ TEST_CASE("A neck ends at its head though the head's mesh follows the neck") {
   jointOf(body, "head").movesMesh = false;
   const BuiltBiped built = build(body);
   CHECK(describe(built, detectBody(built.scene), biped::neck) == "neck0 -> head");
+}
+
+TEST_CASE("A spine that begins where the hips stand, and hangs from nothing, begins there") {
+  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
+  jointOf(body, "spine0").parent = "";
+  jointOf(body, "spine0").position = jointOf(body, "hips").position;
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), biped::spine) == "spine0 spine1 -> spine2");
+}
+
+TEST_CASE("What carries one leg alone is no hips") {
+  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key == "thigh.r" || joint.key == "shin.r" || joint.key == "foot.r" || joint.key == "toe.r";
+  });
+  const Vec3 thigh = jointOf(body, "thigh.l").position;
+  add(body, "holder", "", thigh + Vec3(0.0, 0.15, 0.0));
+  jointOf(body, "thigh.l").parent = "holder";
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), biped::spine) == "spine0 spine1 -> spine2");
 }
