@@ -1,7 +1,9 @@
 #include "core/scene/stray_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -13,20 +15,40 @@ namespace stretch {
 
 namespace {
 
+std::size_t verticesOf(const Mesh& mesh) {
+  return std::accumulate(mesh.primitives.begin(), mesh.primitives.end(), std::size_t(0),
+                         [](std::size_t sum, const Primitive& one) { return sum + one.positions.size(); });
+}
+
+// Calls `look` with every vertex's place, one after the other: a mesh may have millions.
+template <typename Look>
+void forEachPlace(const Mesh& mesh, const Look& look) {
+  for (const Primitive& primitive : mesh.primitives) {
+    for (const glm::vec3& place : primitive.positions) {
+      look(Vec3(place));
+    }
+  }
+}
+
 // Where all but a hundredth at either end of the places are along each axis, told from two thousand of them.
-Bounds bulkOf(const std::vector<Vec3>& places) {
+Bounds bulkOf(const Mesh& mesh) {
   constexpr std::size_t most = 2000;
-  const std::size_t step = 1 + places.size() / most;
+  const std::size_t step = 1 + verticesOf(mesh) / most;
+  std::array<std::vector<double>, 3> along;
+  std::size_t next = 0;
+  forEachPlace(mesh, [&](const Vec3& place) {
+    for (int axis = 0; next % step == 0 && axis < 3; ++axis) {
+      along[static_cast<std::size_t>(axis)].push_back(place[axis]);
+    }
+    ++next;
+  });
   Bounds bulk;
   for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> along;
-    for (std::size_t i = 0; i < places.size(); i += step) {
-      along.push_back(places[i][axis]);
-    }
-    std::ranges::sort(along);
-    const std::size_t left = 1 + along.size() / 100; // out at either end
-    bulk.low[axis] = along[left];
-    bulk.high[axis] = along[along.size() - 1 - left];
+    std::vector<double>& places = along[static_cast<std::size_t>(axis)];
+    std::ranges::sort(places);
+    const std::size_t left = 1 + places.size() / 100; // out at either end
+    bulk.low[axis] = places[left];
+    bulk.high[axis] = places[places.size() - 1 - left];
   }
   return bulk;
 }
@@ -38,25 +60,25 @@ std::vector<std::string> strayVertexWarnings(const Scene& scene) {
   constexpr double farOut = 10.0;
   std::vector<std::string> warnings;
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
-    std::vector<Vec3> places;
-    for (const Primitive& primitive : scene.meshes[mesh].primitives) {
-      places.insert(places.end(), primitive.positions.begin(), primitive.positions.end());
-    }
-    if (places.size() < fewest) {
+    const std::size_t all = verticesOf(scene.meshes[mesh]);
+    if (all < fewest) {
       continue;
     }
-    const Bounds bulk = bulkOf(places);
-    const auto awayOf = [&](const Vec3& place) {
-      return glm::distance(place, glm::clamp(place, bulk.low, bulk.high));
-    };
-    const auto strays = static_cast<std::size_t>(std::ranges::count_if(
-        places, [&](const Vec3& place) { return awayOf(place) > farOut * bulk.largestExtent(); }));
-    if (strays > 0 && 100 * strays <= places.size()) {
-      const Vec3 farthest = *std::ranges::max_element(places, {}, awayOf);
+    const Bounds bulk = bulkOf(scene.meshes[mesh]);
+    std::size_t strays = 0;
+    double most = farOut * bulk.largestExtent();
+    Vec3 farthest(0.0);
+    forEachPlace(scene.meshes[mesh], [&](const Vec3& place) {
+      const double away = glm::distance(place, glm::clamp(place, bulk.low, bulk.high));
+      strays += away > farOut * bulk.largestExtent() ? 1 : 0;
+      farthest = away > most ? place : farthest;
+      most = std::max(most, away);
+    });
+    if (strays > 0 && 100 * strays <= all) {
       warnings.push_back(fmt::format("meshes[{}]: {} of {} vertices stand more than ten times as far out as "
                                      "the others, one at ({:.3g}, {:.3g}, {:.3g}): "
                                      "the size of the character is measured with them; take them away",
-                                     mesh, strays, places.size(), farthest.x, farthest.y, farthest.z));
+                                     mesh, strays, all, farthest.x, farthest.y, farthest.z));
     }
   }
   return warnings;

@@ -18,8 +18,8 @@ namespace stretch::rig::body {
 [[nodiscard]] std::vector<NodeIndex> skeletonsUnder(const Scene& scene, NodeIndex top);
 
 /// Topmost joints of skeletons that stand in the place of the one that `own` are joints of: as clothes have
-/// them that bring a copy of their wearer's. Half of its joints stand where some of `own`
-/// do, or of as many as those are.
+/// them that bring a copy of their wearer's. Half of its joints stand where some of `own` do, or half as many
+/// as those are.
 [[nodiscard]] std::vector<NodeIndex> copiesOf(const Scene& scene, const BindPose& bindPose,
                                               const std::vector<NodeIndex>& own);
 

@@ -217,7 +217,7 @@ private:
     const int hips = attachment_.legJoint;
     return attachment_.hasBothLegs && hips >= 0 && !isMeeting(hips_) &&
            !view_.isAboveOrSelf(hips, chain_.back()) &&
-           (spineRole(hips_) >= clearName ||
+           (std::max(role(hips_, Role::spine), role(hips_, Role::chest)) >= clearName ||
             glm::distance(view_.at(hips), view_.at(chain_[hips_])) > 0.01 * view_.size);
   }
 

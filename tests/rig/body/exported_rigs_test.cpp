@@ -280,9 +280,13 @@ TEST_CASE("A neck ends at its head though the head's mesh follows the neck") {
   CHECK(describe(built, detectBody(built.scene), biped::neck) == "neck0 -> head");
 }
 
-TEST_CASE("A spine that begins where the hips stand, and hangs from nothing, begins there") {
+TEST_CASE("A spine that begins where the hips stand, and hangs beside them, begins there") {
+  const std::string above = GENERATE("", "world");
   SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
-  jointOf(body, "spine0").parent = "";
+  body.joints.insert(body.joints.begin(), {"world", "", Vec3(0.0)});
+  for (const char* const key : {"hips", "spine0"}) {
+    jointOf(body, key).parent = above;
+  }
   jointOf(body, "spine0").position = jointOf(body, "hips").position;
   const BuiltBiped built = build(body);
   CHECK(describe(built, detectBody(built.scene), biped::spine) == "spine0 spine1 -> spine2");
