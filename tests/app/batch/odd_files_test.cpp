@@ -12,6 +12,7 @@
 #include "tests/support/nodes.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/naming_schemes.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -254,4 +255,23 @@ TEST_CASE("A picture that is broken behind its header is told by check, and no o
   CHECK(saved.exitCode == 0);
   CHECK_FALSE(isTold(saved));
   CHECK(isTold(runVerb({"check", (folder / "again.glb").string()})));
+}
+
+TEST_CASE("A vertex that stands far from all others is told when its file is opened, and by bind") {
+  const bool isStray = GENERATE(true, false);
+  const TemporaryFolder folder;
+  Scene scene = test::build(test::makeNamedBody("Mixamo")).scene;
+  REQUIRE_FALSE(scene.meshes.empty());
+  scene.meshes.front().primitives.front().positions.front().x += isStray ? 500.0F : 0.0F;
+  const std::string file = (folder / "body.glb").string();
+  test::characterFile(scene, {}).write(file);
+  const auto tells = [&](const test::VerbAnswer& answer) {
+    INFO(answer.told);
+    CHECK(answer.exitCode == 0);
+    return (answer.told + answer.output).find("1 of ") != std::string::npos &&
+           (answer.told + answer.output).find("ten times as far out as the others") != std::string::npos;
+  };
+  CHECK(tells(test::runVerb({"info", file})) == isStray);
+  CHECK(tells(test::runVerb({"bind", file, "-o", (folder / "bound.glb").string(), "--keep-joints"})) ==
+        isStray);
 }
