@@ -335,6 +335,10 @@ Result<MeshFile> parsePly(std::string_view bytes, std::string_view name) {
   MeshFile mesh;
   NumberReader reader(bytes, header->encoding);
   for (const Element& element : header->elements) {
+    if (std::ranges::count(header->elements, element.name, &Element::name) > 1) {
+      return Error{"the header describes element '" + element.name + "' twice", std::string(name),
+                   "export the frame again"};
+    }
     if (element.properties.empty() && element.count > 0) {
       return Error{"element '" + element.name + "' has no properties", std::string(name),
                    "export the frame again"};

@@ -380,6 +380,9 @@ TEST_CASE("A PLY's numbers that cannot be meant are refused by where they stand"
         "a.ply: the file holds no faces; give a mesh with triangles or polygons");
   CHECK_THAT(refusal(threeVertices + "element edge 1\n" + oneFace, threeCorners + "3 0 1 2\n"),
              Catch::Contains("element 'edge' has no properties"));
+  // Two rows of columns for vertices: some would have a normal, some none.
+  CHECK_THAT(refusal(threeVertices + oneFace + threeVertices, threeCorners + "3 0 1 2\n" + threeCorners),
+             Catch::Contains("a.ply: the header describes element 'vertex' twice"));
   // A place whose axis is a list is none, and one that comes twice is not three.
   isTold(
       refusal("element vertex 1\nproperty list uchar float x\nproperty float y\nproperty float z\n" + oneFace,

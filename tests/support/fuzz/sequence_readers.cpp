@@ -37,6 +37,7 @@ void checkSurface(const MeshSequence& sequence) {
       "vertices of a surface lie on those of the sequence");
   check(surface.normals.empty() || surface.normals.size() == vertices, "each vertex has a normal");
   check(std::ranges::all_of(surface.normals, isFinite), "normals are finite");
+  check(surface.colors.empty() || surface.colors.size() == vertices, "each vertex has a colour");
   for (const std::vector<glm::vec2>& set : surface.texCoords) {
     check(set.size() == vertices, "each vertex has texture coordinates");
     check(std::ranges::all_of(set, [](const glm::vec2& one) { return std::isfinite(one.x + one.y); }),
