@@ -478,7 +478,8 @@ private:
       auto& points = view_.points[static_cast<std::size_t>(owner)];
       const auto& cloud = clouds_[at(node)];
       points.insert(points.end(), cloud.begin(), cloud.end());
-      if (possible_[at(node)] && view_.candidateOfNode[at(node)] < 0) {
+      if (possible_[at(node)] && view_.candidateOfNode[at(node)] < 0 &&
+          !readName(ownNames_[at(node)]).control) {
         view_.tips[static_cast<std::size_t>(owner)].push_back(positionOf(bindPose_.worlds[at(node)]));
       }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <glm/geometric.hpp>
 
@@ -37,18 +38,39 @@ double horizontalShare(const Vec3& offset, const Frame& frame) {
   return length > 0.0 ? glm::dot(offset, frame.forward) / length : 0.0;
 }
 
+// Where the shin ends: a foot that hangs elsewhere may have its joint at its toes.
+Vec3 ankleOf(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
+  constexpr double lowest = 0.15; // of the shin
+  const Vec3 joint = view.at(leg.end >= 0 ? leg.end : leg.middle >= 0 ? leg.middle : leg.base);
+  if (!leg.endDetached || leg.middle < 0 || view.points[static_cast<std::size_t>(leg.middle)].empty()) {
+    return joint;
+  }
+  const std::vector<Vec3>& shin = view.points[static_cast<std::size_t>(leg.middle)];
+  const auto height = [&](const Vec3& point) { return glm::dot(point, frame.up); };
+  const auto [bottom, top] = std::ranges::minmax(shin | std::views::transform(height));
+  Vec3 sum(0.0);
+  double count = 0.0;
+  for (const Vec3& point : shin) {
+    const bool isLow = height(point) <= bottom + lowest * (top - bottom);
+    sum += isLow ? point : Vec3(0.0);
+    count += isLow ? 1.0 : 0.0;
+  }
+  return count > 0.0 ? sum / count : joint;
+}
+
 // Joints and tips below the ankle: the toes, on average, since a spur may point back.
 double toeVote(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
   if (leg.end < 0) {
     return 0.0;
   }
+  const Vec3 ankle = ankleOf(view, leg, frame);
   Vec3 sum(0.0);
   for (const int joint : view.childrenOf(leg.end)) {
     const NameEvidence& name = view.name(joint);
-    sum += name.control || name.accessory ? Vec3(0.0) : view.at(joint) - view.at(leg.end);
+    sum += name.control || name.accessory ? Vec3(0.0) : view.at(joint) - ankle;
   }
   for (const Vec3& tip : view.tips[static_cast<std::size_t>(leg.end)]) {
-    sum += tip - view.at(leg.end);
+    sum += tip - ankle;
   }
   return glm::length(sum) > 0.01 * view.size ? std::clamp(2.0 * horizontalShare(sum, frame), -1.0, 1.0) : 0.0;
 }
@@ -56,7 +78,7 @@ double toeVote(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
 // How much farther the foot's vertices reach forward of the ankle than back of it.
 double footMeshVote(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
   const int last = leg.end >= 0 ? leg.end : leg.middle >= 0 ? leg.middle : leg.base;
-  const Vec3 ankle = leg.endPosition;
+  const Vec3 ankle = ankleOf(view, leg, frame);
   double front = 0.0;
   double back = 0.0;
   double sum = 0.0;
@@ -66,8 +88,8 @@ double footMeshVote(const BodyView& view, const LimbGuess& leg, const Frame& fra
       continue;
     }
     for (const Vec3& point : view.points[static_cast<std::size_t>(joint)]) {
-      const double along = glm::dot(point - view.at(last), frame.forward);
-      const bool low = glm::dot(point - ankle, frame.up) < 0.15 * leg.length;
+      const double along = glm::dot(point - ankle, frame.forward);
+      const bool low = glm::dot(point - leg.endPosition, frame.up) < 0.15 * leg.length;
       sum += low ? along : 0.0;
       count += low ? 1.0 : 0.0;
       front = low ? std::max(front, along) : front;

@@ -129,3 +129,30 @@ TEST_CASE("The less a body tells of its front, the less sure its limbs are") {
   signs[1].add(both);
   CHECK(confidenceOf(both) >= confidenceOf(toes));
 }
+
+TEST_CASE("A foot that hangs elsewhere with its joint at the toes points where its mesh does from the shin") {
+  SyntheticBiped body = makeNamedBody("Blender metarig");
+  body.tubes = true;
+  for (const std::string side : {".l", ".r"}) {
+    const Vec3 toe = jointOf(body, "toe" + side).position;
+    const Vec3 ankle = jointOf(body, "foot" + side).position;
+    const Vec3 heel(toe.x, toe.y, ankle.z - 0.05);
+    SyntheticJoint& foot = jointOf(body, "foot" + side);
+    foot.parent = "root";
+    foot.position = toe;
+    foot.flesh = heel - toe;
+    SyntheticJoint& shin = jointOf(body, "shin" + side);
+    shin.flesh = ankle - shin.position;
+    jointOf(body, "toe" + side).parent = "root";
+    SyntheticJoint handle{"handle" + side, "foot" + side, heel};
+    handle.movesMesh = false;
+    body.joints.push_back(handle);
+    body.names["handle" + side] = "ik_heel" + side;
+  }
+  body.facesBackwards = GENERATE(false, true);
+  const BuiltBiped built = build(body);
+  const Body biped = detectBody(built.scene);
+  CHECK(leftBase(built, biped) == "upperArm.l");
+  CHECK(isToldOf(biped, "sides: names and feet agree"));
+  CHECK(describe(built, biped, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+}
