@@ -1,6 +1,7 @@
 #include "app/batch/pose_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -88,6 +89,16 @@ NodeIndex turnedNode(const Document& document, const std::string& id) {
   return own == all.end() || !own->turns ? NodeIndex::none : own->node;
 }
 
+// Two rotations tell the angle between them but for whole turns and its side: the one that is nearest to what
+// was asked for.
+double likeAsked(double degrees, double askedDegrees) {
+  constexpr double whole = 360.0;
+  const double below = whole * std::floor(askedDegrees / whole);
+  const double along = below + degrees;
+  const double back = below + whole - degrees;
+  return std::abs(along - askedDegrees) <= std::abs(back - askedDegrees) ? along : back;
+}
+
 // Degrees by which a key asks its controller to turn, and by which its joint turns more than without.
 Json turnAt(const Document& document, const rig::MotionState& motion, const rig::Adjustment& adjustment,
             const rig::OffsetKey& key, NodeIndex node) {
@@ -104,8 +115,9 @@ Json turnAt(const Document& document, const rig::MotionState& motion, const rig:
     return rotationOf(state.worlds[at(node)]);
   };
   constexpr double degrees = 180.0 / pi;
-  return {{"asked_degrees", degrees * glm::length(key.turn)},
-          {"reached_degrees", degrees * angleBetween(rotationIn(without), rotationIn(motion.adjustments))}};
+  const double asked = degrees * glm::length(key.turn);
+  const double reached = degrees * angleBetween(rotationIn(without), rotationIn(motion.adjustments));
+  return {{"asked_degrees", asked}, {"reached_degrees", likeAsked(reached, asked)}};
 }
 
 // What a key asks for and what it reached: the value of an attribute, or place and turn of a controller.

@@ -125,11 +125,11 @@ private:
   }
 
   // The last joint of an arm may be called its end as well: a mesh follows it, or fingers hang from it. What
-  // moves a mesh and carries what does is in the middle of a row, whatever is called its end.
+  // moves a mesh and carries what does, or an end, is in the middle of a row, whatever is called its end.
   [[nodiscard]] bool isTip(NodeIndex node, const NameEvidence& name) const {
     const std::vector<NodeIndex>& children = scene_.nodes[at(node)].children;
     if (!clouds_[at(node)].empty() && std::ranges::any_of(children, [&](NodeIndex child) {
-          return possible_[at(child)] && below_[at(child)] > 0;
+          return (possible_[at(child)] && below_[at(child)] > 0) || readName(ownNames_[at(child)]).end;
         })) {
       return false;
     }

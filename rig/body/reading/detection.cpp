@@ -273,7 +273,7 @@ void takeFittingPlan(const Scene& scene, const BindPose& bindPose, Finding& find
     } else if (hasOtherLegs) {
       doubt(result, "names call its legs arms: if it stands on others, choose another plan");
     } else if (isRow) {
-      doubt(result, "a row of joints, and no name tells of what: if it is no serpent, choose another plan");
+      doubt(result, "one row of joints, read as a serpent: if it is something else, choose another plan");
     }
   }
 }

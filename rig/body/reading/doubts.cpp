@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 
@@ -101,14 +103,21 @@ bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanRead
   for (const Limb& limb : reading.limbs) {
     joints += limb.joints.size();
   }
-  const bool isNamed = std::ranges::any_of(names, [](const std::string& name) {
-    const std::set<PartWord> words = partWords(name);
-    return words.contains(PartWord::head) || words.contains(PartWord::tail) || words.contains(PartWord::fin);
-  });
+  const auto areCalled = [](const std::vector<std::string>& called, std::initializer_list<PartWord> parts) {
+    return std::ranges::any_of(called, [&](const std::string& name) {
+      const std::set<PartWord> words = partWords(name);
+      return std::ranges::any_of(parts, [&](PartWord part) { return words.contains(part); });
+    });
+  };
+  std::vector<std::string> ofRow;
+  std::ranges::transform(jointsAndEnd(*row), std::back_inserter(ofRow),
+                         [&](NodeIndex node) { return names[at(node)]; });
   const std::vector<Vec3> points = limbPoints(*row, bindPose.worlds);
   const Vec3 along = points.back() - points.front();
   const bool stands = std::abs(along.y) > steep * glm::length(along);
-  return !isNamed && (stands || 2 * joints < skinJoints(scene).size());
+  const bool isPart = 2 * joints < skinJoints(scene).size() && !areCalled(names, {PartWord::head});
+  return areCalled(ofRow, {PartWord::leg, PartWord::arm, PartWord::wing, PartWord::ornament}) ||
+         ((stands || isPart) && !areCalled(names, {PartWord::tail, PartWord::fin}));
 }
 
 bool standsOnFour(const BindPose& bindPose, const Body& body, const Vec3& bodyUp) {

@@ -31,6 +31,10 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   return rest;
 }
 
+bool isBehindHips(const BodyView& view, const Axis& axis, const Extremity& row) {
+  return axis.hips >= 0 && glm::dot(row.points.front() - view.at(axis.hips), axis.forward) < 0.0;
+}
+
 } // namespace
 
 int carrierOf(const BodyView& view, const ExtremityPair& pair) {
@@ -69,11 +73,14 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
     // What hangs on the head is hair, or a crest.
     const int carrier = view.parentOf(rest.path.front());
     const bool isOnHead = axis.head >= 0 && carrier >= 0 && view.isAboveOrSelf(axis.head, carrier);
-    const bool back = !isOnHead && glm::dot(rest.points.back() - rest.points.front(), axis.forward) < 0.0;
+    const bool fromTip = isBehindHips(view, axis, rest) && hangsFromTip(view, axis, rest);
+    const bool back =
+        !isOnHead && (fromTip || glm::dot(rest.points.back() - rest.points.front(), axis.forward) < 0.0);
+    const double gap = fromTip ? glm::distance(rest.points.back(), view.at(axis.hips)) : 0.0;
     const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
     const double least = (named ? 0.03 : 0.12) * view.size;
     const double score = rest.length + (named ? view.size : 0.0);
-    if (rest.length > least && (named || (back && !isOrnament)) && score > best) {
+    if (rest.length + gap > least && (named || (back && !isOrnament)) && score > best) {
       best = score;
       tail = rest;
     }
@@ -81,10 +88,22 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
   return tail;
 }
 
-bool hangsFromTip(const BodyView& view, const Axis& axis) {
+bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail) {
   const Vec3& hips = view.at(std::max(axis.hips, 0));
-  return view.parentOf(axis.tail->path.front()) < 0 &&
-         glm::distance(axis.tail->points.back(), hips) < 0.5 * glm::distance(axis.tail->points.front(), hips);
+  return view.parentOf(tail.path.front()) < 0 &&
+         glm::distance(tail.points.back(), hips) < 0.5 * glm::distance(tail.points.front(), hips);
+}
+
+bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up) {
+  constexpr double higher = 0.25; // of the body
+  const auto rise = [&](const Extremity& row) { return glm::dot(row.points.back(), up); };
+  const auto head = std::ranges::find_if(parts.extremities.middle, [&](const Extremity& row) {
+    return std::ranges::find(row.path, parts.axis.head) != row.path.end();
+  });
+  return head != parts.extremities.middle.end() &&
+         std::ranges::any_of(parts.extremities.middle, [&](const Extremity& row) {
+           return rise(row) - rise(*head) > higher * view.size;
+         });
 }
 
 bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint, bool countsChains) {

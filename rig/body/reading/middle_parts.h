@@ -18,12 +18,15 @@ namespace stretch::rig::body {
 /// head to the one that they hang from. Empty where that is of the row itself.
 [[nodiscard]] std::vector<int> trunkBehind(const BodyView& view, const PlanParts& parts);
 
-/// A row of the middle that goes back from the trunk, without the joints that carry legs.
+/// A row of the middle that goes back from the trunk, without the joints that carry legs, or that comes to it
+/// from behind (see hangsFromTip).
 [[nodiscard]] std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts);
 
-/// Whether the joints of the tail, which is there, hang from its tip: it starts from nothing and comes up to
-/// the hips.
-[[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis);
+/// Whether the joints of a tail hang from its tip: it starts from nothing and comes up to the hips.
+[[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail);
+
+/// Whether what was taken for the head's row may be the tail: another row of the middle ends far higher.
+[[nodiscard]] bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up);
 
 /// From which on a joint's name tells its role clearly.
 inline constexpr double clearRole = 0.5;

@@ -266,7 +266,8 @@ private:
       return sides;
     }
     sides.reason = "sides: from the joint names";
-    if (namesSay != sides.leftIsPositive) {
+    const bool mayFaceBack = !parts_.axis.headIsNamed && mayBeTail(view_, parts_, up_);
+    if (namesSay != sides.leftIsPositive || mayFaceBack) {
       sides.warnings.emplace_back(
           "left and right follow the joint names, but the head is at the other end: are the sides right?");
     }
@@ -387,7 +388,7 @@ private:
     const PlannedLimb* const tail = plannedLimb(plan, {LimbKind::tail});
     if (axis.tail && tail != nullptr) {
       addWhole(*tail, *axis.tail, "goes back from the trunk", limbs);
-      if (hangsFromTip(view_, axis) && !limbs.empty()) {
+      if (hangsFromTip(view_, axis, *axis.tail) && !limbs.empty()) {
         limbs.back().confidence = std::min(limbs.back().confidence, 0.45);
         limbs.back().reasons.emplace_back("its joints hang from its tip");
       }

@@ -74,8 +74,11 @@ TEST_CASE("Turns are told key by key, each as its joint turns at that frame", "[
   const Json report = reportOf(folder, Json::parse(R"({"version": 1, "adjustments": [
       {"controller": "hips", "keys": [{"frame": 4, "turn": [0, 10, 0]}, {"frame": 12, "turn": [0, 40, 0]},
                                       {"frame": 20, "move": [0, 0.02, 0]}, {"frame": 30, "turn": [15, 0, 0]}]},
-      {"controller": "left-hand", "keys": [{"frame": 0, "turn": [0, 0, 5]}, {"frame": 9, "turn": [60, 0, 0]}]}]})"));
-  const std::vector<std::vector<double>> degrees{{10.0, 40.0, 0.0, 15.0}, {5.0, 60.0}};
+      {"controller": "left-hand", "keys": [{"frame": 0, "turn": [0, 0, 5]}, {"frame": 9, "turn": [60, 0, 0]},
+                                           {"frame": 14, "turn": [190, 0, 0]}, {"frame": 18, "turn": [350, 0, 0]},
+                                           {"frame": 22, "turn": [0, 370, 0]}, {"frame": 26, "turn": [0, 0, 560]}]}]})"));
+  const std::vector<std::vector<double>> degrees{{10.0, 40.0, 0.0, 15.0},
+                                                 {5.0, 60.0, 190.0, 350.0, 370.0, 560.0}};
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     for (std::size_t k = 0; k < degrees[i].size(); ++k) {
       CAPTURE(i, k);

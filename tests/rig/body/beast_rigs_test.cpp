@@ -368,3 +368,40 @@ TEST_CASE("A tail whose joints hang from its tip is doubted") {
   REQUIRE(found != nullptr);
   CHECK((found->confidence < 0.5) == fromTip);
 }
+
+TEST_CASE("A tail that comes to the hips from its tip is found by its place where no name calls it one") {
+  SyntheticBiped body = horseOfBlender(false);
+  std::vector<std::string> tail;
+  for (int i = 0; body.names.contains("tail" + std::to_string(i)); ++i) {
+    tail.push_back("tail" + std::to_string(i));
+  }
+  for (std::size_t i = 0; i < tail.size(); ++i) {
+    jointOf(body, tail[i]).parent = i + 1 < tail.size() ? tail[i + 1] : "";
+    body.names[tail[i]] = "DEF-spine.00" + std::to_string(i);
+  }
+  const bool isApart = GENERATE(false, true); // What ends far from the hips is none.
+  for (const std::string& joint : tail) {
+    jointOf(body, joint).position.z -= isApart ? 1.0 : 0.0;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  const Limb* const found = limbAt(read.limbs, {LimbKind::tail});
+  REQUIRE((found != nullptr) != isApart);
+  CHECK((isApart || describe(built, read, {LimbKind::tail}).starts_with(tail.back() + " ")));
+  CHECK(warnsOf(read, "guessed, and not sure: tail") != isApart);
+}
+
+TEST_CASE("Names of left and right that put the head where the tail hangs are asked about") {
+  const bool areSwapped = GENERATE(false, true);
+  SyntheticBiped body = makeHorse();
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("ear"); });
+  for (std::size_t i = 0; i < body.joints.size(); ++i) {
+    const std::string& key = body.joints[i].key;
+    const bool isLeft = key.ends_with(".l");
+    const char* const side = !isLeft && !key.ends_with(".r") ? "" : isLeft != areSwapped ? "_L" : "_R";
+    body.names[key] = "Bone." + std::to_string(100 + i) + side;
+  }
+  const Body read = detectBody(build(body).scene);
+  REQUIRE(read.plan == "quadruped");
+  CHECK(warnsOf(read, "the head is at the other end: are the sides right?") == areSwapped);
+}

@@ -241,8 +241,8 @@ TEST_CASE("A person who bends to one side has both arms, though both begin on th
 }
 
 TEST_CASE("A row of joints that stands upright is doubted as a serpent, one that lies is none") {
-  CHECK(warnsOf(detectBody(build(rowOf({0.0, 0.2, 0.02})).scene), "if it is no serpent"));
-  CHECK_FALSE(warnsOf(detectBody(build(rowOf({0.0, 0.01, 0.2})).scene), "if it is no serpent"));
+  CHECK(warnsOf(detectBody(build(rowOf({0.0, 0.2, 0.02})).scene), "read as a serpent"));
+  CHECK_FALSE(warnsOf(detectBody(build(rowOf({0.0, 0.01, 0.2})).scene), "read as a serpent"));
 }
 
 TEST_CASE("Sides that names alone tell are asked where a negative scale mirrors the skeleton") {
@@ -302,4 +302,28 @@ TEST_CASE("What carries one leg alone is no hips") {
   jointOf(body, "thigh.l").parent = "holder";
   const BuiltBiped built = build(body);
   CHECK(describe(built, detectBody(built.scene), biped::spine) == "spine0 spine1 -> spine2");
+}
+
+TEST_CASE("A joint called tip that moves a mesh is none where an exporter's end joint hangs from it") {
+  const bool hasEnds = GENERATE(true, false);
+  SyntheticBiped body = makeHorse();
+  std::string last;
+  for (int i = 0; std::ranges::count(body.joints, "tail" + std::to_string(i), &SyntheticJoint::key) > 0;
+       ++i) {
+    last = "tail" + std::to_string(i);
+    body.names[last] = last;
+  }
+  const Vec3 place = jointOf(body, last).position;
+  body.names[last] = "tail_tip";
+  if (hasEnds) {
+    SyntheticJoint end{"end", last,
+                       place + 0.5 * (place - jointOf(body, jointOf(body, last).parent).position)};
+    end.isJoint = end.movesMesh = false;
+    body.joints.push_back(end);
+    body.names["end"] = "tail_tip_end";
+  }
+  const BuiltBiped built = build(body);
+  const std::string tail = describe(built, detectBody(built.scene), {LimbKind::tail});
+  CHECK((tail.find(last + " -> end") != std::string::npos) == hasEnds);
+  CHECK((hasEnds || tail.ends_with(" -> " + last)));
 }

@@ -103,7 +103,9 @@ int jointIndex(const SyntheticBiped& body, const std::string& key) {
 // Node 0 is the armature, the last one carries the mesh; a shuffle spreads the joints between.
 NodeIndex nodeIndex(const SyntheticBiped& body, int joint) {
   const int count = static_cast<int>(body.joints.size());
-  const int stride = count % 7 != 0 ? 7 : 11; // no divisor of the count of any body here
+  const int stride = count % 7 != 0    ? 7
+                     : count % 11 != 0 ? 11
+                                       : 13; // no divisor of the count of any body here
   return NodeIndex(body.shuffled ? 1 + (joint * stride + 3) % count : 1 + joint);
 }
 
