@@ -272,6 +272,10 @@ std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk
   }
   limb.confidence = combine(std::clamp(trunk.neckNameFit, 0.0, 1.0), end.node.exists() ? 0.75 : 0.35);
   limb.reasons = {"between the chest and the head", nodeNames(scene, limb.joints)};
+  if (trunk.hasRivalOfNeck) {
+    limb.confidence = std::min(limb.confidence, 0.45);
+    limb.reasons.emplace_back("another row of joints may be the neck, or goes on from the head");
+  }
   if (!end.node.exists()) {
     limb.reasons.emplace_back("no head joint: estimated from the vertices of the last bone");
   }

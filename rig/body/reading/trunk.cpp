@@ -375,7 +375,24 @@ private:
     }
     trunk.spineNameFit = spineNames / std::max(1.0, static_cast<double>(trunk.spine.size()));
     trunk.neckNameFit = neckNames / static_cast<double>(trunk.neck.size() + 1);
+    trunk.hasRivalOfNeck = !namesHead_ && hasRivalOfNeck(split);
     return trunk;
+  }
+
+  // Whether two joints in a row stand above the arms in the middle beside the row up to the head: a ponytail,
+  // or what a back carries.
+  [[nodiscard]] bool hasRivalOfNeck(const Split& split) const {
+    const auto end = chain_.begin() + static_cast<std::ptrdiff_t>(std::min(split.head + 1, chain_.size()));
+    const auto isRival = [&](int joint) {
+      return joint >= 0 && isCentral(joint) && heightOf(joint) > heightOf(chain_[split.tip]) &&
+             std::find(chain_.begin(), end, joint) == end;
+    };
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      if (isRival(joint) && isRival(view_.parentOf(joint))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   const BodyView& view_;

@@ -12,8 +12,9 @@ struct Trunk {
   std::vector<int> spine; ///< From the first joint above the hips to the one that carries the arms.
   std::vector<int> neck;
   int head = -1;
-  double spineNameFit = 0.0; ///< 0..1: share of the spine's joints that are named so.
-  double neckNameFit = 0.0;  ///< 0..1: of the neck's joints and the head.
+  double spineNameFit = 0.0;   ///< 0..1: share of the spine's joints that are named so.
+  double neckNameFit = 0.0;    ///< 0..1: of the neck's joints and the head.
+  bool hasRivalOfNeck = false; ///< Without names of neck and head: another row of joints may be these.
 };
 
 /// Reads hips, spine, neck and head along the chain from the root to the head, by names, by where legs and

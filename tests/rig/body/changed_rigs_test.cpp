@@ -92,6 +92,38 @@ void addIdleCopy(SyntheticBiped& body, Row& /*row*/) {
   addOther(body, copy, Vec3(0.0));
 }
 
+// A row of joints that hangs from one that the body has, as offsets and steps of its height.
+void hangRow(SyntheticBiped& body, const std::string& parent, const Vec3& start, const Vec3& step,
+             int count) {
+  const auto [lowest, highest] =
+      std::ranges::minmax(body.joints, {}, [](const SyntheticJoint& joint) { return joint.position.y; });
+  const double height = highest.position.y - lowest.position.y;
+  std::string above = parent;
+  for (int i = 0; i < count; ++i) {
+    const std::string key = fmt::format("{} row {}", parent, i);
+    const Vec3 place = jointOf(body, above).position + height * (i == 0 ? start : step);
+    body.joints.push_back({key, above, place});
+    body.names[key] = fmt::format("Bone.{:03}", 200 + i);
+    above = key;
+  }
+}
+
+void putPonytail(SyntheticBiped& body, Row& /*row*/) {
+  if (find(body, "head") != nullptr) {
+    hangRow(body, "head", {0.0, 0.06, -0.06}, {0.0, -0.07, -0.01}, 8);
+  }
+}
+
+void putBackpack(SyntheticBiped& body, Row& /*row*/) {
+  std::string chest;
+  for (const SyntheticJoint& joint : body.joints) {
+    chest = joint.key.starts_with("spine") ? std::max(chest, joint.key) : chest;
+  }
+  if (!chest.empty()) {
+    hangRow(body, chest, {0.0, 0.0, -0.1}, {0.0, 0.15, -0.02}, 3);
+  }
+}
+
 const std::vector<Change>& changes() {
   static const std::vector<Change> all{
       {"bones of the trunk that no skin lists, since no vertex follows them", unlistTrunk},
@@ -107,6 +139,9 @@ const std::vector<Change>& changes() {
            name = "joint";
          }
        }},
+      {"a ponytail", putPonytail},
+      {"a backpack", putBackpack},
+      {"no mesh", [](SyntheticBiped& body, Row&) { body.withMesh = false; }},
       {"an armature of another scale",
        [](SyntheticBiped& body, Row&) {
          body.armatureScale = 0.01;
