@@ -11,6 +11,7 @@
 #include "core/math/polyline.h"
 #include "rig/body/evidence/name_text.h"
 #include "rig/body/evidence/name_words.h"
+#include "rig/body/reading/limb_end.h"
 
 namespace stretch::rig::body {
 
@@ -91,6 +92,7 @@ public:
     for (std::vector<Extremity>* side : {&left, &right}) {
       std::erase_if(*side, [&](const Extremity& row) { return isWorn(row); });
     }
+    dropLoneJoints(left, right);
     keepLongest(left);
     keepLongest(right);
     result.pairs = pairUp(std::move(right), std::move(left));
@@ -218,7 +220,7 @@ private:
       length += glm::distance(view_.at(here), view_.at(children.front()));
       path.push_back(children.front());
     }
-    found.push_back(extremityOf(trimmed(std::move(path)), attach));
+    found.push_back(withEstimatedEnd(view_, extremityOf(trimmed(std::move(path)), attach)));
   }
 
   [[nodiscard]] bool isFeather(int joint) const {

@@ -1,8 +1,11 @@
 #include "rig/body/reading/limb_end.h"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/geometric.hpp>
+
+#include "core/math/polyline.h"
 
 namespace stretch::rig::body {
 
@@ -91,6 +94,15 @@ bool standsOnMesh(const BodyView& view, const Extremity& leg, const Vec3& up, do
          });
 }
 
+bool isCalledLimb(const Extremity& row) {
+  return std::ranges::any_of(std::array{PartWord::leg, PartWord::arm, PartWord::wing, PartWord::fin},
+                             [&](PartWord word) { return row.word(word) > 0.0; });
+}
+
+bool isLone(const Extremity& row) {
+  return row.path.size() == 1 && !row.tip.exists();
+}
+
 } // namespace
 
 bool isFan(const BodyView& view, int candidate) {
@@ -106,6 +118,24 @@ std::optional<EstimatedEnd> estimateEnd(const BodyView& view, int last) {
   }
   const std::optional<Vec3> farEnd = farEndOfVertices(view, last);
   return farEnd ? std::optional(EstimatedEnd{*farEnd, false}) : std::nullopt;
+}
+
+Extremity withEstimatedEnd(const BodyView& view, Extremity row) {
+  const std::optional<EstimatedEnd> end =
+      isLone(row) && isCalledLimb(row) ? estimateEnd(view, row.path.back()) : std::nullopt;
+  if (end) {
+    row.points.push_back(end->position);
+    row.length = polylineLength(row.points);
+  }
+  return row;
+}
+
+void dropLoneJoints(std::vector<Extremity>& left, std::vector<Extremity>& right) {
+  const auto isLimb = [](const Extremity& row) { return !isLone(row) && isCalledLimb(row); };
+  if (std::ranges::any_of(left, isLimb) || std::ranges::any_of(right, isLimb)) {
+    std::erase_if(left, isLone);
+    std::erase_if(right, isLone);
+  }
 }
 
 std::size_t endOfLeg(const BodyView& view, const Extremity& leg, const Vec3& up, double floor) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rig/body/reading/extremities.h"
 
@@ -16,6 +17,14 @@ struct EstimatedEnd {
 /// unnamed), else the far end of the vertices that follow it, along the line from the joint to their centre.
 /// Nothing without either.
 [[nodiscard]] std::optional<EstimatedEnd> estimateEnd(const BodyView& view, int last);
+
+/// A row of one joint that is called a leg, an arm, a wing or a fin, as models of blocks have them, with its
+/// estimated end as a second point; every other row as it is.
+[[nodiscard]] Extremity withEstimatedEnd(const BodyView& view, Extremity row);
+
+/// Takes single joints out of the rows of both sides where another row is a limb by name: beside limbs of
+/// several joints one alone is a plate or a feather, whatever it is called.
+void dropLoneJoints(std::vector<Extremity>& left, std::vector<Extremity>& right);
 
 /// Whether fingers or palms start at a joint: three children or more, or two that are named palms.
 [[nodiscard]] bool isFan(const BodyView& view, int candidate);

@@ -405,3 +405,63 @@ TEST_CASE("Names of left and right that put the head where the tail hangs are as
   REQUIRE(read.plan == "quadruped");
   CHECK(warnsOf(read, "the head is at the other end: are the sides right?") == areSwapped);
 }
+
+namespace {
+
+/// A beast of blocks: each leg is one joint that turns a whole block, and the body carries all.
+SyntheticBiped beastOfBlocks() {
+  SyntheticBiped body;
+  body.tubes = true;
+  const auto add = [&](const std::string& key, const std::string& parent, const Vec3& place,
+                       const Vec3& flesh) {
+    body.joints.push_back({key, parent, place});
+    body.joints.back().flesh = flesh;
+    body.names[key] = key;
+  };
+  add("body", "", {0.0, 0.9, 0.0}, {0.0, 0.0, 0.4});
+  add("head", "body", {0.0, 1.1, 0.5}, {0.0, 0.0, 0.3});
+  int number = 0;
+  for (const double z : {-0.4, 0.4}) {
+    for (const double x : {-0.2, 0.2}) {
+      add("leg" + std::to_string(number++), "body", {x, 0.75, z}, {0.0, -0.75, 0.0});
+    }
+  }
+  return body;
+}
+
+} // namespace
+
+TEST_CASE("A leg of one joint reaches as far as its block, where names call it a leg") {
+  SyntheticBiped body = beastOfBlocks();
+  body.rigid = GENERATE(false, true);
+  body.withSkin = !body.rigid;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "quadruped");
+  CHECK(read.planConfidence >= 0.8);
+  for (const auto& [place, joint] : {std::pair(LimbPlace{LimbKind::leg, LimbSide::left, 1}, "leg3"),
+                                     {LimbPlace{LimbKind::leg, LimbSide::right, 1}, "leg2"},
+                                     {LimbPlace{LimbKind::leg, LimbSide::left, 2}, "leg1"},
+                                     {LimbPlace{LimbKind::leg, LimbSide::right, 2}, "leg0"}}) {
+    const Limb* const leg = limbAt(read.limbs, place);
+    REQUIRE(leg != nullptr);
+    CHECK(describe(built, read, place) == std::string(joint) + " -> estimated");
+    CHECK(leg->restLength == Approx(0.75).margin(0.1));
+  }
+}
+
+TEST_CASE("Beside legs of several joints one that is called a limb and is one joint is none") {
+  SyntheticBiped body = makeHorse();
+  for (const auto& [side, sign] : sides) {
+    body.joints.push_back({"plate" + side, "spine1", {0.3 * sign, 1.3, 0.0}});
+    body.joints.back().flesh = Vec3(0.2 * sign, -1.2, 0.0);
+    body.names["plate" + side] = "leg_armour" + side;
+  }
+  for (SyntheticJoint& joint : body.joints) {
+    body.names.try_emplace(joint.key, joint.key);
+  }
+  body.tubes = true;
+  const Body read = detectBody(build(body).scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(limbAt(read.limbs, {LimbKind::leg, LimbSide::left, 3}) == nullptr);
+}
