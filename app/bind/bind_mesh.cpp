@@ -250,6 +250,17 @@ Result<JointsAndMeshes> jointsAndMeshes(const Document& document, const BindRequ
   return made;
 }
 
+Error nothingToBind(const Document& document, const BodyToBind& body) {
+  const Scene& scene = *document.scene;
+  if (scene.skins.empty() && !scene.meshes.empty() && !document.body.limbs.empty()) {
+    return {"its meshes are rigid pieces that follow their nodes, and need no weights", "",
+            "exaggerate it as it is, or join the pieces into one mesh first"};
+  }
+  return body.triangles.empty()
+             ? Error{"the file shows no mesh with triangles", "", "give a file with a body"}
+             : Error{"the file has no skeleton to bind to", "", "give locators"};
+}
+
 } // namespace
 
 Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& request,
@@ -264,11 +275,8 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   }
   const SkeletonToBind& skeleton = found->skeleton;
   const BodyToBind body = bodyToBind(scene, found->meshes);
-  if (body.triangles.empty()) {
-    return Error{"the file shows no mesh with triangles", "", "give a file with a body"};
-  }
-  if (skeleton.nodes.empty()) {
-    return Error{"the file has no skeleton to bind to", "", "give locators"};
+  if (body.triangles.empty() || skeleton.nodes.empty()) {
+    return nothingToBind(document, body);
   }
   Result<skinning::BoundBody> bound =
       request.way == BindWay::surface

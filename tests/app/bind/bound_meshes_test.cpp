@@ -17,12 +17,14 @@
 #include "core/anim/sampling.h"
 #include "core/gltf/source/added_file.h"
 #include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/matrices.h"
 #include "tests/support/nodes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/rig/character_file.h"
+#include "tests/support/rig/naming_schemes.h"
 #include "tests/support/skinning/tube_person.h"
 
 using namespace stretch;
@@ -325,6 +327,12 @@ TEST_CASE("What a bind needs is asked for in one line") {
              Catch::Contains("props from other files are added to it"));
   const Document bare = opened(*test::boxer().scene, *test::boxer().clips);
   CHECK_THAT(test::refusal(bindMeshes(bare, {})), Catch::Contains("the file shows no mesh with triangles"));
+  test::SyntheticBiped pieces = test::makeNamedBody("Mixamo");
+  pieces.rigid = true;
+  pieces.withSkin = false;
+  Document rigid = opened(test::build(pieces).scene, {});
+  rigid.body = rig::detectBody(*rigid.scene);
+  CHECK_THAT(test::refusal(bindMeshes(rigid, {})), Catch::Contains("rigid pieces that follow their nodes"));
 }
 
 TEST_CASE("Joints to bind are those of skins in use, without sockets that only hold rigid things") {
