@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <span>
@@ -285,9 +286,11 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   if (!bound) {
     return bound.error();
   }
-  const std::vector<std::string> held = skeleton.added.empty()
-                                            ? holdPieces(document, skeleton, body, bound->influences)
-                                            : std::vector<std::string>();
+  std::vector<std::string> held;
+  if (skeleton.added.empty()) {
+    held = holdPieces(document, skeleton, body, bound->influences);
+    std::ranges::move(keepThings(document, skeleton, body, bound->influences), std::back_inserter(held));
+  }
   gltf::Edits moving;
   addMoves(document, found->moves, moving);
   Result<gltf::Source> source = gltf::patched(

@@ -1,6 +1,7 @@
 #include "app/bind/held_pieces.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include <fmt/core.h>
@@ -98,7 +99,87 @@ std::vector<std::vector<std::size_t>> piecesOf(const BodyToBind& body) {
   return pieces;
 }
 
+// The joint that each vertex of the body follows wholly, as its file has it; -1: several, or none.
+std::vector<int> wholeFollowers(const Scene& scene, const SkeletonToBind& skeleton, const BodyToBind& body) {
+  constexpr float whole = 0.999F;
+  std::vector<int> placeOf(scene.nodes.size(), -1);
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    placeOf[at(skeleton.nodes[i])] = static_cast<int>(i);
+  }
+  std::vector<int> followed(body.positions.size(), -1);
+  for (const MeshToBind& mesh : body.meshes) {
+    std::size_t vertex = mesh.firstVertex;
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(mesh.node)].mesh)].primitives) {
+      for (std::size_t i = 0; i < primitive.positions.size(); ++i, ++vertex) {
+        const bool hasWeights = mesh.skin >= 0 && i < primitive.influences.size();
+        const VertexInfluences own = hasWeights ? primitive.influences[i] : VertexInfluences{};
+        const auto largest = std::ranges::max_element(own.weights);
+        if (hasWeights && *largest >= whole * std::accumulate(own.weights.begin(), own.weights.end(), 0.0F) &&
+            *largest > 0.0F) {
+          const std::uint16_t slot = own.joints[at(largest - own.weights.begin())];
+          followed[vertex] = placeOf[at(scene.skins[at(mesh.skin)].joints[slot])];
+        }
+      }
+    }
+  }
+  return followed;
+}
+
+// Joints at the end of a row that no limb goes through: of an eye, a shield, a hat.
+std::vector<bool> endJoints(const Document& document, const SkeletonToBind& skeleton) {
+  std::vector<bool> ends(skeleton.joints.size(), true);
+  for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
+    const NodeIndex node = skeleton.nodes[i];
+    ends[i] = ends[i] && node != document.body.head &&
+              std::ranges::none_of(document.body.limbs, [&](const rig::Limb& limb) {
+                return limb.endNode == node || std::ranges::find(limb.joints, node) != limb.joints.end();
+              });
+    if (skeleton.joints[i].parent >= 0) {
+      ends[at(skeleton.joints[i].parent)] = false;
+    }
+  }
+  return ends;
+}
+
+void follow(std::size_t joint, const std::vector<std::size_t>& piece,
+            std::vector<skinning::Influences>& rows) {
+  for (const std::size_t vertex : piece) {
+    rows[vertex] = {};
+    rows[vertex].bones[0] = static_cast<std::uint16_t>(joint);
+    rows[vertex].weights[0] = 1.0F;
+  }
+}
+
 } // namespace
+
+std::vector<std::string> keepThings(const Document& document, const SkeletonToBind& skeleton,
+                                    const BodyToBind& body, std::vector<skinning::Influences>& rows) {
+  const std::vector<int> followed = wholeFollowers(*document.scene, skeleton, body);
+  const std::vector<bool> ends = endJoints(document, skeleton);
+  const std::vector<std::vector<std::size_t>> pieces = piecesOf(body);
+  std::vector<std::size_t> kept(skeleton.joints.size(), 0);
+  for (std::size_t i = body.meshes.size(); i < pieces.size(); ++i) {
+    const int joint = pieces[i].empty() ? -1 : followed[pieces[i].front()];
+    const bool isThing =
+        joint >= 0 && ends[at(joint)] &&
+        std::ranges::all_of(pieces[i], [&](std::size_t vertex) { return followed[vertex] == joint; });
+    const bool isMoved = isThing && std::ranges::any_of(pieces[i], [&](std::size_t vertex) {
+                           return rows[vertex].bones[0] != at(joint) || rows[vertex].weights[0] < 1.0F;
+                         });
+    if (isMoved) {
+      follow(at(joint), pieces[i], rows);
+      kept[at(joint)] += pieces[i].size();
+    }
+  }
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] > 0) {
+      told.push_back(fmt::format("a thing of {} vertices that followed \"{}\" alone goes on following it",
+                                 kept[i], nodeTitle(document, skeleton.nodes[i])));
+    }
+  }
+  return told;
+}
 
 std::vector<std::string> holdPieces(const Document& document, const SkeletonToBind& skeleton,
                                     const BodyToBind& body, std::vector<skinning::Influences>& rows) {
@@ -118,11 +199,7 @@ std::vector<std::string> holdPieces(const Document& document, const SkeletonToBi
     if (hand == hands.end()) {
       continue;
     }
-    for (const std::size_t vertex : piece) {
-      rows[vertex] = {};
-      rows[vertex].bones[0] = static_cast<std::uint16_t>(hand->joint);
-      rows[vertex].weights[0] = 1.0F;
-    }
+    follow(hand->joint, piece, rows);
     told.push_back(fmt::format("a thing of {} vertices that the {} holds follows \"{}\" as one piece",
                                piece.size(), hand->limb, nodeTitle(document, skeleton.nodes[hand->joint])));
   }

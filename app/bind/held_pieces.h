@@ -18,4 +18,12 @@ namespace stretch::app {
                                                   const BodyToBind& body,
                                                   std::vector<skinning::Influences>& rows);
 
+/// Things of the file's own skin: pieces of meshes that nothing joins to the rest, each of which follows one
+/// joint alone at the end of a row that no limb goes through, such as an eye, a shield or a hat. Each goes on
+/// following it, since no shape tells what moves it. Returns a line for each joint whose things would have
+/// followed others.
+[[nodiscard]] std::vector<std::string> keepThings(const Document& document, const SkeletonToBind& skeleton,
+                                                  const BodyToBind& body,
+                                                  std::vector<skinning::Influences>& rows);
+
 } // namespace stretch::app

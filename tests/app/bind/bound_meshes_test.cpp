@@ -320,6 +320,37 @@ TEST_CASE("What follows a joint that its skin lacks follows the one above it, wh
   CHECK(joined > 0);
 }
 
+TEST_CASE("A piece that follows a joint at the end of a row alone goes on following it, no other does") {
+  const std::string follows = GENERATE("Badge", "Chest", "Badge and Chest");
+  Scene scene = *dressedAndBound().scene;
+  const NodeIndex badge = test::addNode(scene, "Badge", nodeNamed(scene, "Chest"), {0.5, 0.5, 0.0});
+  const Node& shell = scene.nodes[at(nodeNamed(scene, "Shell"))];
+  Skin& skin = scene.skins[at(shell.skin)];
+  const auto chest = std::ranges::find(skin.joints, nodeNamed(scene, "Chest")) - skin.joints.begin();
+  skin.joints.push_back(badge);
+  skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(-0.5, -0.5, 0.0)) * skin.inverseBind[at(chest)]);
+  VertexInfluences first;
+  first.joints[0] = static_cast<std::uint16_t>(follows == "Chest" ? at(chest) : skin.joints.size() - 1);
+  first.weights[0] = 1.0F;
+  std::vector<VertexInfluences>& influences = scene.meshes[at(shell.mesh)].primitives.front().influences;
+  std::ranges::fill(influences, first);
+  if (follows == "Badge and Chest") {
+    influences[5].joints[1] = static_cast<std::uint16_t>(at(chest));
+    influences[5].weights = {0.6F, 0.4F};
+  }
+  const BoundMeshes done = boundAt(opened(scene, *test::boxer().clips));
+  const bool isKept = follows == "Badge";
+  const auto told = std::ranges::count(
+      done.report.warnings, "a thing of 36 vertices that followed \"Badge\" alone goes on following it");
+  CHECK(told == (isKept ? 1 : 0));
+  const Scene bound = sceneOf(done);
+  const Node& after = bound.nodes[at(nodeNamed(bound, "Shell"))];
+  for (const VertexInfluences& one : bound.meshes[at(after.mesh)].primitives.front().influences) {
+    const bool isBadges = bound.nodes[at(bound.skins[at(after.skin)].joints[one.joints[0]])].name == "Badge";
+    CHECK((isBadges && one.weights[0] == 1.0F) == isKept);
+  }
+}
+
 TEST_CASE("What a bind needs is asked for in one line") {
   Document document = opened(dressed(), *test::boxer().clips);
   document.addedFiles.resize(1);
