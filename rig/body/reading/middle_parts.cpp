@@ -106,6 +106,13 @@ bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up) {
          });
 }
 
+bool isRootOnFloor(const BodyView& view, const PlanParts& parts, int joint, const Vec3& up) {
+  constexpr double low = 0.05; // of the body's height
+  const Extremities& extremities = parts.extremities;
+  return parts.standingLegs() > 0 && view.points[static_cast<std::size_t>(joint)].empty() &&
+         glm::dot(view.at(joint), up) - extremities.floor < low * (extremities.top - extremities.floor);
+}
+
 bool carriesLimb(const BodyView& view, const PlanParts& parts, int joint, bool countsChains) {
   return std::ranges::any_of(parts.pairs, [&](const KindredPair& one) {
     return (countsChains || one.kind != LimbKind::chain) &&

@@ -25,6 +25,9 @@ namespace stretch::rig::body {
 /// Whether the joints of a tail hang from its tip: it starts from nothing and comes up to the hips.
 [[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail);
 
+/// Whether a joint of a body that stands on legs moves nothing itself and lies on the ground, as a root does.
+[[nodiscard]] bool isRootOnFloor(const BodyView& view, const PlanParts& parts, int joint, const Vec3& up);
+
 /// Whether what was taken for the head's row may be the tail: another row of the middle ends far higher.
 [[nodiscard]] bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up);
 

@@ -402,13 +402,13 @@ private:
       return;
     }
     std::vector<NodeIndex> joints;
-    joints.reserve(row.size());
-    for (const int joint : row) {
-      joints.push_back(nodeOf(joint));
+    const bool isRoot = isRootOnFloor(view_, parts_, row.front(), up_);
+    for (std::size_t i = isRoot && row.size() > 1 ? 1 : 0; i < row.size(); ++i) {
+      joints.push_back(nodeOf(row[i]));
     }
     Limb limb = makeLimb(place, std::move(joints), {.node = nodeOf(end)}, bindPose_.worlds);
     limb.id = planned->id;
-    limb.confidence = parts_.axis.headIsNamed ? 0.9 : 0.65;
+    limb.confidence = isRoot && row.size() < 2 ? 0.45 : parts_.axis.headIsNamed ? 0.9 : 0.65;
     limb.reasons = {why, nodeNames(scene_, limb.joints)};
     if (isSound(limb)) {
       limbs.push_back(std::move(limb));

@@ -465,3 +465,39 @@ TEST_CASE("Beside legs of several joints one that is called a limb and is one jo
   CHECK(read.plan == "quadruped");
   CHECK(limbAt(read.limbs, {LimbKind::leg, LimbSide::left, 3}) == nullptr);
 }
+
+TEST_CASE("A root on the ground is no joint of a trunk, and what is a trunk by it alone is doubted") {
+  const bool hasTrunk = GENERATE(true, false);
+  SyntheticBiped body = makeHorse();
+  SyntheticJoint root{"root", "", {0.0, 0.0, 0.2}};
+  root.movesMesh = false;
+  body.joints.insert(body.joints.begin(), root);
+  // Neck and front legs hang from the root as well, and the trunk runs back to the hips.
+  for (SyntheticJoint& joint : body.joints) {
+    joint.parent = joint.parent == "spine1" ? "root" : joint.parent;
+  }
+  for (const auto& [joint, parent] :
+       {std::pair("spine1", "root"), {"spine0", "spine1"}, {"hips", "spine0"}}) {
+    jointOf(body, joint).parent = parent;
+  }
+  if (!hasTrunk) { // All hangs from the root.
+    for (SyntheticJoint& joint : body.joints) {
+      joint.parent =
+          joint.parent == "hips" || joint.parent == "spine1" || joint.key == "hips" ? "root" : joint.parent;
+    }
+    std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("spine"); });
+  }
+  for (SyntheticJoint& joint : body.joints) {
+    body.names[joint.key] = joint.key;
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "quadruped");
+  const Limb* const spine = limbAt(read.limbs, biped::spine);
+  if (hasTrunk) {
+    CHECK(describe(built, read, biped::spine) == "spine1 spine0 -> hips");
+    CHECK(spine->confidence >= 0.8);
+  } else {
+    CHECK((spine == nullptr || spine->confidence < 0.5));
+  }
+}
