@@ -1,6 +1,7 @@
 #include "app/bind/held_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 
@@ -99,9 +100,21 @@ std::vector<std::vector<std::size_t>> piecesOf(const BodyToBind& body) {
   return pieces;
 }
 
+// Where in its skin the joint stands that a vertex follows wholly; -1: it follows several, or none.
+int wholeSlot(const VertexInfluences& influences) {
+  constexpr float whole = 0.999F;
+  const std::array<float, VertexInfluences::capacity>& weights = influences.weights;
+  const float sum = std::accumulate(weights.begin(), weights.end(), 0.0F);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] > 0.0F && weights[i] >= whole * sum) {
+      return influences.joints[i];
+    }
+  }
+  return -1;
+}
+
 // The joint that each vertex of the body follows wholly, as its file has it; -1: several, or none.
 std::vector<int> wholeFollowers(const Scene& scene, const SkeletonToBind& skeleton, const BodyToBind& body) {
-  constexpr float whole = 0.999F;
   std::vector<int> placeOf(scene.nodes.size(), -1);
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     placeOf[at(skeleton.nodes[i])] = static_cast<int>(i);
@@ -112,13 +125,8 @@ std::vector<int> wholeFollowers(const Scene& scene, const SkeletonToBind& skelet
     for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(mesh.node)].mesh)].primitives) {
       for (std::size_t i = 0; i < primitive.positions.size(); ++i, ++vertex) {
         const bool hasWeights = mesh.skin >= 0 && i < primitive.influences.size();
-        const VertexInfluences own = hasWeights ? primitive.influences[i] : VertexInfluences{};
-        const auto largest = std::ranges::max_element(own.weights);
-        if (hasWeights && *largest >= whole * std::accumulate(own.weights.begin(), own.weights.end(), 0.0F) &&
-            *largest > 0.0F) {
-          const std::uint16_t slot = own.joints[at(largest - own.weights.begin())];
-          followed[vertex] = placeOf[at(scene.skins[at(mesh.skin)].joints[slot])];
-        }
+        const int slot = hasWeights ? wholeSlot(primitive.influences[i]) : -1;
+        followed[vertex] = slot < 0 ? -1 : placeOf[at(scene.skins[at(mesh.skin)].joints[at(slot)])];
       }
     }
   }

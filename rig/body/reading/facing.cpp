@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <glm/geometric.hpp>
 
@@ -47,7 +46,8 @@ Vec3 ankleOf(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
   }
   const std::vector<Vec3>& shin = view.points[static_cast<std::size_t>(leg.middle)];
   const auto height = [&](const Vec3& point) { return glm::dot(point, frame.up); };
-  const auto [bottom, top] = std::ranges::minmax(shin | std::views::transform(height));
+  const double bottom = height(*std::ranges::min_element(shin, {}, height));
+  const double top = height(*std::ranges::max_element(shin, {}, height));
   Vec3 sum(0.0);
   double count = 0.0;
   for (const Vec3& point : shin) {

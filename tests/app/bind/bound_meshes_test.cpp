@@ -326,16 +326,17 @@ TEST_CASE("A piece that follows a joint at the end of a row alone goes on follow
   const NodeIndex badge = test::addNode(scene, "Badge", nodeNamed(scene, "Chest"), {0.5, 0.5, 0.0});
   const Node& shell = scene.nodes[at(nodeNamed(scene, "Shell"))];
   Skin& skin = scene.skins[at(shell.skin)];
-  const auto chest = std::ranges::find(skin.joints, nodeNamed(scene, "Chest")) - skin.joints.begin();
+  const auto chest = static_cast<std::size_t>(std::ranges::find(skin.joints, nodeNamed(scene, "Chest")) -
+                                              skin.joints.begin());
   skin.joints.push_back(badge);
-  skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(-0.5, -0.5, 0.0)) * skin.inverseBind[at(chest)]);
+  skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(-0.5, -0.5, 0.0)) * skin.inverseBind[chest]);
   VertexInfluences first;
-  first.joints[0] = static_cast<std::uint16_t>(follows == "Chest" ? at(chest) : skin.joints.size() - 1);
+  first.joints[0] = static_cast<std::uint16_t>(follows == "Chest" ? chest : skin.joints.size() - 1);
   first.weights[0] = 1.0F;
   std::vector<VertexInfluences>& influences = scene.meshes[at(shell.mesh)].primitives.front().influences;
   std::ranges::fill(influences, first);
   if (follows == "Badge and Chest") {
-    influences[5].joints[1] = static_cast<std::uint16_t>(at(chest));
+    influences[5].joints[1] = static_cast<std::uint16_t>(chest);
     influences[5].weights = {0.6F, 0.4F};
   }
   const BoundMeshes done = boundAt(opened(scene, *test::boxer().clips));
