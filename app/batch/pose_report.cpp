@@ -89,14 +89,17 @@ NodeIndex turnedNode(const Document& document, const std::string& id) {
   return own == all.end() || !own->turns ? NodeIndex::none : own->node;
 }
 
-// Two rotations tell the angle between them but for whole turns and its side: the one that is nearest to what
-// was asked for.
+// Two rotations tell the angle between them but for its side and whole turns: where one of the angles that
+// they may stand for is near what was asked for, it is that one; else the turn fell short, and is told as it
+// is.
 double likeAsked(double degrees, double askedDegrees) {
   constexpr double whole = 360.0;
+  constexpr double near = 30.0;
   const double below = whole * std::floor(askedDegrees / whole);
   const double along = below + degrees;
   const double back = below + whole - degrees;
-  return std::abs(along - askedDegrees) <= std::abs(back - askedDegrees) ? along : back;
+  const double nearest = std::abs(along - askedDegrees) <= std::abs(back - askedDegrees) ? along : back;
+  return std::abs(nearest - askedDegrees) < near ? nearest : degrees;
 }
 
 // Degrees by which a key asks its controller to turn, and by which its joint turns more than without.

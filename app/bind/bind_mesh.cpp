@@ -253,7 +253,9 @@ Result<JointsAndMeshes> jointsAndMeshes(const Document& document, const BindRequ
 
 Error nothingToBind(const Document& document, const BodyToBind& body) {
   const Scene& scene = *document.scene;
-  if (scene.skins.empty() && !scene.meshes.empty() && !document.body.limbs.empty()) {
+  const bool hasTriangles =
+      std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.primitives.empty(); });
+  if (scene.skins.empty() && hasTriangles && !document.body.limbs.empty()) {
     return {"its meshes are rigid pieces that follow their nodes, and need no weights", "",
             "exaggerate it as it is, or join the pieces into one mesh first"};
   }
@@ -288,8 +290,8 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   }
   std::vector<std::string> held;
   if (skeleton.added.empty()) {
-    held = holdPieces(document, skeleton, body, bound->influences);
-    std::ranges::move(keepThings(document, skeleton, body, bound->influences), std::back_inserter(held));
+    held = keepThings(document, skeleton, body, bound->influences);
+    std::ranges::move(holdPieces(document, skeleton, body, bound->influences), std::back_inserter(held));
   }
   gltf::Edits moving;
   addMoves(document, found->moves, moving);

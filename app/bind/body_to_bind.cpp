@@ -41,12 +41,6 @@ std::set<NodeIndex> jointsOfSkins(const Scene& scene) {
   return joints;
 }
 
-bool isOfLimb(const rig::Body& body, NodeIndex joint) {
-  return std::ranges::any_of(body.limbs, [&](const rig::Limb& limb) {
-    return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
-  });
-}
-
 // A joint beyond the limbs that nothing hangs on but rigid meshes: it holds a prop.
 bool isSocket(const Document& document, NodeIndex joint) {
   const Scene& scene = *document.scene;
@@ -270,6 +264,12 @@ void addDirections(SkeletonToBind& skeleton) {
 }
 
 } // namespace
+
+bool isOfLimb(const rig::Body& body, NodeIndex joint) {
+  return std::ranges::any_of(body.limbs, [&](const rig::Limb& limb) {
+    return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
+  });
+}
 
 std::set<NodeIndex> followedJoints(const Scene& scene) {
   std::set<NodeIndex> followed;

@@ -33,6 +33,9 @@ struct SkeletonToBind {
   std::vector<gltf::AddedNode> added;      ///< Joints that the file does not have yet.
 };
 
+/// Whether a joint is one of a limb, or its end.
+[[nodiscard]] bool isOfLimb(const rig::Body& body, NodeIndex joint);
+
 /// Joints of skins that vertices follow, in the file as it is.
 [[nodiscard]] std::set<NodeIndex> followedJoints(const Scene& scene);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -133,17 +134,16 @@ std::vector<int> wholeFollowers(const Scene& scene, const SkeletonToBind& skelet
   return followed;
 }
 
-// Joints at the end of a row that no limb goes through: of an eye, a shield, a hat.
+// Joints at the end of a row that no limb goes through: of an eye, a shield, a hat. What hangs from nothing
+// is no part of the body, as the joint is to which an exporter gives vertices without weights.
 std::vector<bool> endJoints(const Document& document, const SkeletonToBind& skeleton) {
-  std::vector<bool> ends(skeleton.joints.size(), true);
+  std::vector<bool> ends(skeleton.joints.size(), !document.body.limbs.empty());
   for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
     const NodeIndex node = skeleton.nodes[i];
-    ends[i] = ends[i] && node != document.body.head &&
-              std::ranges::none_of(document.body.limbs, [&](const rig::Limb& limb) {
-                return limb.endNode == node || std::ranges::find(limb.joints, node) != limb.joints.end();
-              });
-    if (skeleton.joints[i].parent >= 0) {
-      ends[at(skeleton.joints[i].parent)] = false;
+    const int parent = skeleton.joints[i].parent;
+    ends[i] = ends[i] && parent >= 0 && node != document.body.head && !isOfLimb(document.body, node);
+    if (parent >= 0) {
+      ends[at(parent)] = false;
     }
   }
   return ends;
@@ -165,28 +165,28 @@ std::vector<std::string> keepThings(const Document& document, const SkeletonToBi
   const std::vector<int> followed = wholeFollowers(*document.scene, skeleton, body);
   const std::vector<bool> ends = endJoints(document, skeleton);
   const std::vector<std::vector<std::size_t>> pieces = piecesOf(body);
-  std::vector<std::size_t> kept(skeleton.joints.size(), 0);
+  std::set<int> joints;
+  std::size_t vertices = 0;
   for (std::size_t i = body.meshes.size(); i < pieces.size(); ++i) {
     const int joint = pieces[i].empty() ? -1 : followed[pieces[i].front()];
-    const bool isThing =
-        joint >= 0 && ends[at(joint)] &&
-        std::ranges::all_of(pieces[i], [&](std::size_t vertex) { return followed[vertex] == joint; });
-    const bool isMoved = isThing && std::ranges::any_of(pieces[i], [&](std::size_t vertex) {
-                           return rows[vertex].bones[0] != at(joint) || rows[vertex].weights[0] < 1.0F;
-                         });
-    if (isMoved) {
+    const auto isOfJoint = [&](std::size_t vertex) { return followed[vertex] == joint; };
+    const auto isMoved = [&](std::size_t vertex) {
+      return rows[vertex].bones[0] != at(joint) || rows[vertex].weights[0] < 1.0F;
+    };
+    if (joint >= 0 && ends[at(joint)] && std::ranges::all_of(pieces[i], isOfJoint) &&
+        std::ranges::any_of(pieces[i], isMoved)) {
       follow(at(joint), pieces[i], rows);
-      kept[at(joint)] += pieces[i].size();
+      joints.insert(joint);
+      vertices += pieces[i].size();
     }
   }
-  std::vector<std::string> told;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i] > 0) {
-      told.push_back(fmt::format("a thing of {} vertices that followed \"{}\" alone goes on following it",
-                                 kept[i], nodeTitle(document, skeleton.nodes[i])));
-    }
+  if (joints.empty()) {
+    return {};
   }
-  return told;
+  const std::string first = nodeTitle(document, skeleton.nodes[at(*joints.begin())]);
+  const std::string others = joints.size() > 1 ? fmt::format(" or one of {} others", joints.size() - 1) : "";
+  return {fmt::format("{} vertices of things that followed \"{}\"{} alone go on following it", vertices,
+                      first, others)};
 }
 
 std::vector<std::string> holdPieces(const Document& document, const SkeletonToBind& skeleton,

@@ -20,8 +20,8 @@ namespace stretch::app {
 
 /// Things of the file's own skin: pieces of meshes that nothing joins to the rest, each of which follows one
 /// joint alone at the end of a row that no limb goes through, such as an eye, a shield or a hat. Each goes on
-/// following it, since no shape tells what moves it. Returns a line for each joint whose things would have
-/// followed others.
+/// following it, since no shape tells what moves it. Returns one line where some would have followed others;
+/// none of a file without limbs.
 [[nodiscard]] std::vector<std::string> keepThings(const Document& document, const SkeletonToBind& skeleton,
                                                   const BodyToBind& body,
                                                   std::vector<skinning::Influences>& rows);

@@ -121,6 +121,15 @@ std::optional<Header> parseHeader(std::string_view& bytes) {
   return std::nullopt;
 }
 
+// Two lists of vertices would make one whose rows have different columns.
+std::optional<std::string> describedTwice(const Header& header) {
+  std::vector<std::string> names;
+  std::ranges::transform(header.elements, std::back_inserter(names), &Element::name);
+  std::ranges::sort(names);
+  const auto twice = std::ranges::adjacent_find(names);
+  return twice == names.end() ? std::nullopt : std::optional(*twice);
+}
+
 template <typename T>
 std::optional<double> takeBinary(std::string_view& bytes, bool swap) {
   if (bytes.size() < sizeof(T)) {
@@ -332,13 +341,13 @@ Result<MeshFile> parsePly(std::string_view bytes, std::string_view name) {
     return Error{"the PLY header is not understood", std::string(name),
                  "export the frame as ascii or binary PLY 1.0"};
   }
+  if (const std::optional<std::string> twice = describedTwice(*header)) {
+    return Error{"the header describes element '" + *twice + "' twice", std::string(name),
+                 "export the frame again"};
+  }
   MeshFile mesh;
   NumberReader reader(bytes, header->encoding);
   for (const Element& element : header->elements) {
-    if (std::ranges::count(header->elements, element.name, &Element::name) > 1) {
-      return Error{"the header describes element '" + element.name + "' twice", std::string(name),
-                   "export the frame again"};
-    }
     if (element.properties.empty() && element.count > 0) {
       return Error{"element '" + element.name + "' has no properties", std::string(name),
                    "export the frame again"};

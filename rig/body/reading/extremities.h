@@ -20,7 +20,7 @@ struct Extremity {
   int attach = -1;          ///< Candidate that carries it; -1: none.
   std::vector<int> path;    ///< Candidates, base first; at least one.
   NodeIndex tip;            ///< End joint below the last one that moves nothing itself; -1: none.
-  std::vector<Vec3> points; ///< Points of the path, and the tip where there is one.
+  std::vector<Vec3> points; ///< Points of the path, and the tip, or an estimated end, where there is one.
   double length = 0.0;      ///< Along the points.
   double lateral = 0.0;     ///< Mean signed distance from the mirror plane.
   double lowest = 0.0;      ///< Height of its lowest joint or vertex.

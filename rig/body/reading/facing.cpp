@@ -63,14 +63,13 @@ double toeVote(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
   if (leg.end < 0) {
     return 0.0;
   }
-  const Vec3 ankle = ankleOf(view, leg, frame);
   Vec3 sum(0.0);
   for (const int joint : view.childrenOf(leg.end)) {
     const NameEvidence& name = view.name(joint);
-    sum += name.control || name.accessory ? Vec3(0.0) : view.at(joint) - ankle;
+    sum += name.control || name.accessory ? Vec3(0.0) : view.at(joint) - view.at(leg.end);
   }
   for (const Vec3& tip : view.tips[static_cast<std::size_t>(leg.end)]) {
-    sum += tip - ankle;
+    sum += tip - view.at(leg.end);
   }
   return glm::length(sum) > 0.01 * view.size ? std::clamp(2.0 * horizontalShare(sum, frame), -1.0, 1.0) : 0.0;
 }

@@ -94,9 +94,10 @@ bool standsOnMesh(const BodyView& view, const Extremity& leg, const Vec3& up, do
          });
 }
 
+constexpr std::array limbWords{PartWord::leg, PartWord::arm, PartWord::wing, PartWord::fin};
+
 bool isCalledLimb(const Extremity& row) {
-  return std::ranges::any_of(std::array{PartWord::leg, PartWord::arm, PartWord::wing, PartWord::fin},
-                             [&](PartWord word) { return row.word(word) > 0.0; });
+  return std::ranges::any_of(limbWords, [&](PartWord word) { return row.word(word) > 0.0; });
 }
 
 bool isLone(const Extremity& row) {
@@ -131,10 +132,14 @@ Extremity withEstimatedEnd(const BodyView& view, Extremity row) {
 }
 
 void dropLoneJoints(std::vector<Extremity>& left, std::vector<Extremity>& right) {
-  const auto isLimb = [](const Extremity& row) { return !isLone(row) && isCalledLimb(row); };
-  if (std::ranges::any_of(left, isLimb) || std::ranges::any_of(right, isLimb)) {
-    std::erase_if(left, isLone);
-    std::erase_if(right, isLone);
+  for (const PartWord word : limbWords) {
+    const auto isCalled = [&](const Extremity& row) { return row.word(word) > 0.0; };
+    const auto isLimb = [&](const Extremity& row) { return !isLone(row) && isCalled(row); };
+    if (std::ranges::any_of(left, isLimb) || std::ranges::any_of(right, isLimb)) {
+      for (std::vector<Extremity>* const side : {&left, &right}) {
+        std::erase_if(*side, [&](const Extremity& row) { return isLone(row) && isCalled(row); });
+      }
+    }
   }
 }
 

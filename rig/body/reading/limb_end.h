@@ -22,8 +22,8 @@ struct EstimatedEnd {
 /// estimated end as a second point; every other row as it is.
 [[nodiscard]] Extremity withEstimatedEnd(const BodyView& view, Extremity row);
 
-/// Takes single joints out of the rows of both sides where another row is a limb by name: beside limbs of
-/// several joints one alone is a plate or a feather, whatever it is called.
+/// Takes single joints that are called legs, arms, wings or fins out of the rows of both sides where a row of
+/// several joints is called the same: beside these one alone is a plate or a feather.
 void dropLoneJoints(std::vector<Extremity>& left, std::vector<Extremity>& right);
 
 /// Whether fingers or palms start at a joint: three children or more, or two that are named palms.

@@ -31,10 +31,6 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   return rest;
 }
 
-bool isBehindHips(const BodyView& view, const Axis& axis, const Extremity& row) {
-  return axis.hips >= 0 && glm::dot(row.points.front() - view.at(axis.hips), axis.forward) < 0.0;
-}
-
 } // namespace
 
 int carrierOf(const BodyView& view, const ExtremityPair& pair) {
@@ -73,7 +69,7 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
     // What hangs on the head is hair, or a crest.
     const int carrier = view.parentOf(rest.path.front());
     const bool isOnHead = axis.head >= 0 && carrier >= 0 && view.isAboveOrSelf(axis.head, carrier);
-    const bool fromTip = isBehindHips(view, axis, rest) && hangsFromTip(view, axis, rest);
+    const bool fromTip = axis.hips >= 0 && hangsFromTip(view, axis, rest);
     const bool back =
         !isOnHead && (fromTip || glm::dot(rest.points.back() - rest.points.front(), axis.forward) < 0.0);
     const double gap = fromTip ? glm::distance(rest.points.back(), view.at(axis.hips)) : 0.0;
@@ -94,22 +90,26 @@ bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail)
          glm::distance(tail.points.back(), hips) < 0.5 * glm::distance(tail.points.front(), hips);
 }
 
-bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up) {
+std::optional<std::string> doubtOfHead(const BodyView& view, const PlanParts& parts, const Vec3& up) {
   constexpr double higher = 0.25; // of the body
-  const auto rise = [&](const Extremity& row) { return glm::dot(row.points.back(), up); };
-  const auto head = std::ranges::find_if(parts.extremities.middle, [&](const Extremity& row) {
-    return std::ranges::find(row.path, parts.axis.head) != row.path.end();
-  });
-  return head != parts.extremities.middle.end() &&
-         std::ranges::any_of(parts.extremities.middle, [&](const Extremity& row) {
-           return rise(row) - rise(*head) > higher * view.size;
-         });
+  const Axis& axis = parts.axis;
+  const auto risesBeyondHead = [&](const Extremity& row) {
+    return std::ranges::find(row.path, axis.head) == row.path.end() &&
+           glm::dot(row.points.back() - view.at(axis.head), up) > higher * view.size;
+  };
+  const bool hangs =
+      !axis.headIsNamed && axis.head >= 0 && std::ranges::any_of(parts.extremities.middle, risesBeyondHead);
+  return hangs ? std::optional<std::string>(
+                     "the joint names of left and right put the head at an end that hangs: are front and "
+                     "hind limbs, and left and right, right?")
+               : std::nullopt;
 }
 
 bool isRootOnFloor(const BodyView& view, const PlanParts& parts, int joint, const Vec3& up) {
   constexpr double low = 0.05; // of the body's height
   const Extremities& extremities = parts.extremities;
-  return parts.standingLegs() > 0 && view.points[static_cast<std::size_t>(joint)].empty() &&
+  return view.hasVertices && parts.standingLegs() > 0 &&
+         view.points[static_cast<std::size_t>(joint)].empty() &&
          glm::dot(view.at(joint), up) - extremities.floor < low * (extremities.top - extremities.floor);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "rig/body/reading/plan_parts.h"
@@ -25,11 +26,14 @@ namespace stretch::rig::body {
 /// Whether the joints of a tail hang from its tip: it starts from nothing and comes up to the hips.
 [[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail);
 
-/// Whether a joint of a body that stands on legs moves nothing itself and lies on the ground, as a root does.
+/// Whether a joint of a body that stands on legs moves nothing itself and lies on the ground, as a root does;
+/// not of a body without vertices.
 [[nodiscard]] bool isRootOnFloor(const BodyView& view, const PlanParts& parts, int joint, const Vec3& up);
 
-/// Whether what was taken for the head's row may be the tail: another row of the middle ends far higher.
-[[nodiscard]] bool mayBeTail(const BodyView& view, const PlanParts& parts, const Vec3& up);
+/// Where no name tells which end of a body is the head: the question whether it is the other one, if another
+/// row of the middle ends far higher than the head stands.
+[[nodiscard]] std::optional<std::string> doubtOfHead(const BodyView& view, const PlanParts& parts,
+                                                     const Vec3& up);
 
 /// From which on a joint's name tells its role clearly.
 inline constexpr double clearRole = 0.5;

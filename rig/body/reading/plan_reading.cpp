@@ -266,8 +266,10 @@ private:
       return sides;
     }
     sides.reason = "sides: from the joint names";
-    const bool mayFaceBack = !parts_.axis.headIsNamed && mayBeTail(view_, parts_, up_);
-    if (namesSay != sides.leftIsPositive || mayFaceBack) {
+    if (const std::optional<std::string> doubt = doubtOfHead(view_, parts_, up_)) {
+      sides.warnings.push_back(*doubt);
+    }
+    if (namesSay != sides.leftIsPositive) {
       sides.warnings.emplace_back(
           "left and right follow the joint names, but the head is at the other end: are the sides right?");
     }
@@ -387,8 +389,9 @@ private:
     }
     const PlannedLimb* const tail = plannedLimb(plan, {LimbKind::tail});
     if (axis.tail && tail != nullptr) {
+      const std::size_t before = limbs.size();
       addWhole(*tail, *axis.tail, "goes back from the trunk", limbs);
-      if (hangsFromTip(view_, axis, *axis.tail) && !limbs.empty()) {
+      if (limbs.size() > before && hangsFromTip(view_, axis, *axis.tail)) {
         limbs.back().confidence = std::min(limbs.back().confidence, 0.45);
         limbs.back().reasons.emplace_back("its joints hang from its tip");
       }

@@ -379,8 +379,8 @@ private:
     return trunk;
   }
 
-  // Whether two joints in a row stand above the arms in the middle beside the row up to the head: a ponytail,
-  // or what a back carries.
+  // Whether two joints in a row stand above the spine in the middle, and not on the way up to the head:
+  // beside it, as what a back carries, or beyond it, as a ponytail.
   [[nodiscard]] bool hasRivalOfNeck(const Split& split) const {
     const auto end = chain_.begin() + static_cast<std::ptrdiff_t>(std::min(split.head + 1, chain_.size()));
     const auto isRival = [&](int joint) {

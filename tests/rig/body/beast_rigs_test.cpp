@@ -394,6 +394,8 @@ TEST_CASE("A tail that comes to the hips from its tip is found by its place wher
 TEST_CASE("Names of left and right that put the head where the tail hangs are asked about") {
   const bool areSwapped = GENERATE(false, true);
   SyntheticBiped body = makeHorse();
+  // A horn rises beyond the head, and is of the head.
+  body.joints.push_back({"horn", "head", jointOf(body, "head").position + Vec3(0.0, 1.0, 0.1)});
   std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("ear"); });
   for (std::size_t i = 0; i < body.joints.size(); ++i) {
     const std::string& key = body.joints[i].key;
@@ -403,7 +405,7 @@ TEST_CASE("Names of left and right that put the head where the tail hangs are as
   }
   const Body read = detectBody(build(body).scene);
   REQUIRE(read.plan == "quadruped");
-  CHECK(warnsOf(read, "the head is at the other end: are the sides right?") == areSwapped);
+  CHECK(warnsOf(read, "put the head at an end that hangs") == areSwapped);
 }
 
 namespace {
@@ -448,6 +450,23 @@ TEST_CASE("A leg of one joint reaches as far as its block, where names call it a
     CHECK(describe(built, read, place) == std::string(joint) + " -> estimated");
     CHECK(leg->restLength == Approx(0.75).margin(0.1));
   }
+}
+
+TEST_CASE("Wings of several joints leave legs of one joint alone") {
+  SyntheticBiped body = beastOfBlocks();
+  for (const auto& [side, sign] : sides) {
+    std::string above = "body";
+    for (int i = 0; i < 3; ++i) {
+      const std::string key = "wing" + std::to_string(i) + side;
+      body.joints.push_back({key, above, {(0.2 + 0.3 * i) * sign, 1.0, 0.1}});
+      body.names[key] = key;
+      above = key;
+    }
+  }
+  const Body read = detectBody(build(body).scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(limbAt(read.limbs, {LimbKind::leg, LimbSide::left, 2}) != nullptr);
+  CHECK(limbAt(read.limbs, {LimbKind::wing, LimbSide::left}) != nullptr);
 }
 
 TEST_CASE("Beside legs of several joints one that is called a limb and is one joint is none") {
