@@ -33,10 +33,10 @@ struct BodyView {
   std::vector<std::vector<int>> children;
   std::vector<int> depth;
   std::vector<Vec3> position;
-  std::vector<std::string> called;        ///< Name of each candidate without what all joints' names share.
-  std::vector<NameEvidence> names;        ///< Evidence that it gives.
-  std::vector<std::vector<Vec3>> points;  ///< Vertices that follow this joint most.
-  std::vector<std::vector<Vec3>> tips;    ///< Positions of end joints that hang from this joint, not of handles.
+  std::vector<std::string> called;       ///< Name of each candidate without what all joints' names share.
+  std::vector<NameEvidence> names;       ///< Evidence that it gives.
+  std::vector<std::vector<Vec3>> points; ///< Vertices that follow this joint most.
+  std::vector<std::vector<Vec3>> tips; ///< Positions of end joints that hang from this joint, not of handles.
   std::vector<std::size_t> verticesBelow; ///< Vertices of the joint and of all below it.
   std::vector<double> reach;              ///< Farthest vertex, joint or tip below, from the joint.
   bool hasVertices = false;

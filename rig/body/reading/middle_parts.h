@@ -30,8 +30,8 @@ namespace stretch::rig::body {
 /// not of a body without vertices.
 [[nodiscard]] bool isRootOnFloor(const BodyView& view, const PlanParts& parts, int joint, const Vec3& up);
 
-/// Where no name tells which end of a body is the head: the question whether it is the other one, if another
-/// row of the middle ends far higher than the head stands.
+/// The question whether the head is at the other end of a body, if no name tells of it and another row of the
+/// middle ends far higher than the head stands; none otherwise.
 [[nodiscard]] std::optional<std::string> doubtOfHead(const BodyView& view, const PlanParts& parts,
                                                      const Vec3& up);
 
