@@ -74,7 +74,10 @@ void joinWords(std::vector<Word>& words) {
 Side sideOf(const std::vector<Word>& words) {
   const bool left = has(words, Word::left);
   const bool right = has(words, Word::right);
-  return left == right ? Side::none : left ? Side::left : Side::right;
+  // "r.l" is the rear left leg.
+  const bool isRearLeft =
+      words.size() > 1 && words.back() == Word::left && words[words.size() - 2] == Word::right;
+  return isRearLeft || left != right ? (left ? Side::left : Side::right) : Side::none;
 }
 
 // French and Portuguese rigs mark sides with G/D and E/D; the letters mean nothing beside English words.

@@ -69,6 +69,19 @@ constexpr double calledAlikeError = 0.1;
 // No body has more limbs, ears and teeth on a side; keeps a file that has more from costing much.
 constexpr std::size_t mostOfOneSide = 64;
 
+// FL and "f.l" are the front left leg, BR, HR, RR and "r.r" the hind right one.
+void addRowLetters(const std::vector<NameChunk>& chunks, std::set<PartWord>& words) {
+  std::string before;
+  for (const NameChunk& chunk : chunks) {
+    const std::string code = (chunk.whole.size() == 1 && before.size() == 1 ? before : "") + chunk.whole;
+    const bool hasSide = code.size() == 2 && (code[1] == 'l' || code[1] == 'r');
+    if (hasSide && std::string_view("fbhr").find(code[0]) != std::string_view::npos) {
+      words.insert(code[0] == 'f' ? PartWord::front : PartWord::back);
+    }
+    before = chunk.whole;
+  }
+}
+
 class Dissection {
 public:
   Dissection(const Scene& scene, const BindPose& bindPose, const BodyView& view, const MirrorPlane& plane,
@@ -569,13 +582,17 @@ std::set<PartWord> partWords(std::string_view name) {
   const auto knows = [](std::string_view text) {
     return lookUpWord(text) || std::ranges::find(partEntries, text, &PartEntry::text) != partEntries.end();
   };
-  for (const NameChunk& chunk : nameChunks(name)) {
+  const std::vector<NameChunk> chunks = nameChunks(name);
+  for (const NameChunk& chunk : chunks) {
     add(chunk.whole);
     for (const std::string& part : chunk.parts) {
       if (!add(part)) {
         std::ranges::for_each(cutIntoWords(part, knows), add);
       }
     }
+  }
+  if (words.contains(PartWord::leg)) {
+    addRowLetters(chunks, words);
   }
   return words;
 }

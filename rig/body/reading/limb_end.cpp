@@ -97,7 +97,8 @@ bool standsOnMesh(const BodyView& view, const Extremity& leg, const Vec3& up, do
 constexpr std::array limbWords{PartWord::leg, PartWord::arm, PartWord::wing, PartWord::fin};
 
 bool isCalledLimb(const Extremity& row) {
-  return std::ranges::any_of(limbWords, [&](PartWord word) { return row.word(word) > 0.0; });
+  return row.word(PartWord::tail) <= 0.0 && // a feather of a tail
+         std::ranges::any_of(limbWords, [&](PartWord word) { return row.word(word) > 0.0; });
 }
 
 bool isLone(const Extremity& row) {

@@ -480,9 +480,15 @@ TEST_CASE("Beside legs of several joints one that is called a limb and is one jo
     body.names.try_emplace(joint.key, joint.key);
   }
   body.tubes = true;
+  for (const auto& [side, sign] : sides) {
+    body.joints.push_back({"feather" + side, "hips", {0.2 * sign, 1.4, -0.9}});
+    body.joints.back().flesh = Vec3(0.3 * sign, 0.5, -0.9);
+    body.names["feather" + side] = "tailFeather" + side;
+  }
   const Body read = detectBody(build(body).scene);
   CHECK(read.plan == "quadruped");
   CHECK(limbAt(read.limbs, {LimbKind::leg, LimbSide::left, 3}) == nullptr);
+  CHECK(limbAt(read.limbs, {LimbKind::wing, LimbSide::left}) == nullptr);
 }
 
 TEST_CASE("A root on the ground is no joint of a trunk, and what is a trunk by it alone is doubted") {

@@ -22,6 +22,9 @@ TEST_CASE("joint names tell role and side in any spelling") {
   const auto [name, role, side] = GENERATE(values<Reading>({
       {"mixamorig:LeftForeArm", Role::foreArm, Side::left},
       {"upperarm_l", Role::upperArm, Side::left},
+      {"thigh.r.l", Role::thigh, Side::left},
+      {"thigh.r.r", Role::thigh, Side::right},
+      {"thigh.f.r", Role::thigh, Side::right},
       {"Bip01 R UpperArm", Role::upperArm, Side::right},
       {"ValveBiped.Bip01_L_Calf", Role::shin, Side::left},
       {"J_Bip_R_LowerLeg", Role::shin, Side::right},

@@ -288,6 +288,16 @@ TEST_CASE("A part is read from a name with gaps, without gaps and in capitals") 
     CHECK(body::partWords(name) == Words{PartWord::wing});
   }
   CHECK(body::partWords("hindpaw") == Words{PartWord::leg, PartWord::back});
+  for (const char* const name : {"leg_FL", "FR_thigh", "thigh.f.l", "shin.f.r"}) {
+    CAPTURE(name);
+    CHECK(body::partWords(name) == Words{PartWord::leg, PartWord::front});
+  }
+  for (const char* const name : {"leg_BL", "HR_thigh", "thigh.r.l", "shin.r.r", "RL.foot"}) {
+    CAPTURE(name);
+    CHECK(body::partWords(name) == Words{PartWord::leg, PartWord::back});
+  }
+  CHECK(body::partWords("leg.l") == Words{PartWord::leg}); // one letter is a side alone
+  CHECK(body::partWords("Bone_FL").empty());
   // Words that only begin or end as a part does.
   for (const char* const name : {"tailor", "warm", "pinear", "legato", "Bone.003", ""}) {
     INFO(name);
