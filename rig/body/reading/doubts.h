@@ -28,7 +28,7 @@ void doubt(Body& result, const std::string& why);
 [[nodiscard]] bool hasArmInMiddle(const PlanReading& reading, const std::vector<Limb>& ofPerson);
 
 /// Whether what was read as a serpent may be something else: its row of joints goes through what is called a
-/// leg, an arm or a wing; or no name tells of a tail or fins, and it stands upright, or is less than half of
+/// leg, an arm, a wing or a horn; or no name tells of a tail or fins, and it stands, or is less than half of
 /// the body and has no head by name.
 [[nodiscard]] bool mayBeNoSerpent(const Scene& scene, const BindPose& bindPose, const PlanReading& reading);
 
