@@ -134,16 +134,21 @@ bool movesMorphTargets(const Scene& scene) {
          std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.morphWeights.empty(); });
 }
 
+void tellMissing(Body& result, std::initializer_list<LimbPlace> usual) {
+  std::string missing;
+  for (const LimbPlace& place : usual) {
+    missing += limbAt(result.limbs, place) == nullptr ? (missing.empty() ? "" : ", ") + limbName(place) : "";
+  }
+  if (!missing.empty()) {
+    result.warnings.push_back("no " + missing + " found: choose a chain of joints if there is one");
+  }
+}
+
 void warn(const Scene& scene, Finding& finding) {
   Body& result = finding.result;
+  const auto allLimbs = {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine};
   if (result.isBiped) {
-    for (const LimbPlace& usual :
-         {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine}) {
-      if (limbAt(result.limbs, usual) == nullptr) {
-        result.warnings.push_back("no " + limbName(usual) +
-                                  " found: choose a chain of joints if there is one");
-      }
-    }
+    tellMissing(result, allLimbs);
     return;
   }
   if (result.plan != "biped" && !result.limbs.empty()) {
@@ -159,6 +164,9 @@ void warn(const Scene& scene, Finding& finding) {
           ? "no skeleton found: bind the mesh first"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
                              : "no complete biped found: check the limbs by hand");
+  if (!result.limbs.empty()) {
+    tellMissing(result, allLimbs);
+  }
 }
 
 // The joints, else every node that may be one, until `read` answers something.
@@ -456,15 +464,27 @@ void tellDoubts(const Scene& scene, const BindPose& bindPose, Finding& finding) 
   }
 }
 
-// A limb that is hardly likelier than not is never left without a word.
+// A limb that is hardly likelier than not is never left without a word, nor is a neck that may be among such.
 void tellGuesses(Body& result) {
   constexpr double guessed = 0.5;
+  const auto isGuessed = [](const Limb& limb) { return limb.confidence < guessed; };
+  const auto isAsked = [&](const Limb& limb) {
+    return std::ranges::any_of(result.warnings, [word = limbName({limb.kind})](const std::string& warning) {
+      return warning.find(word) != std::string::npos;
+    });
+  };
   std::string limbs;
   for (const Limb& limb : result.limbs) {
-    limbs += limb.confidence < guessed ? (limbs.empty() ? "" : ", ") + limb.id : "";
+    limbs += isGuessed(limb) && !isAsked(limb) ? (limbs.empty() ? "" : ", ") + limb.id : "";
   }
-  if (result.warnings.empty() && !limbs.empty()) {
+  const bool isAll = std::ranges::all_of(result.limbs, isGuessed); // asked of together
+  if (!limbs.empty() && (result.warnings.empty() || !isAll)) {
     result.warnings.push_back("guessed, and not sure: " + limbs);
+  }
+  const bool hasArms =
+      limbAt(result.limbs, biped::leftArm) != nullptr && limbAt(result.limbs, biped::rightArm) != nullptr;
+  if (result.plan == "biped" && (!hasArms || std::ranges::any_of(result.limbs, isGuessed))) {
+    tellMissing(result, {biped::neck});
   }
 }
 

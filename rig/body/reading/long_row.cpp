@@ -43,6 +43,39 @@ bool hasNamedLegs(const BodyView& view) {
   return hasLeft && hasRight;
 }
 
+bool hasBranches(const BodyView& view, const Extremity& row) {
+  constexpr double least = 0.25;                       // of the row
+  std::vector<bool> isOfRow(view.names.size(), false); // or above it
+  for (const int joint : row.path) {
+    isOfRow[static_cast<std::size_t>(joint)] = true;
+  }
+  for (int joint = view.parentOf(row.path.front()); joint >= 0; joint = view.parentOf(joint)) {
+    isOfRow[static_cast<std::size_t>(joint)] = true;
+  }
+  std::vector<double> reach(view.names.size(), 0.0); // along the bones
+  std::vector<int> limbs(view.names.size(), 0);      // that end below a joint
+  int branches = 0;
+  for (int joint = view.count() - 1; joint >= 0; --joint) { // parents come first
+    const auto own = static_cast<std::size_t>(joint);
+    if (isOfRow[own]) {
+      continue;
+    }
+    const int parent = view.parentOf(joint);
+    const double bone = parent < 0 ? 0.0 : glm::distance(view.at(parent), view.at(joint));
+    const bool isFin = partWords(view.called[own]).contains(PartWord::fin);
+    const bool isLong = reach[own] + bone > least * row.length && !isFin;
+    const int ends = isLong ? std::max(1, limbs[own]) : 0;
+    if (parent < 0 || isOfRow[static_cast<std::size_t>(parent)]) {
+      branches += ends;
+    } else {
+      const auto above = static_cast<std::size_t>(parent);
+      reach[above] = std::max(reach[above], reach[own] + bone);
+      limbs[above] += ends;
+    }
+  }
+  return branches >= 3;
+}
+
 bool startsAtAnchor(const BodyView& view, const Extremity& row) {
   constexpr double longer = 1.5; // than any other bone
   if (!view.points[static_cast<std::size_t>(row.path.front())].empty()) {

@@ -13,6 +13,10 @@ namespace stretch::rig::body {
 /// such a body is no serpent, though it may have lost others. Fins are called arms.
 [[nodiscard]] bool hasNamedLegs(const BodyView& view);
 
+/// Whether three limbs or more part from a row or from above it, each with a quarter of its length and none
+/// called a fin: whatever its pose, such a body is no serpent.
+[[nodiscard]] bool hasBranches(const BodyView& view, const Extremity& row);
+
 /// Whether the first joint of a row carries the body and is no part of it: it moves no vertices, and hardly
 /// has a bone, or, where others move vertices, one that leads from a root in the middle or on the ground to
 /// an end of the body.

@@ -209,8 +209,8 @@ private:
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
     return isMost && row != nullptr && !hasLongLimbs() && !hasNamedLegs(view_) && isEven(*row) &&
-           row->path.size() >= leastJoints && row->path.size() <= mostJoints + 1 &&
-           row->length > 0.5 * view_.size && others < 0.6 * row->length;
+           !hasBranches(view_, *row) && row->path.size() >= leastJoints &&
+           row->path.size() <= mostJoints + 1 && row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 
   // Two pairs that are no fins are arms and legs, however a person lies, sits or stands.

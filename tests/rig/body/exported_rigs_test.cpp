@@ -104,7 +104,7 @@ TEST_CASE("A collar bone by itself is no arm") {
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);
   CHECK(describe(built, read, biped::leftArm) == "none");
-  CHECK(warnsOf(read, "no left-arm found"));
+  CHECK(warnsOf(read, "no left-arm, right-arm found"));
 }
 
 TEST_CASE("What is worn over a limb of one bone is no next joint of it") {

@@ -138,6 +138,33 @@ TEST_CASE("a row ends before the fork of its fins, and a fin that is no fork cou
   CHECK(trunkLength(plain.view, plain.row) == Approx(15.0));
 }
 
+TEST_CASE("three limbs that part from a row or above it are branches, fins and short ones are none") {
+  SeenRow body({1.0, 1.0, 1.0, 1.0});
+  const auto add = [&](int parent, const Vec3& way) {
+    return test::addJoint(body.view, NodeIndex(body.view.count()), parent, body.view.at(parent) + way);
+  };
+  const int shoulder = add(1, Vec3(0.5, 0.0, 0.0));
+  const int hand = add(shoulder, Vec3(0.55, 0.0, 0.0)); // together more than a quarter of the row
+  add(hand, Vec3(0.1, 0.1, 0.0));
+  add(hand, Vec3(0.1, -0.1, 0.0)); // fingers are no limbs
+  add(1, Vec3(-1.1, 0.0, 0.0));
+  CHECK_FALSE(hasBranches(body.view, body.row));
+  const int third = add(3, Vec3(1.1, 0.0, 0.0));
+  CHECK(hasBranches(body.view, body.row));
+  body.view.called[static_cast<std::size_t>(third)] = "fin";
+  CHECK_FALSE(hasBranches(body.view, body.row));
+  body.view.called[static_cast<std::size_t>(third)] = "";
+  body.view.position[static_cast<std::size_t>(third)] = body.view.at(3) + Vec3(0.9, 0.0, 0.0);
+  CHECK_FALSE(hasBranches(body.view, body.row));
+  const int fork = add(3, Vec3(0.0, 0.5, 0.0)); // two limbs part from a joint beside the row
+  add(fork, Vec3(1.2, 0.0, 0.0));
+  CHECK(hasBranches(body.view, body.row));
+  // Of a row that begins at a hand the other limbs part above it.
+  Extremity arm = rowOfBones({0.55});
+  arm.path = {shoulder, hand};
+  CHECK(hasBranches(body.view, arm));
+}
+
 TEST_CASE("a body has legs by name where both sides have a clear thigh or shin, or a shin below a thigh") {
   SeenRow body({1.0, 1.0, 1.0});
   const auto call = [&](std::size_t joint, Role role, double fit, Side side) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
@@ -252,6 +253,19 @@ TEST_CASE("a character with one arm has that arm only") {
   CHECK(describe(built, biped, biped::rightArm) == "none");
   CHECK(describe(built, biped, biped::leftLeg) == "thigh.l shin.l -> foot.l");
   CHECK(warnsOf(biped, "no right-arm found"));
+  CHECK_FALSE(warnsOf(biped, "neck"));
+}
+
+TEST_CASE("A neck that is not found is told where the arms are missing") {
+  SyntheticBiped body = makeNamedBody("Unreal", {.neckJoints = 0});
+  CHECK_FALSE(warnsOf(detectBody(build(body).scene), "no neck found"));
+  std::erase_if(body.joints, [](const SyntheticJoint& each) {
+    return std::ranges::any_of(std::array{"clavicle", "upperArm", "foreArm", "hand", "finger"},
+                               [&](const char* part) { return each.key.starts_with(part); });
+  });
+  const Body read = detectBody(build(body).scene);
+  CHECK(warnsOf(read, "no left-arm, right-arm found"));
+  CHECK(warnsOf(read, "no neck found"));
 }
 
 TEST_CASE("without a neck the head sits on the chest and there is no neck limb") {

@@ -330,8 +330,9 @@ TEST_CASE("A winged body whose legs have no joints is an insect, and one with a 
   CHECK(read.plan == (hasTail ? "bird" : "insect"));
   CHECK(describe(built, read, {LimbKind::wing, LimbSide::left}) == "Wing1.L -> Wing2.L");
   CHECK((findLimb(read, {LimbKind::tail}) != nullptr) == hasTail);
-  REQUIRE(read.warnings.size() == 1);
+  REQUIRE(read.warnings.size() == 2);
   CHECK(read.warnings.front().starts_with("no legs found"));
+  CHECK(read.warnings.back() == "guessed, and not sure: spine");
   CHECK(read.planConfidence >= 0.5);
   REQUIRE(findLimb(read, biped::spine) != nullptr);
   CHECK(findLimb(read, biped::spine)->confidence < 0.5);
