@@ -30,7 +30,7 @@ NEAR = 0.03  # of the leg's length: an end this near to the nearest that the bon
 # the length, so that their plane is carried over a line that turns three times as fast.
 KNOWN = {"CesiumMan": 2, "Knight": 36, "mannequiny-0.3.0": 9}
 # Turns too far that the ends force, as the offset asks more of the legs than they have: as many as are known, so that no more are made.
-KNOWN_FORCED = {"Knight": 1201, "robot": 18, "boxman": 16, "mannequiny-0.3.0": 6}
+KNOWN_FORCED = {"Knight": 1201, "robot": 18, "boxman": 16, "mannequiny-0.3.0": 8}
 SIZES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 FORMATS = {5120: ("b", 127.0), 5121: ("B", 255.0), 5122: ("h", 32767.0), 5123: ("H", 65535.0), 5126: ("f", None)}
 

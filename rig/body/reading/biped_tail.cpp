@@ -107,9 +107,13 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
         std::ranges::any_of(taken, carries) || std::abs(plane.lateral(view.at(joint))) > aside * view.size) {
       continue;
     }
-    const std::vector<int> row = rowFrom(view, plane, joint);
+    std::vector<int> row = rowFrom(view, plane, joint);
     if (row.size() < 2 || std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(view, one)); })) {
       continue;
+    }
+    while (row.size() > 2 && !nameOf(view, row.front()).empty() && !isNamedTail(view, {row.front()}) &&
+           isNamedTail(view, {row.begin() + 1, row.end()})) {
+      row.erase(row.begin()); // the rump's
     }
     if (isNamedTail(view, row) &&
         lengthOf(view, row) > std::max(shortest * view.size, lengthOf(view, named))) {

@@ -73,12 +73,22 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   return reading.plan->legs == 2 && hasArms && !hasTail;
 }
 
+bool hasGuessedWings(const PlanReading& reading) {
+  constexpr double named = 0.8;
+  return reading.confidence < named && std::ranges::any_of(reading.limbs, [](const Limb& limb) {
+           return limb.kind == LimbKind::wing || isArm(limb);
+         });
+}
+
 bool hasArmsForLegs(const Scene& scene, const PlanReading& reading) {
   constexpr double clear = 0.8;
   const std::vector<std::string> names = ownNames(scene);
-  return reading.plan->legs == 2 && std::ranges::any_of(reading.limbs, [&](const Limb& limb) {
+  const bool isInsect = reading.plan->legs == 6;
+  return (isInsect || reading.plan->legs == 2) && std::ranges::any_of(reading.limbs, [&](const Limb& limb) {
            return isLeg(limb) && std::ranges::any_of(limb.joints, [&](NodeIndex joint) {
-                    return readName(names[at(joint)]).role(Role::upperArm) >= clear;
+                    const std::string& name = names[at(joint)];
+                    return readName(name).role(Role::upperArm) >= clear ||
+                           (isInsect && partWords(name).contains(PartWord::arm));
                   });
          });
 }

@@ -20,7 +20,11 @@ void doubt(Body& result, const std::string& why);
 /// and it has no tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
-/// Whether names call the legs of what stands on two of them arms: its own may not have been found.
+/// Whether a body that no name tells has wings or arms beside its legs: a centaur's, for all that is known.
+[[nodiscard]] bool hasGuessedWings(const PlanReading& reading);
+
+/// Whether names call legs of what stands on two or six of them arms: its own may not have been found, or
+/// they are a centaur's arms. The front legs of what stands on four are called arms by some programs.
 [[nodiscard]] bool hasArmsForLegs(const Scene& scene, const PlanReading& reading);
 
 /// Whether a trunk, neck or tail goes along a joint of an arm, as that of a person may be who crouches with

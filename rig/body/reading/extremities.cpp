@@ -242,13 +242,12 @@ private:
         chunks, [](const NameChunk& chunk) { return chunk.whole.find("feather") != std::string::npos; });
   }
 
-  // Anchors: joints in the middle of the body, or with hardly a bone of their own.
+  // Anchors: joints in the middle, or with hardly a bone of their own, that no name calls a base.
   [[nodiscard]] std::vector<int> trimmed(std::vector<int> path) const {
-    constexpr double shortBone = 0.14;
-    const double whole = below_[index(path.front())];
+    const double shortBone = 0.14 * below_[index(path.front())];
     const auto isAnchor = [&] {
       const bool inMiddle = std::abs(plane_.lateral(view_.at(path[0]))) <= offMiddle * view_.size;
-      return inMiddle ? !isNamedBase(path) : firstBone(path) < shortBone * whole && !isHalved(path);
+      return !isNamedBase(path) && (inMiddle || (firstBone(path) < shortBone && !isHalved(path)));
     };
     while (path.size() > 2 && isAnchor()) {
       path.erase(path.begin());
@@ -260,10 +259,11 @@ private:
     return glm::distance(view_.at(path[0]), view_.at(path[1]));
   }
 
-  // A thigh may start in the middle of the body, if nothing below it is called one.
+  // A thigh may start in the middle of the body, if what has a name below it is none.
   [[nodiscard]] bool isNamedBase(const std::vector<int>& path) const {
     return std::ranges::any_of(std::array{Role::thigh, Role::upperArm}, [&](Role role) {
-      return view_.name(path[0]).role(role) >= 0.8 && view_.name(path[1]).role(role) < 0.8;
+      const double base = view_.name(path[0]).role(role);
+      return base >= 0.8 && view_.name(path[1]).role(role) < base && !view_.called[index(path[1])].empty();
     });
   }
 

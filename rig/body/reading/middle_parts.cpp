@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/polyline.h"
+#include "rig/body/reading/limb_end.h"
 
 namespace stretch::rig::body {
 
@@ -29,6 +30,27 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   rest.points.erase(rest.points.begin(), rest.points.begin() + (first - other.path.begin()));
   rest.length = polylineLength(rest.points);
   return rest;
+}
+
+bool isCalledTail(const BodyView& view, int joint) {
+  return partWords(view.called[static_cast<std::size_t>(joint)]).contains(PartWord::tail);
+}
+
+// A tail that is called one begins at its first joint that is: what leads to it is the rump's. Of one joint
+// it reaches as far as its mesh.
+void beginAtName(const BodyView& view, Extremity& tail) {
+  const auto first = std::ranges::find_if(tail.path, [&](int joint) {
+    return isCalledTail(view, joint) || view.called[static_cast<std::size_t>(joint)].empty();
+  });
+  const auto before = first - tail.path.begin();
+  tail.path.erase(tail.path.begin(), first);
+  tail.points.erase(tail.points.begin(), tail.points.begin() + before);
+  const std::optional<EstimatedEnd> end =
+      tail.points.size() == 1 ? estimateEnd(view, tail.path.back()) : std::nullopt;
+  if (end) {
+    tail.points.push_back(end->position);
+  }
+  tail.length = polylineLength(tail.points);
 }
 
 } // namespace
@@ -58,14 +80,15 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
   std::optional<Extremity> tail;
   double best = 0.0;
   for (const Extremity& other : parts.extremities.middle) {
-    const Extremity rest = restOf(view, parts, other);
+    Extremity rest = restOf(view, parts, other);
     const bool isHeadRow = std::ranges::mismatch(axis.row, other.path).in1 == axis.row.end();
     if (rest.path.empty() || isHeadRow) {
       continue;
     }
-    const bool named = std::ranges::any_of(rest.path, [&](int joint) {
-      return partWords(view.called[static_cast<std::size_t>(joint)]).contains(PartWord::tail);
-    });
+    const bool named = std::ranges::any_of(rest.path, [&](int joint) { return isCalledTail(view, joint); });
+    if (named) {
+      beginAtName(view, rest);
+    }
     // What hangs on the head is hair, or a crest.
     const int carrier = view.parentOf(rest.path.front());
     const bool isOnHead = axis.head >= 0 && carrier >= 0 && view.isAboveOrSelf(axis.head, carrier);

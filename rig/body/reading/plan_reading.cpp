@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/body/reading/detection.h"
+#include "rig/body/reading/doubts.h"
 #include "rig/body/reading/limb_assembly.h"
 #include "rig/body/reading/limb_end.h"
 #include "rig/body/reading/long_row.h"
@@ -534,13 +535,6 @@ std::optional<PlanReading> readUpright(const Scene& scene, const BindPose& bindP
 
 const Vec3 upwards(0, 1, 0);
 
-// Along which a body may stand that does not stand along +Y.
-std::vector<Vec3> otherUps(const MirrorPlane& plane) {
-  std::vector<Vec3> ups{Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0)};
-  std::erase_if(ups, [&](const Vec3& up) { return std::abs(glm::dot(up, plane.normal)) > 0.5; });
-  return ups;
-}
-
 PlanReading turnedOver(PlanReading reading, const Vec3& up) {
   reading.confidence *= 0.8;
   reading.up = up;
@@ -560,6 +554,12 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
   constexpr int any = 1000;
   if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, upwards, 2, any)) {
     return reading;
+  }
+  for (const Vec3& up : leaningUps(plane)) {
+    std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any);
+    if (reading && !hasGuessedWings(*reading)) {
+      return reading;
+    }
   }
   for (const Vec3& up : otherUps(plane)) {
     if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any)) {

@@ -177,4 +177,25 @@ bool isBesideNamedLegs(const BodyView& view, const PlanParts& parts, const Kindr
          !isCalled(pair, {PartWord::leg, PartWord::arm, PartWord::wing, PartWord::feeler, PartWord::claw});
 }
 
+std::vector<Vec3> leaningUps(const MirrorPlane& plane) {
+  const Vec3 upwards(0.0, 1.0, 0.0);
+  const Vec3 across = upwards - plane.normal * glm::dot(upwards, plane.normal);
+  if (glm::length(across) < 0.8) {
+    return {};
+  }
+  const Vec3 up = glm::normalize(across);
+  const Vec3 ahead = glm::cross(plane.normal, up);
+  std::vector<Vec3> ups;
+  for (const double lean : {0.0, 0.12, -0.12, 0.24, -0.24}) { // tangents
+    ups.push_back(glm::normalize(up + lean * ahead));
+  }
+  return ups;
+}
+
+std::vector<Vec3> otherUps(const MirrorPlane& plane) {
+  std::vector<Vec3> ups{Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0)};
+  std::erase_if(ups, [&](const Vec3& up) { return std::abs(glm::dot(up, plane.normal)) > 0.5; });
+  return ups;
+}
+
 } // namespace stretch::rig::body

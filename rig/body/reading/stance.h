@@ -24,4 +24,11 @@ void dropStrayLegs(std::vector<KindredPair>& pairs);
 /// draws or wears, and no name calls a limb.
 [[nodiscard]] bool isBesideNamedLegs(const BodyView& view, const PlanParts& parts, const KindredPair& pair);
 
+/// Along which a beast stands whose feet are on no level floor, most likely first: square to the normal of
+/// its mirror plane, and leaning from that fore and aft by up to 13 degrees. None where the plane lies.
+[[nodiscard]] std::vector<Vec3> leaningUps(const MirrorPlane& plane);
+
+/// Along which a body may stand that does not stand along +Y: the other axes that its mirror plane allows.
+[[nodiscard]] std::vector<Vec3> otherUps(const MirrorPlane& plane);
+
 } // namespace stretch::rig::body
