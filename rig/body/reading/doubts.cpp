@@ -73,6 +73,15 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
   return reading.plan->legs == 2 && hasArms && !hasTail;
 }
 
+PlanReading turnedOver(PlanReading reading, const Vec3& up) {
+  reading.confidence *= 0.8;
+  reading.up = up;
+  reading.warnings.emplace_back(up.y < 0.0
+                                    ? "the body stands upside down in its bind pose: are its limbs right?"
+                                    : "the body lies in its bind pose: are its limbs right?");
+  return reading;
+}
+
 bool hasGuessedWings(const PlanReading& reading) {
   constexpr double named = 0.8;
   return reading.confidence < named && std::ranges::any_of(reading.limbs, [](const Limb& limb) {

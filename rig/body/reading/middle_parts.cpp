@@ -107,6 +107,12 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
   return tail;
 }
 
+bool isHeadAside(const BodyView& view, const Axis& axis, const Vec3& middleOfLegs, const Vec3& up) {
+  constexpr double inMiddle = 0.02; // of the body
+  const Vec3 offset = view.at(std::max(axis.head, 0)) - middleOfLegs;
+  return axis.headIsNamed && glm::length(offset - up * glm::dot(offset, up)) > inMiddle * view.size;
+}
+
 bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail) {
   const Vec3& hips = view.at(std::max(axis.hips, 0));
   return view.parentOf(tail.path.front()) < 0 &&

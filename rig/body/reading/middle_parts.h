@@ -23,6 +23,11 @@ namespace stretch::rig::body {
 /// from behind (see hangsFromTip).
 [[nodiscard]] std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts);
 
+/// Whether the head is named and stands aside from the middle of the legs, not but above it, so that it tells
+/// the front: a machine's may be the joint that all legs hang from. World space; `up` is a unit vector.
+[[nodiscard]] bool isHeadAside(const BodyView& view, const Axis& axis, const Vec3& middleOfLegs,
+                               const Vec3& up);
+
 /// Whether the joints of a tail hang from its tip: it starts from nothing and comes up to the hips.
 [[nodiscard]] bool hangsFromTip(const BodyView& view, const Axis& axis, const Extremity& tail);
 

@@ -301,7 +301,7 @@ private:
           toes += point - view_.at(one->path.back());
         }
         const Vec3 on = one->points.back() - one->points[one->points.size() - 2];
-        const double reach = std::max(glm::length(toes), 1e-9 * view_.size);
+        const double reach = std::max(glm::length(toes), 1e-3 * view_.size);
         feet += glm::dot(toes, forward) / reach +
                 glm::dot(on, forward) / std::max(glm::length(on), 1e-9 * view_.size);
       }
@@ -312,7 +312,7 @@ private:
       const double ahead = glm::dot(row.points.back() - middleOfLegs(), forward);
       const double size = bulk(view_, row.path.back()) +
                           (row.path.size() > 1 ? bulk(view_, row.path[row.path.size() - 2]) : 0.0);
-      bulks += std::copysign(size, ahead);
+      bulks += size * std::clamp(ahead / (0.05 * view_.size), -1.0, 1.0);
       all += size;
     }
     return std::clamp(feet / static_cast<double>(2 * legs().size()), -1.0, 1.0) +
@@ -351,7 +351,7 @@ private:
       parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
       parts_.axis.head = headOf(*head);
       endAtHeadBeside(view_, parts_);
-      parts_.axis.frontIsTold = parts_.axis.headIsNamed || isFrontTold(*head);
+      parts_.axis.frontIsTold = isHeadAside(view_, parts_.axis, middleOfLegs(), up_) || isFrontTold(*head);
     }
   }
 
@@ -381,7 +381,7 @@ private:
     if (legs().empty() || isDoubtedAnyway || namedAhead(ahead) != 0.0 || sidesAhead(ahead) != 0.0) {
       return true;
     }
-    if (isUntold(false)) {
+    if (isUntold(false) || parts_.axis.headIsNamed) { // in the middle
       return std::abs(shapeAhead(ahead)) >= clearShape;
     }
     return std::ranges::none_of(parts_.extremities.middle, [&](const Extremity& row) {

@@ -27,6 +27,8 @@ const char* rowWord(int row, int rows) {
   return rows < 2 ? "" : row == 1 ? ", in front" : row == rows ? ", behind" : ", between the others";
 }
 
+constexpr const char* sidesFromNames = "sides: from the joint names";
+
 // Which side of the mirror plane is left, and what speaks against it.
 struct PlanSides {
   bool leftIsPositive = true;
@@ -89,7 +91,8 @@ public:
     for (Limb& limb : reading.limbs) {
       limb.confidence = isTrunk(limb) ? std::min(limb.confidence, doubted) : limb.confidence;
     }
-    reading.warnings.clear(); // nothing but legs tells which way such a body faces
+    const std::size_t untold = sides_.reason == sidesFromNames ? 0 : 1; // no legs tell which way it faces
+    reading.warnings.assign(untold, "no name tells left from right: are the sides right?");
     reading.warnings.emplace_back("no legs found: the joints move none, or choose chains of joints for them");
     return reading;
   }
@@ -266,7 +269,7 @@ private:
                                   "head and feet point; are they right?");
       return sides;
     }
-    sides.reason = "sides: from the joint names";
+    sides.reason = sidesFromNames;
     if (const std::optional<std::string> doubt = doubtOfHead(view_, parts_, up_)) {
       sides.warnings.push_back(*doubt);
     }
@@ -535,15 +538,6 @@ std::optional<PlanReading> readUpright(const Scene& scene, const BindPose& bindP
 
 const Vec3 upwards(0, 1, 0);
 
-PlanReading turnedOver(PlanReading reading, const Vec3& up) {
-  reading.confidence *= 0.8;
-  reading.up = up;
-  reading.warnings.emplace_back(up.y < 0.0
-                                    ? "the body stands upside down in its bind pose: are its limbs right?"
-                                    : "the body lies in its bind pose: are its limbs right?");
-  return reading;
-}
-
 } // namespace
 
 std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose, const BodyView& view) {
@@ -552,14 +546,19 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
   }
   const MirrorPlane plane = findMirrorPlane(view);
   constexpr int any = 1000;
-  if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, upwards, 2, any)) {
-    return reading;
+  std::optional<PlanReading> level = readUpright(scene, bindPose, view, plane, upwards, 2, any);
+  constexpr double named = 0.8;
+  if (level && (level->plan->legs > 2 || level->confidence >= named)) {
+    return level;
   }
   for (const Vec3& up : leaningUps(plane)) {
     std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any);
     if (reading && !hasGuessedWings(*reading)) {
       return reading;
     }
+  }
+  if (level) {
+    return level;
   }
   for (const Vec3& up : otherUps(plane)) {
     if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any)) {

@@ -526,3 +526,89 @@ TEST_CASE("A root on the ground is no joint of a trunk, and what is a trunk by i
     CHECK((spine == nullptr || spine->confidence < 0.5));
   }
 }
+
+TEST_CASE("A beast on a slope is read as one on level ground, with names and without") {
+  const auto leaning = [](SyntheticBiped body, double fore, double aside) {
+    const Quat turn = axisAngle(Vec3(1.0, 0.0, 0.0), fore) * axisAngle(Vec3(0.0, 0.0, 1.0), aside);
+    for (SyntheticJoint& joint : body.joints) {
+      joint.position = turn * joint.position;
+    }
+    return body;
+  };
+  SyntheticBiped horse = makeHorse();
+  nameByKeys(horse);
+  SyntheticBiped insect = makeManyLegged(3);
+  const auto [fore, aside] = GENERATE(std::pair(0.2, 0.0), std::pair(-0.2, 0.0), std::pair(0.0, 0.2));
+  CAPTURE(fore, aside);
+  checkHorse(leaning(horse, fore, aside));
+  CHECK(detectBody(build(leaning(insect, fore, aside)).scene).plan == "insect");
+}
+
+TEST_CASE("A tail begins at the first joint that is called so, or at one without a name before it") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  body.joints.push_back({"rump", "hips", {0.0, 1.4, -0.7}});
+  jointOf(body, "tail0").parent = "rump";
+  jointOf(body, "tail0").position = {0.0, 1.3, -0.95};
+  const bool isNamed = GENERATE(true, false);
+  if (isNamed) {
+    body.names["rump"] = "Butt";
+  }
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
+        (isNamed ? "tail0 tail1 -> tail2" : "rump tail0 tail1 -> tail2"));
+}
+
+TEST_CASE("A tail of one joint that is called so reaches as far as its mesh") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  std::erase_if(body.joints,
+                [](const SyntheticJoint& joint) { return joint.key == "tail1" || joint.key == "tail2"; });
+  body.tubes = true;
+  jointOf(body, "tail0").flesh = {0.0, -0.3, -0.4};
+  const bool isNamed = GENERATE(true, false);
+  body.names["tail0"] = isNamed ? "tail" : "bone";
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
+        (isNamed ? "tail0 -> estimated" : "none"));
+}
+
+TEST_CASE("A leg begins at the joint that is called its upper arm, however short its bone is") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  for (const std::string& side : {std::string(".l"), std::string(".r")}) {
+    jointOf(body, "scapula" + side).position =
+        jointOf(body, "forearmLeg" + side).position + Vec3(0.0, 0.1, 0.0);
+    body.names["scapula" + side] = (side == ".l" ? "Left" : "Right") + std::string("UpperArm");
+    body.names["forearmLeg" + side] = (side == ".l" ? "Left" : "Right") + std::string("Forearm");
+  }
+  checkHorse(body);
+  for (const std::string& side : {std::string(".l"), std::string(".r")}) {
+    body.names["scapula" + side] = "bone";
+  }
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), frontLeft) ==
+        "forearmLeg.l frontKnee.l frontPastern.l -> frontHoof.l");
+}
+
+TEST_CASE("What is called a head in the middle of all legs tells no front, one ahead of them does") {
+  SyntheticBiped body = makeManyLegged(3);
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key.starts_with("tail") || joint.key.starts_with("antenna") || joint.key == "body";
+  });
+  jointOf(body, "thorax").parent = "";
+  for (const SyntheticJoint& joint : body.joints) {
+    body.names[joint.key] = joint.key.ends_with(".l") || joint.key.ends_with(".r") ? "leg" : "bone";
+  }
+  const bool isInMiddle = GENERATE(true, false);
+  if (isInMiddle) {
+    std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key == "head"; });
+    jointOf(body, "thorax").position.z = 0.076; // where the legs are on the whole
+    body.names["thorax"] = "tag_head";
+  } else {
+    body.names["head"] = "head";
+  }
+  const Body read = detectBody(build(body).scene);
+  CHECK(read.plan == "insect");
+  CHECK(warnsOf(read, "nothing tells which end of the body is the head") == isInMiddle);
+}
