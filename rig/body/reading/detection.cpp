@@ -458,6 +458,8 @@ void tellDoubts(const Scene& scene, const BindPose& bindPose, Finding& finding) 
                   "plan quadruped");
   } else if (hasLegsForArms(scene, result)) {
     doubt(result, "its arms are called legs: if it is a beast on four legs, choose the plan quadruped");
+  } else if (hasWingsForArms(scene, result)) {
+    doubt(result, "it has wings and no arms: if it is a bird, choose the plan bird");
   } else if (!finding.limbsAreNamed && leansAsABird(bindPose, result, finding.legsReach)) {
     doubt(result,
           "its trunk stands across its legs, and no names tell: if it is a bird, choose the plan bird");

@@ -170,6 +170,13 @@ bool hasLegsForArms(const Scene& scene, const Body& body) {
   return body.isBiped && armLength > shorter * legLength && legs >= 2 && legs > arms;
 }
 
+bool hasWingsForArms(const Scene& scene, const Body& body) {
+  return body.isBiped && std::ranges::none_of(body.limbs, isArm) &&
+         std::ranges::any_of(ownNames(scene), [](const std::string& name) {
+           return partWords(name).contains(PartWord::wing);
+         });
+}
+
 bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach) {
   constexpr double leastInLine = 0.5; // cosine
   const Limb* const spine = limbAt(body.limbs, biped::spine);

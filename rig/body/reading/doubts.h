@@ -46,6 +46,9 @@ void doubt(Body& result, const std::string& why);
 /// whose file lost which way is up.
 [[nodiscard]] bool hasLegsForArms(const Scene& scene, const Body& body);
 
+/// Whether a biped has no arms, and names call joints of its file wings.
+[[nodiscard]] bool hasWingsForArms(const Scene& scene, const Body& body);
+
 /// Whether the spine of a biped stands across its legs, as a bird's does. `legsReach`: from hips to feet.
 [[nodiscard]] bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach);
 

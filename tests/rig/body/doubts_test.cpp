@@ -200,6 +200,37 @@ TEST_CASE("What stands on two legs that names call arms is doubted, a beast on f
   CHECK_FALSE(doubted("bird", "Joint_y", biped::leftLeg));
   CHECK_FALSE(doubted("bird", "UpperArm.L", biped::leftArm));
   CHECK_FALSE(doubted("quadruped", "UpperArm.L", biped::leftLeg));
+  CHECK(doubted("insect", "UpperArm.L", biped::leftLeg));
+  CHECK(doubted("insect", "arm_2_l", biped::leftLeg)); // a centaur's, of whatever joint
+  CHECK_FALSE(doubted("insect", "Joint_y", biped::leftLeg));
+}
+
+TEST_CASE(
+    "A biped without arms whose joints are called wings is doubted, one with arms and a beast are not") {
+  const auto doubted = [](const char* joint, const LimbPlace& place, bool isBiped = true) {
+    DoubtedBody made;
+    made.addStraight(place, {"Bone_x", joint, "Thing_z"}, Vec3(0.1, 1.0, 0.0), Vec3(0.0, -1.0, 0.0));
+    made.body.isBiped = isBiped;
+    return hasWingsForArms(made.scene, made.body);
+  };
+  CHECK(doubted("wing_2", biped::leftLeg));
+  CHECK_FALSE(doubted("Joint_y", biped::leftLeg));
+  CHECK_FALSE(doubted("wing_2", biped::leftArm));
+  CHECK_FALSE(doubted("wing_2", biped::leftLeg, false));
+}
+
+TEST_CASE("Wings and arms of a body are guessed where its plan is hardly sure, legs are not") {
+  const auto guessed = [](const LimbPlace& place, double confidence) {
+    DoubtedBody made;
+    made.addStraight(place, threeBones, Vec3(0.1, 1.0, 0.0), Vec3(0.0, -1.0, 0.0));
+    PlanReading reading = made.as("quadruped");
+    reading.confidence = confidence;
+    return hasGuessedWings(reading);
+  };
+  CHECK(guessed({LimbKind::wing, LimbSide::left}, 0.79));
+  CHECK(guessed(biped::leftArm, 0.79));
+  CHECK_FALSE(guessed(biped::leftLeg, 0.79));
+  CHECK_FALSE(guessed(biped::leftArm, 0.81));
 }
 
 TEST_CASE("A bird with upper arms may be a person, but for one with a tail that is called so or long") {

@@ -336,6 +336,11 @@ TEST_CASE("A winged body whose legs have no joints is an insect, and one with a 
   CHECK(read.planConfidence >= 0.5);
   REQUIRE(findLimb(read, biped::spine) != nullptr);
   CHECK(findLimb(read, biped::spine)->confidence < 0.5);
+  for (const char* const side : {".L", ".R"}) {
+    body.names[std::string("Wing1") + side] = "WingRoot";
+    body.names[std::string("Wing2") + side] = "WingEnd";
+  }
+  CHECK(warnsOf(detectBody(build(body).scene), "no name tells left from right"));
 }
 
 TEST_CASE("A character that is bound a thousandth of a unit high stands as its binds say") {
