@@ -4,8 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/math/rotation.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
+#include "tests/support/rig/naming_schemes.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -550,6 +552,25 @@ TEST_CASE("A tail begins at the first joint that is called so, or at one without
   body.joints.push_back({"rump", "hips", {0.0, 1.4, -0.7}});
   jointOf(body, "tail0").parent = "rump";
   jointOf(body, "tail0").position = {0.0, 1.3, -0.95};
+  const bool isNamed = GENERATE(true, false);
+  if (isNamed) {
+    body.names["rump"] = "Butt";
+  }
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
+        (isNamed ? "tail0 tail1 -> tail2" : "rump tail0 tail1 -> tail2"));
+}
+
+TEST_CASE("A person's tail begins at the first joint that is called so as well") {
+  SyntheticBiped body = makeNamedBody("Unreal");
+  const Vec3 hips = jointOf(body, "hips").position;
+  body.joints.push_back({"rump", "hips", hips + Vec3(0.0, 0.0, -0.1)});
+  std::string above = "rump";
+  for (const char* const key : {"tail0", "tail1", "tail2"}) {
+    body.joints.push_back({key, above, jointOf(body, above).position + Vec3(0.0, -0.1, -0.2)});
+    body.names[key] = key;
+    above = key;
+  }
   const bool isNamed = GENERATE(true, false);
   if (isNamed) {
     body.names["rump"] = "Butt";
