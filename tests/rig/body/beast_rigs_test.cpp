@@ -601,7 +601,7 @@ TEST_CASE("A leg begins at the joint that is called its upper arm, however short
     jointOf(body, "scapula" + side).position =
         jointOf(body, "forearmLeg" + side).position + Vec3(0.0, 0.1, 0.0);
     body.names["scapula" + side] = (side == ".l" ? "Left" : "Right") + std::string("UpperArm");
-    body.names["forearmLeg" + side] = (side == ".l" ? "Left" : "Right") + std::string("Forearm");
+    body.names["forearmLeg" + side] = (side == ".l" ? "Left" : "Right") + std::string("Arm");
   }
   checkHorse(body);
   for (const std::string& side : {std::string(".l"), std::string(".r")}) {

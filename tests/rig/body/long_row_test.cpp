@@ -156,8 +156,12 @@ TEST_CASE("three limbs that part from a row or above it are branches, fins and s
   body.view.called[static_cast<std::size_t>(third)] = "";
   body.view.position[static_cast<std::size_t>(third)] = body.view.at(3) + Vec3(0.9, 0.0, 0.0);
   CHECK_FALSE(hasBranches(body.view, body.row));
-  const int fork = add(3, Vec3(0.0, 0.5, 0.0)); // two limbs part from a joint beside the row
+  const int fork = add(3, Vec3(0.0, 0.5, 0.0));
   add(fork, Vec3(1.2, 0.0, 0.0));
+  CHECK(hasBranches(body.view, body.row));
+  body.view.called[static_cast<std::size_t>(shoulder)] = "fin";
+  CHECK_FALSE(hasBranches(body.view, body.row));
+  add(fork, Vec3(-1.2, 0.0, 0.0)); // two limbs part from a joint beside the row
   CHECK(hasBranches(body.view, body.row));
   // Of a row that begins at a hand the other limbs part above it.
   Extremity arm = rowOfBones({0.55});
