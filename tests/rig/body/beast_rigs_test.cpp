@@ -7,7 +7,6 @@
 #include "core/math/rotation.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
-#include "tests/support/rig/naming_schemes.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -544,54 +543,6 @@ TEST_CASE("A beast on a slope is read as one on level ground, with names and wit
   CAPTURE(fore, aside);
   checkHorse(leaning(horse, fore, aside));
   CHECK(detectBody(build(leaning(insect, fore, aside)).scene).plan == "insect");
-}
-
-TEST_CASE("A tail begins at the first joint that is called so, or at one without a name before it") {
-  SyntheticBiped body = makeHorse();
-  nameByKeys(body);
-  body.joints.push_back({"rump", "hips", {0.0, 1.4, -0.7}});
-  jointOf(body, "tail0").parent = "rump";
-  jointOf(body, "tail0").position = {0.0, 1.3, -0.95};
-  const bool isNamed = GENERATE(true, false);
-  if (isNamed) {
-    body.names["rump"] = "Butt";
-  }
-  const BuiltBiped built = build(body);
-  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
-        (isNamed ? "tail0 tail1 -> tail2" : "rump tail0 tail1 -> tail2"));
-}
-
-TEST_CASE("A person's tail begins at the first joint that is called so as well") {
-  SyntheticBiped body = makeNamedBody("Unreal");
-  const Vec3 hips = jointOf(body, "hips").position;
-  body.joints.push_back({"rump", "hips", hips + Vec3(0.0, 0.0, -0.1)});
-  std::string above = "rump";
-  for (const char* const key : {"tail0", "tail1", "tail2"}) {
-    body.joints.push_back({key, above, jointOf(body, above).position + Vec3(0.0, -0.1, -0.2)});
-    body.names[key] = key;
-    above = key;
-  }
-  const bool isNamed = GENERATE(true, false);
-  if (isNamed) {
-    body.names["rump"] = "Butt";
-  }
-  const BuiltBiped built = build(body);
-  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
-        (isNamed ? "tail0 tail1 -> tail2" : "rump tail0 tail1 -> tail2"));
-}
-
-TEST_CASE("A tail of one joint that is called so reaches as far as its mesh") {
-  SyntheticBiped body = makeHorse();
-  nameByKeys(body);
-  std::erase_if(body.joints,
-                [](const SyntheticJoint& joint) { return joint.key == "tail1" || joint.key == "tail2"; });
-  body.tubes = true;
-  jointOf(body, "tail0").flesh = {0.0, -0.3, -0.4};
-  const bool isNamed = GENERATE(true, false);
-  body.names["tail0"] = isNamed ? "tail" : "bone";
-  const BuiltBiped built = build(body);
-  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
-        (isNamed ? "tail0 -> estimated" : "none"));
 }
 
 TEST_CASE("A leg begins at the joint that is called its upper arm, however short its bone is") {
