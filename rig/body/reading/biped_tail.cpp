@@ -78,6 +78,16 @@ bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides
          });
 }
 
+// From the first joint on that is called a tail, or that has lost its name, if that is one of the first
+// three.
+std::vector<int> withoutRump(const BodyView& view, const std::vector<int>& row) {
+  constexpr std::size_t mostOfRump = 2;
+  const auto end = row.begin() + static_cast<std::ptrdiff_t>(std::min(row.size() - 1, mostOfRump + 1));
+  const auto first = std::find_if(
+      row.begin(), end, [&](int joint) { return nameOf(view, joint).empty() || isNamedTail(view, {joint}); });
+  return first == end ? row : std::vector<int>(first, row.end());
+}
+
 } // namespace
 
 bool isNamedTail(const BodyView& view, const std::vector<int>& row) {
@@ -107,17 +117,14 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
         std::ranges::any_of(taken, carries) || std::abs(plane.lateral(view.at(joint))) > aside * view.size) {
       continue;
     }
-    std::vector<int> row = rowFrom(view, plane, joint);
+    const std::vector<int> row = rowFrom(view, plane, joint);
     if (row.size() < 2 || std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(view, one)); })) {
       continue;
     }
-    while (row.size() > 2 && !nameOf(view, row.front()).empty() && !isNamedTail(view, {row.front()}) &&
-           isNamedTail(view, {row.begin() + 1, row.end()})) {
-      row.erase(row.begin()); // the rump's
-    }
+    const std::vector<int> tail = withoutRump(view, row);
     if (isNamedTail(view, row) &&
-        lengthOf(view, row) > std::max(shortest * view.size, lengthOf(view, named))) {
-      named = row;
+        lengthOf(view, tail) > std::max(shortest * view.size, lengthOf(view, named))) {
+      named = tail;
     }
     if (hasShape(view, plane, sides, hasLegs, row)) {
       shaped.push_back(row);

@@ -471,8 +471,9 @@ void tellGuesses(Body& result) {
   constexpr double guessed = 0.5;
   const auto isGuessed = [](const Limb& limb) { return limb.confidence < guessed; };
   const auto isAsked = [&](const Limb& limb) {
-    return std::ranges::any_of(result.warnings, [word = limbName({limb.kind})](const std::string& warning) {
-      return warning.find(word) != std::string::npos;
+    return std::ranges::any_of(result.warnings, [&](const std::string& warning) {
+      return warning.find(limb.id) != std::string::npos ||
+             warning.find(limbName({limb.kind}) + "s ") != std::string::npos; // of both
     });
   };
   std::string limbs;

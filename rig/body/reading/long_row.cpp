@@ -1,6 +1,8 @@
 #include "rig/body/reading/long_row.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -43,8 +45,15 @@ bool hasNamedLegs(const BodyView& view) {
   return hasLeft && hasRight;
 }
 
+bool hasLongLimbs(const BodyView& view, const std::vector<ExtremityPair>& pairs) {
+  constexpr double longest = 0.25; // of the body
+  return std::ranges::count_if(pairs, [&](const ExtremityPair& pair) {
+           return pair.length() > longest * view.size && pair.word(PartWord::fin) == 0.0;
+         }) > 1;
+}
+
 bool hasBranches(const BodyView& view, const Extremity& row) {
-  constexpr double least = 0.25;                       // of the row
+  constexpr double least = 0.33;                       // of the row
   std::vector<bool> isOfRow(view.names.size(), false); // or above it
   for (const int joint : row.path) {
     isOfRow[static_cast<std::size_t>(joint)] = true;
@@ -55,7 +64,11 @@ bool hasBranches(const BodyView& view, const Extremity& row) {
   std::vector<double> reach(view.names.size(), 0.0); // along the bones
   std::vector<int> limbs(view.names.size(), 0);      // that end below a joint
   int branches = 0;
-  for (int joint = view.count() - 1; joint >= 0; --joint) { // parents come first
+  std::vector<int> deepestFirst(view.names.size());
+  std::iota(deepestFirst.begin(), deepestFirst.end(), 0);
+  std::ranges::stable_sort(deepestFirst, std::greater<>(),
+                           [&](int joint) { return view.depth[static_cast<std::size_t>(joint)]; });
+  for (const int joint : deepestFirst) {
     const auto own = static_cast<std::size_t>(joint);
     if (isOfRow[own]) {
       continue;
@@ -63,8 +76,8 @@ bool hasBranches(const BodyView& view, const Extremity& row) {
     const int parent = view.parentOf(joint);
     const double bone = parent < 0 ? 0.0 : glm::distance(view.at(parent), view.at(joint));
     const bool isFin = partWords(view.called[own]).contains(PartWord::fin);
-    const bool isLong = reach[own] + bone > least * row.length && !isFin;
-    const int ends = isLong ? std::max(1, limbs[own]) : 0;
+    const bool isLimb = reach[own] > 0.0 && reach[own] + bone > least * row.length && !isFin;
+    const int ends = isLimb ? std::max(1, limbs[own]) : 0;
     if (parent < 0 || isOfRow[static_cast<std::size_t>(parent)]) {
       branches += ends;
     } else {

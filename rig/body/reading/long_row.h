@@ -13,8 +13,11 @@ namespace stretch::rig::body {
 /// such a body is no serpent, though it may have lost others. Fins are called arms.
 [[nodiscard]] bool hasNamedLegs(const BodyView& view);
 
-/// Whether three limbs or more part from a row or from above it, each with a quarter of its length and none
-/// called a fin: whatever its pose, such a body is no serpent.
+/// Whether two pairs that are no fins are long: arms and legs, however a person lies, sits or stands.
+[[nodiscard]] bool hasLongLimbs(const BodyView& view, const std::vector<ExtremityPair>& pairs);
+
+/// Whether three limbs or more part from a row or from above it, each of several joints, a third of its
+/// length and none called a fin: whatever its pose, such a body is no serpent.
 [[nodiscard]] bool hasBranches(const BodyView& view, const Extremity& row);
 
 /// Whether the first joint of a row carries the body and is no part of it: it moves no vertices, and hardly

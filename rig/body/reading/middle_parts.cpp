@@ -36,21 +36,29 @@ bool isCalledTail(const BodyView& view, int joint) {
   return partWords(view.called[static_cast<std::size_t>(joint)]).contains(PartWord::tail);
 }
 
-// A tail that is called one begins at its first joint that is: what leads to it is the rump's. Of one joint
-// it reaches as far as its mesh.
+// A tail that is called one begins at its first joint that is, or that has lost its name, if that is one of
+// its first three: what leads to it is the rump's.
 void beginAtName(const BodyView& view, Extremity& tail) {
+  constexpr std::ptrdiff_t mostOfRump = 2;
   const auto first = std::ranges::find_if(tail.path, [&](int joint) {
     return isCalledTail(view, joint) || view.called[static_cast<std::size_t>(joint)].empty();
   });
   const auto before = first - tail.path.begin();
-  tail.path.erase(tail.path.begin(), first);
-  tail.points.erase(tail.points.begin(), tail.points.begin() + before);
-  const std::optional<EstimatedEnd> end =
-      tail.points.size() == 1 ? estimateEnd(view, tail.path.back()) : std::nullopt;
-  if (end) {
-    tail.points.push_back(end->position);
+  if (before <= mostOfRump) {
+    tail.path.erase(tail.path.begin(), first);
+    tail.points.erase(tail.points.begin(), tail.points.begin() + before);
+    tail.length = polylineLength(tail.points);
   }
-  tail.length = polylineLength(tail.points);
+}
+
+// A tail of one joint reaches as far as its mesh; an insect's abdomen is no tail of another body.
+void estimateLoneTail(const BodyView& view, Extremity& tail) {
+  const bool isLone = tail.points.size() == 1 && view.called[static_cast<std::size_t>(tail.path.back())].find(
+                                                     "bdomen") == std::string::npos;
+  if (const std::optional<EstimatedEnd> end = isLone ? estimateEnd(view, tail.path.back()) : std::nullopt) {
+    tail.points.push_back(end->position);
+    tail.length = polylineLength(tail.points);
+  }
 }
 
 } // namespace
@@ -86,17 +94,20 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
       continue;
     }
     const bool named = std::ranges::any_of(rest.path, [&](int joint) { return isCalledTail(view, joint); });
+    const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
     if (named) {
       beginAtName(view, rest);
     }
     // What hangs on the head is hair, or a crest.
     const int carrier = view.parentOf(rest.path.front());
     const bool isOnHead = axis.head >= 0 && carrier >= 0 && view.isAboveOrSelf(axis.head, carrier);
+    if (named && !isOnHead && !isOrnament) {
+      estimateLoneTail(view, rest);
+    }
     const bool fromTip = axis.hips >= 0 && hangsFromTip(view, axis, rest);
     const bool back =
         !isOnHead && (fromTip || glm::dot(rest.points.back() - rest.points.front(), axis.forward) < 0.0);
     const double gap = fromTip ? glm::distance(rest.points.back(), view.at(axis.hips)) : 0.0;
-    const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
     const double least = (named ? 0.03 : 0.12) * view.size;
     const double score = rest.length + (named ? view.size : 0.0);
     if (rest.length + gap > least && (named || (back && !isOrnament)) && score > best) {

@@ -300,7 +300,7 @@ private:
         for (const Vec3& point : view_.points[index(one->path.back())]) {
           toes += point - view_.at(one->path.back());
         }
-        const Vec3 on = one->points.back() - one->points[one->points.size() - 2];
+        const Vec3 on = one->points.back() - one->points[std::max<std::size_t>(one->points.size(), 2) - 2];
         const double reach = std::max(glm::length(toes), 1e-3 * view_.size);
         feet += glm::dot(toes, forward) / reach +
                 glm::dot(on, forward) / std::max(glm::length(on), 1e-9 * view_.size);

@@ -212,17 +212,10 @@ private:
     }
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
-    return isMost && row != nullptr && !hasLongLimbs() && !hasNamedLegs(view_) && isEven(*row) &&
-           !hasBranches(view_, *row) && row->path.size() >= leastJoints &&
-           row->path.size() <= mostJoints + 1 && row->length > 0.5 * view_.size && others < 0.6 * row->length;
-  }
-
-  // Two pairs that are no fins are arms and legs, however a person lies, sits or stands.
-  [[nodiscard]] bool hasLongLimbs() const {
-    constexpr double longest = 0.25; // of the body
-    return std::ranges::count_if(parts_.extremities.pairs, [&](const ExtremityPair& pair) {
-             return pair.length() > longest * view_.size && pair.word(PartWord::fin) == 0.0;
-           }) > 1;
+    return isMost && row != nullptr && !hasLongLimbs(view_, parts_.extremities.pairs) &&
+           !hasNamedLegs(view_) && isEven(*row) && !hasBranches(view_, *row) &&
+           row->path.size() >= leastJoints && row->path.size() <= mostJoints + 1 &&
+           row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {
@@ -553,7 +546,8 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
   }
   for (const Vec3& up : leaningUps(plane)) {
     std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any);
-    if (reading && !hasGuessedWings(*reading)) {
+    const bool isSurer = reading && (!level || reading->plan->legs > 4); // birds and beasts tell little apart
+    if (isSurer && !hasGuessedWings(*reading)) {
       return reading;
     }
   }
@@ -587,6 +581,11 @@ PlanReading readAsPlan(const Scene& scene, const BindPose& bindPose, const BodyV
   };
   if (std::optional<PlanReading> reading = reader(upwards, std::nullopt).fit(plan)) {
     return *std::move(reading);
+  }
+  for (const Vec3& up : plan.legs > 2 ? leaningUps(plane) : std::vector<Vec3>{}) {
+    if (std::optional<PlanReading> reading = reader(up, std::nullopt).fit(plan)) {
+      return *std::move(reading);
+    }
   }
   for (const Vec3& up : plan.legs > 2 ? otherUps(plane) : std::vector<Vec3>{}) {
     if (std::optional<PlanReading> reading = reader(up, std::nullopt).fit(plan)) {

@@ -138,35 +138,53 @@ TEST_CASE("a row ends before the fork of its fins, and a fin that is no fork cou
   CHECK(trunkLength(plain.view, plain.row) == Approx(15.0));
 }
 
-TEST_CASE("three limbs that part from a row or above it are branches, fins and short ones are none") {
+TEST_CASE(
+    "three limbs that part from a row or above it are branches; fins, short ones and lone joints are none") {
   SeenRow body({1.0, 1.0, 1.0, 1.0});
   const auto add = [&](int parent, const Vec3& way) {
     return test::addJoint(body.view, NodeIndex(body.view.count()), parent, body.view.at(parent) + way);
   };
-  const int shoulder = add(1, Vec3(0.5, 0.0, 0.0));
-  const int hand = add(shoulder, Vec3(0.55, 0.0, 0.0)); // together more than a quarter of the row
+  const auto call = [&](int joint, const char* name) {
+    body.view.called[static_cast<std::size_t>(joint)] = name;
+  };
+  const int shoulder = add(1, Vec3(0.7, 0.0, 0.0));
+  const int hand = add(shoulder, Vec3(0.7, 0.0, 0.0)); // together more than a third of the row
   add(hand, Vec3(0.1, 0.1, 0.0));
   add(hand, Vec3(0.1, -0.1, 0.0)); // fingers are no limbs
-  add(1, Vec3(-1.1, 0.0, 0.0));
+  add(add(1, Vec3(-0.7, 0.0, 0.0)), Vec3(-0.7, 0.0, 0.0));
   CHECK_FALSE(hasBranches(body.view, body.row));
-  const int third = add(3, Vec3(1.1, 0.0, 0.0));
+  const int third = add(3, Vec3(1.4, 0.0, 0.0));
+  CHECK_FALSE(hasBranches(body.view, body.row)); // a handle
+  const int end = add(third, Vec3(0.1, 0.0, 0.0));
   CHECK(hasBranches(body.view, body.row));
-  body.view.called[static_cast<std::size_t>(third)] = "fin";
+  call(third, "fin");
   CHECK_FALSE(hasBranches(body.view, body.row));
-  body.view.called[static_cast<std::size_t>(third)] = "";
-  body.view.position[static_cast<std::size_t>(third)] = body.view.at(3) + Vec3(0.9, 0.0, 0.0);
+  call(third, "");
+  body.view.position[static_cast<std::size_t>(third)] = body.view.at(3) + Vec3(1.1, 0.0, 0.0);
+  body.view.position[static_cast<std::size_t>(end)] = body.view.at(3) + Vec3(1.2, 0.0, 0.0);
   CHECK_FALSE(hasBranches(body.view, body.row));
   const int fork = add(3, Vec3(0.0, 0.5, 0.0));
-  add(fork, Vec3(1.2, 0.0, 0.0));
+  add(add(fork, Vec3(0.7, 0.0, 0.0)), Vec3(0.7, 0.0, 0.0));
   CHECK(hasBranches(body.view, body.row));
-  body.view.called[static_cast<std::size_t>(shoulder)] = "fin";
+  call(shoulder, "fin");
   CHECK_FALSE(hasBranches(body.view, body.row));
-  add(fork, Vec3(-1.2, 0.0, 0.0)); // two limbs part from a joint beside the row
+  add(add(fork, Vec3(-0.7, 0.0, 0.0)), Vec3(-0.7, 0.0, 0.0)); // two limbs part from a joint beside the row
   CHECK(hasBranches(body.view, body.row));
   // Of a row that begins at a hand the other limbs part above it.
-  Extremity arm = rowOfBones({0.55});
+  Extremity arm = rowOfBones({0.7});
   arm.path = {shoulder, hand};
   CHECK(hasBranches(body.view, arm));
+}
+
+TEST_CASE("a limb is counted though its joints come before those that they hang from") {
+  SeenRow body({1.0, 1.0, 1.0, 1.0});
+  for (const double side : {1.0, -1.0, 0.5}) {
+    const int hand = test::addJoint(body.view, NodeIndex(body.view.count()), 1, Vec3(2.0 * side, 0.0, 1.0));
+    const int arm = test::addJoint(body.view, NodeIndex(body.view.count()), 1, Vec3(1.0 * side, 1.0, 1.0));
+    body.view.parent[static_cast<std::size_t>(hand)] = arm;
+    body.view.depth[static_cast<std::size_t>(hand)] = body.view.depth[static_cast<std::size_t>(arm)] + 1;
+  }
+  CHECK(hasBranches(body.view, body.row));
 }
 
 TEST_CASE("a body has legs by name where both sides have a clear thigh or shin, or a shin below a thigh") {

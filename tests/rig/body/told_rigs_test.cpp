@@ -169,3 +169,37 @@ TEST_CASE("A tail of one joint that is called so reaches as far as its mesh") {
   CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) ==
         (isNamed ? "tail0 -> estimated" : "none"));
 }
+
+TEST_CASE("A tail of which but a late joint is called so keeps all of them, a beast's and a person's") {
+  const auto addTail = [](SyntheticBiped& body) {
+    std::string above = "hips";
+    for (int i = 0; i < 5; ++i) {
+      const std::string key = "rear" + std::to_string(i);
+      body.joints.push_back({key, above, jointOf(body, above).position + Vec3(0.0, -0.05, -0.2)});
+      body.names[key] = i == 4 ? "TailFluff" : "b" + std::to_string(i);
+      above = key;
+    }
+  };
+  SyntheticBiped horse = makeHorse();
+  nameByKeys(horse);
+  std::erase_if(horse.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("tail"); });
+  SyntheticBiped person = makeNamedBody("Unreal");
+  SyntheticBiped& body = GENERATE(true, false) ? horse : person;
+  addTail(body);
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) == "rear0 rear1 rear2 rear3 -> rear4");
+}
+
+TEST_CASE("What is called a tail and hangs on the head, or is an abdomen, is no tail of one joint") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  body.tubes = true;
+  const bool isHair = GENERATE(true, false);
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key.starts_with("tail"); });
+  const std::string parent = isHair ? "head" : "spine0";
+  body.joints.push_back({"lone", parent, jointOf(body, parent).position + Vec3(0.0, -0.2, -0.05)});
+  jointOf(body, "lone").flesh = {0.0, -0.3, -0.3};
+  body.names["lone"] = isHair ? "Hair_Tail" : "Abdomen";
+  const BuiltBiped built = build(body);
+  CHECK(describe(built, detectBody(built.scene), {LimbKind::tail}) == "none");
+}
