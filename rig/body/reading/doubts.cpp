@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "rig/body/evidence/name_evidence.h"
@@ -76,9 +77,8 @@ bool mayBePerson(const Scene& scene, const PlanReading& reading) {
 PlanReading turnedOver(PlanReading reading, const Vec3& up) {
   reading.confidence *= 0.8;
   reading.up = up;
-  reading.warnings.emplace_back(up.y < 0.0
-                                    ? "the body stands upside down in its bind pose: are its limbs right?"
-                                    : "the body lies in its bind pose: are its limbs right?");
+  const char* const how = up.y < 0.0 ? "stands upside down" : up.y > 0.5 ? "leans" : "lies";
+  reading.warnings.push_back(fmt::format("the body {} in its bind pose: are its limbs right?", how));
   return reading;
 }
 

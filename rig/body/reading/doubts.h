@@ -20,7 +20,7 @@ void doubt(Body& result, const std::string& why);
 /// and it has no tail that is called one or is longer than an arm.
 [[nodiscard]] bool mayBePerson(const Scene& scene, const PlanReading& reading);
 
-/// A reading of a body that stands along `up` (world, unit) and not along +Y: less sure, and asked about.
+/// A reading of a body that stands along `up` (world, unit), which is not +Y: less sure, and asked about.
 [[nodiscard]] PlanReading turnedOver(PlanReading reading, const Vec3& up);
 
 /// Whether a body that no name tells has wings or arms beside its legs: a centaur's, for all that is known.

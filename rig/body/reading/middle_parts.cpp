@@ -53,8 +53,8 @@ void beginAtName(const BodyView& view, Extremity& tail) {
 
 // A tail of one joint reaches as far as its mesh; an insect's abdomen is no tail of another body.
 void estimateLoneTail(const BodyView& view, Extremity& tail) {
-  const bool isLone = tail.points.size() == 1 && view.called[static_cast<std::size_t>(tail.path.back())].find(
-                                                     "bdomen") == std::string::npos;
+  const std::string& name = view.called[static_cast<std::size_t>(tail.path.back())];
+  const bool isLone = tail.points.size() == 1 && name.find("bdomen") == std::string::npos;
   if (const std::optional<EstimatedEnd> end = isLone ? estimateEnd(view, tail.path.back()) : std::nullopt) {
     tail.points.push_back(end->position);
     tail.length = polylineLength(tail.points);

@@ -548,7 +548,7 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
     std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any);
     const bool isSurer = reading && (!level || reading->plan->legs > 4); // birds and beasts tell little apart
     if (isSurer && !hasGuessedWings(*reading)) {
-      return reading;
+      return reading->confidence < named ? turnedOver(*std::move(reading), up) : *std::move(reading);
     }
   }
   if (level) {
