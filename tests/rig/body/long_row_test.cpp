@@ -139,7 +139,7 @@ TEST_CASE("a row ends before the fork of its fins, and a fin that is no fork cou
 }
 
 TEST_CASE(
-    "three limbs that part from a row or above it are branches; fins, short ones and lone joints are none") {
+    "three limbs that part from a row or above it are branches, fins, short ones and lone joints are none") {
   SeenRow body({1.0, 1.0, 1.0, 1.0});
   const auto add = [&](int parent, const Vec3& way) {
     return test::addJoint(body.view, NodeIndex(body.view.count()), parent, body.view.at(parent) + way);
