@@ -10,6 +10,7 @@
 
 #include "rig/body/evidence/name_text.h"
 #include "rig/body/reading/extremities.h"
+#include "rig/body/reading/middle_parts.h"
 
 namespace stretch::rig::body {
 
@@ -78,21 +79,10 @@ bool hasShape(const BodyView& view, const MirrorPlane& plane, const Sides& sides
          });
 }
 
-// From the first joint on that is called a tail, or that has lost its name, if that is one of the first
-// three.
-std::vector<int> withoutRump(const BodyView& view, const std::vector<int>& row) {
-  constexpr std::size_t mostOfRump = 2;
-  const auto end = row.begin() + static_cast<std::ptrdiff_t>(std::min(row.size() - 1, mostOfRump + 1));
-  const auto first = std::find_if(
-      row.begin(), end, [&](int joint) { return nameOf(view, joint).empty() || isNamedTail(view, {joint}); });
-  return first == end ? row : std::vector<int>(first, row.end());
-}
-
 } // namespace
 
 bool isNamedTail(const BodyView& view, const std::vector<int>& row) {
-  return std::ranges::any_of(
-      row, [&](int joint) { return partWords(nameOf(view, joint)).contains(PartWord::tail); });
+  return std::ranges::any_of(row, [&](int joint) { return isCalledTail(view, joint); });
 }
 
 std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, const Sides& sides,
@@ -121,7 +111,9 @@ std::vector<int> tailOfBiped(const BodyView& view, const MirrorPlane& plane, con
     if (row.size() < 2 || std::ranges::any_of(row, [&](int one) { return isWorn(nameOf(view, one)); })) {
       continue;
     }
-    const std::vector<int> tail = withoutRump(view, row);
+    const std::size_t rump = jointsOfRump(view, row);
+    const bool isLeft = rump + 1 < row.size(); // a bone of the tail
+    const std::vector<int> tail(row.begin() + static_cast<std::ptrdiff_t>(isLeft ? rump : 0), row.end());
     if (isNamedTail(view, row) &&
         lengthOf(view, tail) > std::max(shortest * view.size, lengthOf(view, named))) {
       named = tail;

@@ -32,23 +32,11 @@ Extremity restOf(const BodyView& view, const PlanParts& parts, const Extremity& 
   return rest;
 }
 
-bool isCalledTail(const BodyView& view, int joint) {
-  return partWords(view.called[static_cast<std::size_t>(joint)]).contains(PartWord::tail);
-}
-
-// A tail that is called one begins at its first joint that is, or that has lost its name, if that is one of
-// its first three: what leads to it is the rump's.
-void beginAtName(const BodyView& view, Extremity& tail) {
-  constexpr std::ptrdiff_t mostOfRump = 2;
-  const auto first = std::ranges::find_if(tail.path, [&](int joint) {
-    return isCalledTail(view, joint) || view.called[static_cast<std::size_t>(joint)].empty();
-  });
-  const auto before = first - tail.path.begin();
-  if (before <= mostOfRump) {
-    tail.path.erase(tail.path.begin(), first);
-    tail.points.erase(tail.points.begin(), tail.points.begin() + before);
-    tail.length = polylineLength(tail.points);
-  }
+void leaveOutRump(const BodyView& view, Extremity& tail) {
+  const auto rump = static_cast<std::ptrdiff_t>(jointsOfRump(view, tail.path));
+  tail.path.erase(tail.path.begin(), tail.path.begin() + rump);
+  tail.points.erase(tail.points.begin(), tail.points.begin() + rump);
+  tail.length = polylineLength(tail.points);
 }
 
 // A tail of one joint reaches as far as its mesh; an insect's abdomen is no tail of another body.
@@ -83,6 +71,19 @@ std::vector<int> trunkBehind(const BodyView& view, const PlanParts& parts) {
   return longest;
 }
 
+bool isCalledTail(const BodyView& view, int joint) {
+  return partWords(view.called[static_cast<std::size_t>(joint)]).contains(PartWord::tail);
+}
+
+std::size_t jointsOfRump(const BodyView& view, const std::vector<int>& tail) {
+  constexpr std::ptrdiff_t most = 2;
+  const auto first = std::ranges::find_if(tail, [&](int joint) {
+    return isCalledTail(view, joint) || view.called[static_cast<std::size_t>(joint)].empty();
+  });
+  const std::ptrdiff_t before = first - tail.begin();
+  return before > most ? 0 : static_cast<std::size_t>(before);
+}
+
 std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
   const Axis& axis = parts.axis;
   std::optional<Extremity> tail;
@@ -96,7 +97,7 @@ std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts) {
     const bool named = std::ranges::any_of(rest.path, [&](int joint) { return isCalledTail(view, joint); });
     const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
     if (named) {
-      beginAtName(view, rest);
+      leaveOutRump(view, rest);
     }
     // What hangs on the head is hair, or a crest.
     const int carrier = view.parentOf(rest.path.front());

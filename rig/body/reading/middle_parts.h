@@ -19,6 +19,13 @@ namespace stretch::rig::body {
 /// head to the one that they hang from. Empty where that is of the row itself.
 [[nodiscard]] std::vector<int> trunkBehind(const BodyView& view, const PlanParts& parts);
 
+/// Whether a joint's name says that it is one of a tail.
+[[nodiscard]] bool isCalledTail(const BodyView& view, int joint);
+
+/// How many joints a row that is called a tail has before its first one that is called so, or that has lost
+/// its name: they are the rump's. 0 where these are more than two: then a late joint alone has the name.
+[[nodiscard]] std::size_t jointsOfRump(const BodyView& view, const std::vector<int>& tail);
+
 /// A row of the middle that goes back from the trunk, without the joints that carry legs, or that comes to it
 /// from behind (see hangsFromTip).
 [[nodiscard]] std::optional<Extremity> tailOf(const BodyView& view, const PlanParts& parts);

@@ -358,9 +358,7 @@ private:
   // Of a body on many legs whose only row in the middle is its abdomen: the head is what carries that.
   void takeAwayFromTail(const Extremity& row) {
     Axis& axis = parts_.axis;
-    const auto isOfTail = [&](int joint) {
-      return partWords(view_.called[index(joint)]).contains(PartWord::tail);
-    };
+    const auto isOfTail = [&](int joint) { return isCalledTail(view_, joint); };
     axis.row.assign(row.path.begin(), std::ranges::find_if(row.path, isOfTail));
     if (axis.row.empty()) {
       axis.row = {row.path.front()};
