@@ -128,10 +128,9 @@ private:
 
   // An arm that is one bone: the hand hangs from it and is called so.
   [[nodiscard]] bool isEndOfOneBone(int base, int end) const {
-    const Role role = region_ == Region::arm ? Role::wrist : Role::ankle;
     const Role above = region_ == Region::arm ? Role::upperArm : Role::thigh;
-    return !isKnee(base, end) && view_.name(end).role(role) >= 0.8 && view_.name(base).role(above) >= 0.4 &&
-           isBone(view_.at(base), view_.at(end));
+    return !isKnee(base, end) && view_.name(end).role(endRole()) >= 0.8 &&
+           view_.name(base).role(above) >= 0.4 && isBone(view_.at(base), view_.at(end));
   }
 
   void guessFrom(int base) {
@@ -174,21 +173,24 @@ private:
     if (const std::optional<EstimatedEnd>& end = endOf(middle)) {
       keep({.base = base, .middle = middle, .endPosition = end->position});
     }
-    if (view_.count() <= mostForDetached &&
-        std::ranges::all_of(below, [&](int joint) { return view_.name(joint).twist; })) {
+    const bool isLast = std::ranges::all_of(below, [&](int joint) { return view_.name(joint).twist; });
+    const bool hasNoEnd =
+        std::ranges::none_of(below, [&](int joint) { return view_.name(joint).role(endRole()) > 0.0; });
+    if (view_.count() <= mostForDetached && (isLast || (hasNoEnd && region_ == Region::arm))) {
       guessDetached(base, middle);
     }
   }
 
-  // An end joint that hangs from elsewhere: named as one of the same side, or standing where the last bone's
-  // mesh ends.
+  [[nodiscard]] Role endRole() const { return region_ == Region::arm ? Role::wrist : Role::ankle; }
+
+  // An end joint that hangs from elsewhere: named as one of the same side, or standing where the mesh of the
+  // last bone ends.
   void guessDetached(int base, int middle) {
-    const Role role = region_ == Region::arm ? Role::wrist : Role::ankle;
     const std::optional<EstimatedEnd>& end = endOf(middle);
     const double upper = glm::distance(view_.at(base), view_.at(middle));
     for (int joint = 0; joint < view_.count(); ++joint) {
       const bool named =
-          view_.name(joint).role(role) >= 0.8 && view_.name(joint).side == view_.name(middle).side;
+          view_.name(joint).role(endRole()) >= 0.8 && view_.name(joint).side == view_.name(middle).side;
       const bool near =
           end && glm::distance(end->position, view_.at(joint)) < 0.35 * upper && view_.movesMesh(joint);
       const bool sameSide = plane_.lateral(view_.at(joint)) * plane_.lateral(view_.at(middle)) > 0.0;

@@ -96,6 +96,28 @@ TEST_CASE("A beast's leg whose last joint is the knee ends where its mesh meets 
   CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 2}) == "thigh.r calf.r -> estimated");
 }
 
+TEST_CASE("A hand on the root that is called so ends an arm of three joints, and none that has a hand") {
+  const bool isCalledSo = GENERATE(true, false);
+  SyntheticBiped body = makeNamedBody("Mixamo", {.fingers = false});
+  body.tubes = true;
+  for (const auto& [side, sign] : sides) {
+    const SyntheticJoint hand = jointOf(body, "hand" + side);
+    add(body, "cuff" + side, "foreArm" + side, hand.position - Vec3(sign * 0.04, 0.0, 0.0));
+    body.names["cuff" + side] = (side == ".l" ? "LeftArm3" : "RightArm3");
+    jointOf(body, "hand" + side).parent = "root";
+    add(body, "target" + side, "root", hand.position + Vec3(sign * 0.02, 0.0, 0.0));
+    body.names["target" + side] = side == ".l" ? "LeftTarget" : "RightTarget";
+    if (!isCalledSo) {
+      std::swap(body.names["hand" + side], body.names["cuff" + side]);
+    }
+  }
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  const std::string end = isCalledSo ? "hand" : "cuff";
+  CHECK(describe(built, read, biped::leftArm) == "upperArm.l foreArm.l -> " + end + ".l");
+  CHECK(describe(built, read, biped::rightArm) == "upperArm.r foreArm.r -> " + end + ".r");
+}
+
 TEST_CASE("A collar bone by itself is no arm") {
   SyntheticBiped body = ofBlocks();
   for (const std::string& side : bothSides) {

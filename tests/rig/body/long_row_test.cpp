@@ -211,6 +211,12 @@ TEST_CASE("a body has legs by name where both sides have a clear thigh or shin, 
   call(1, Role::shin, 1.0, Side::left);
   call(2, Role::thigh, 1.0, Side::left);
   CHECK_FALSE(hasNamedLegs(body.view)); // the thigh hangs from the shin
+  call(2, Role::thigh, 0.8, Side::right);
+  CHECK(hasNamedLegs(body.view));
+  call(1, Role::shin, 0.8, Side::right);
+  CHECK_FALSE(hasNamedLegs(body.view));
+  call(2, Role::thigh, 0.8, Side::left);
+  CHECK(hasNamedLegs(body.view));
   call(3, Role::shin, 1.0, Side::left);
   call(2, Role::upperArm, 1.0, Side::left);
   call(1, Role::thigh, 1.0, Side::left);

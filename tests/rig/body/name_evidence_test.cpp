@@ -176,6 +176,14 @@ TEST_CASE("the words of a name stay apart in what a mirrored pair shares") {
   CHECK(readName("left_fin_a").key == readName("fin_right_a").key);
 }
 
+TEST_CASE("a letter of which a name has the first byte alone ends it, whatever stands behind the name") {
+  const std::string cutOff = "arm\xC3\xA9"
+                             "e";
+  const std::vector<NameChunk> chunks = nameChunks(std::string_view(cutOff).substr(0, 4));
+  REQUIRE(chunks.size() == 1);
+  CHECK(chunks.front().whole == "arm");
+}
+
 TEST_CASE("letters are folded and told large from small up to the first and the last of their alphabet") {
   const auto partsOf = [](const char* name) {
     const std::vector<NameChunk> chunks = nameChunks(name);

@@ -239,6 +239,7 @@ TEST_CASE("A body of many named legs about one joint has its abdomen behind, and
   } else {
     addCalledPairs(body, {{"Eye", "body", {0.08, 0.5, 0.3}}});
   }
+  body.turn = axisAngle(Vec3(0.0, 1.0, 0.0), GENERATE(0.0, pi));
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);
   CHECK(read.plan == "spider");
