@@ -93,6 +93,18 @@ Side romanceSide(const std::vector<NameChunk>& chunks) {
   return side;
 }
 
+// Legs are called FL, FR, BL and BR, or LF, RF, LH and RH.
+Side sideOfRow(const std::vector<NameChunk>& chunks) {
+  for (const NameChunk& chunk : chunks) {
+    for (const std::string& part : chunk.parts) {
+      if (const std::optional<RowLetters> letters = rowLetters(part)) {
+        return letters->side == 'l' ? Side::left : Side::right;
+      }
+    }
+  }
+  return Side::none;
+}
+
 void addRoles(NameEvidence& evidence, const std::vector<Word>& words) {
   for (const RoleOfWord& entry : roleTable) {
     if (!has(words, entry.word)) {
@@ -108,6 +120,11 @@ void addRoles(NameEvidence& evidence, const std::vector<Word>& words) {
     double& head = evidence.roles[static_cast<std::size_t>(Role::head)];
     head = std::min(head, 0.5);
   }
+  // A cervical vertebra is of the neck.
+  if (has(words, Word::neck) && has(words, Word::spine)) {
+    evidence.roles[static_cast<std::size_t>(Role::spine)] = 0.0;
+    evidence.roles[static_cast<std::size_t>(Role::chest)] = 0.0;
+  }
   if (has(words, Word::hip) && evidence.side == Side::none) {
     evidence.roles[static_cast<std::size_t>(Role::hips)] = 1.0;
     evidence.roles[static_cast<std::size_t>(Role::thigh)] = 0.0;
@@ -122,6 +139,11 @@ std::string mirrorKey(const std::vector<NameChunk>& chunks) {
   std::string key;
   for (const NameChunk& chunk : chunks) {
     for (const std::string& part : chunk.parts) {
+      if (const std::optional<RowLetters> letters = rowLetters(part)) {
+        key += letters->row;
+        key += ' ';
+        continue;
+      }
       const std::optional<Word> word = lookUpWord(part);
       if (word != Word::left && word != Word::right) {
         key += part;
@@ -164,6 +186,9 @@ NameEvidence readName(std::string_view name) {
   evidence.side = sideOf(words);
   const bool namesLimb =
       std::ranges::any_of(words, [](Word word) { return word >= Word::arm && word <= Word::toe; });
+  if (evidence.side == Side::none && namesLimb) {
+    evidence.side = sideOfRow(chunks);
+  }
   if (evidence.side == Side::none && namesLimb) {
     evidence.side = romanceSide(chunks);
   }

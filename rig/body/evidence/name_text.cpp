@@ -160,4 +160,18 @@ std::vector<std::size_t> partStarts(std::string_view name) {
   return starts;
 }
 
+std::optional<RowLetters> rowLetters(std::string_view part) {
+  const auto isSide = [](char letter) { return letter == 'l' || letter == 'r'; };
+  if (part.size() != 2) {
+    return std::nullopt;
+  }
+  if (isSide(part[1]) && std::string_view("fbhrm").find(part[0]) != std::string_view::npos) {
+    return RowLetters{part[0], part[1]};
+  }
+  if (isSide(part[0]) && std::string_view("fbhm").find(part[1]) != std::string_view::npos) {
+    return RowLetters{part[1], part[0]};
+  }
+  return std::nullopt;
+}
+
 } // namespace stretch::rig::body

@@ -154,6 +154,7 @@ constexpr std::array entries = std::to_array<Entry>({
     {"cabeca", Word::head}, {"kopf", Word::head}, {"hoofd", Word::head}, {"glowa", Word::head},
     {"skull", Word::head}, {"crane", Word::head}, {"голова", Word::head}, {"頭", Word::head},
     {"头", Word::head}, {"머리", Word::head},
+    {"cervical", Word::neck}, {"cervicale", Word::neck},
     {"twist", Word::twist}, {"twst", Word::twist}, {"roll", Word::twist}, {"rolling", Word::twist},
     {"split", Word::twist}, {"segment", Word::twist}, {"bendy", Word::twist}, {"bbone", Word::twist},
     {"deltoid", Word::twist}, {"correctiveroot", Word::twist}, {"corrective", Word::twist},

@@ -429,25 +429,31 @@ void tellBiped(Finding& finding) {
 }
 
 // The joint that carries trunk and legs. Many rigs call the torso's root hips and hang the legs beside it,
-// from a body that carries both; one that stands far from the hips (a root on the ground) is no centre to
-// turn about.
+// from a body that carries both; one far from the hips (a root on the ground) is no centre to turn about.
 NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& found) {
   NodeIndex centre = found.hips;
   double legLength = 0.0;
+  for (const Limb& limb : found.limbs) {
+    legLength = std::max(legLength, isLeg(limb) ? limb.restLength : 0.0);
+  }
   for (const LimbPlace& place : {biped::leftLeg, biped::rightLeg, biped::spine}) {
     if (const Limb* const limb = limbAt(found.limbs, place); limb != nullptr && centre.exists()) {
-      const bool isSpine = place == biped::spine && limb->joints.front() != centre;
-      legLength = std::max(legLength, isLeg(*limb) ? limb->restLength : 0.0);
-      centre = isLeg(*limb) || isSpine ? commonAncestor(scene, centre, limb->joints.front()) : centre;
+      centre = commonAncestor(scene, centre, limb->joints.front());
     }
   }
-  if (!centre.exists() || centre == found.hips) {
+  if (!centre.exists()) {
     return found.hips;
   }
   constexpr double farthest = 0.75; // of a leg
-  const double away =
-      glm::distance(positionOf(bindPose.worlds[at(centre)]), positionOf(bindPose.worlds[at(found.hips)]));
-  return away < farthest * legLength ? centre : found.hips;
+  const auto isNear = [&](NodeIndex node) {
+    return glm::distance(positionOf(bindPose.worlds[at(node)]), positionOf(bindPose.worlds[at(found.hips)])) <
+           farthest * legLength;
+  };
+  centre = centre == found.hips || isNear(centre) ? centre : found.hips;
+  // A pelvis that carries the spine alone, on which the legs hang, goes along.
+  const NodeIndex above = scene.nodes[at(centre)].parent;
+  const bool isPelvis = above.exists() && readName(scene.nodes[at(above)].name).role(Role::hips) >= 0.8;
+  return isPelvis && isNear(above) ? above : centre;
 }
 
 // What of a biped may be another body.
@@ -553,6 +559,7 @@ Body detectBody(const Scene& scene, const Clip* clip) {
   }
   body::tellGuesses(finding.result);
   body::tellCopies(scene, bindPose, finding.result);
+  body::tellLimbsLeftOut(scene, bindPose, finding.result);
   body::measure(scene, bindPose, clip, finding);
   return std::move(finding.result);
 }

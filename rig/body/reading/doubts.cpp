@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,6 +12,7 @@
 #include "rig/body/evidence/name_evidence.h"
 #include "rig/body/evidence/own_names.h"
 #include "rig/body/reading/extremities.h"
+#include "rig/body/reading/limb_assembly.h"
 
 namespace stretch::rig::body {
 
@@ -175,6 +177,128 @@ bool hasWingsForArms(const Scene& scene, const Body& body) {
          std::ranges::any_of(ownNames(scene), [](const std::string& name) {
            return partWords(name).contains(PartWord::wing);
          });
+}
+
+namespace {
+
+struct Bone {
+  Vec3 start{0.0};
+  Vec3 end{0.0};
+};
+
+std::vector<Bone> bonesOf(const std::vector<Limb>& limbs, const BindPose& bindPose) {
+  std::vector<Bone> bones;
+  for (const Limb& limb : limbs) {
+    const std::vector<Vec3> points = limbPoints(limb, bindPose.worlds);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      bones.push_back({points[i - 1], points[i]});
+    }
+  }
+  return bones;
+}
+
+double distanceTo(const Bone& bone, const Vec3& place) {
+  const Vec3 along = bone.end - bone.start;
+  const double square = glm::dot(along, along);
+  const double share =
+      square > 0.0 ? std::clamp(glm::dot(place - bone.start, along) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(place, bone.start + share * along);
+}
+
+// Limbs, what carries them, and what they carry: hands, claws, gear.
+std::vector<bool> nodesOfLimbs(const Scene& scene, const Body& body) {
+  std::vector<bool> isTaken(scene.nodes.size(), false);
+  std::vector<bool> isCarried(scene.nodes.size(), false);
+  for (const Limb& limb : body.limbs) {
+    for (const NodeIndex joint : jointsAndEnd(limb)) {
+      isCarried[at(joint)] = isCarried[at(joint)] || !isTrunk(limb);
+      for (NodeIndex node = joint; node.exists() && !isTaken[at(node)]; node = scene.nodes[at(node)].parent) {
+        isTaken[at(node)] = true;
+      }
+    }
+  }
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    isCarried[at(node)] = isCarried[at(node)] || (parent.exists() && isCarried[at(parent)]);
+    isTaken[at(node)] = isTaken[at(node)] || isCarried[at(node)];
+  }
+  return isTaken;
+}
+
+bool isCalledLimb(const std::string& called) {
+  const NameEvidence name = readName(called);
+  const std::set<PartWord> words = partWords(called);
+  const auto has = [&](PartWord word) { return words.contains(word); };
+  const bool isOfBeast = has(PartWord::wing) || has(PartWord::tail); // gear in a biped's words
+  const bool isGear = name.twist || name.control || name.end || name.finger || name.palm ||
+                      (name.accessory && !isOfBeast) || has(PartWord::ornament) || has(PartWord::head);
+  return !isGear && (isOfBeast || has(PartWord::arm) || has(PartWord::leg) || has(PartWord::fin));
+}
+
+// Joints of skins by what they are called and where they hang.
+std::vector<bool> isCalledLimbInNone(const Scene& scene, const Body& body) {
+  std::vector<bool> isLeft(scene.nodes.size(), false);
+  const std::vector<std::string> names = ownNames(scene);
+  const std::vector<bool> isTaken = nodesOfLimbs(scene, body);
+  const bool hasWings = std::ranges::count(body.limbs, LimbKind::wing, &Limb::kind) > 0; // with feathers
+  for (const Skin& skin : scene.skins) {
+    for (const NodeIndex joint : skin.joints) {
+      const std::string& called = names[at(joint)];
+      isLeft[at(joint)] = !isTaken[at(joint)] && isCalledLimb(called) &&
+                          !(hasWings && partWords(called).contains(PartWord::wing)) &&
+                          !(body.head.exists() && isAncestorOrSelf(scene, body.head, joint)); // hair
+    }
+  }
+  return isLeft;
+}
+
+std::vector<NodeIndex> calledLimbsLeftOut(const Scene& scene, const BindPose& bindPose, const Body& body) {
+  const std::vector<bool> isLeft = isCalledLimbInNone(scene, body);
+  const std::vector<Bone> bones = bonesOf(body.limbs, bindPose);
+  if (bones.empty() || std::ranges::count(isLeft, true) == 0) {
+    return {};
+  }
+  constexpr double away = 0.1; // of the body
+  double size = 0.0;
+  for (const Bone& bone : bones) {
+    size = std::max(size, glm::distance(bones.front().start, bone.end));
+  }
+  const auto standsOut = [&](const Vec3& place) {
+    return std::ranges::all_of(bones,
+                               [&](const Bone& bone) { return distanceTo(bone, place) > away * size; });
+  };
+  const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, RigidMeshes::none);
+  std::vector<bool> isOfRow(scene.nodes.size(), false);
+  std::vector<NodeIndex> tops;
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    const bool goesOn = parent.exists() && isOfRow[at(parent)];
+    const bool begins = isLeft[at(node)] && std::ranges::any_of(clouds[at(node)], standsOut);
+    isOfRow[at(node)] = goesOn || begins;
+    if (begins && !goesOn) {
+      tops.push_back(node);
+    }
+  }
+  return tops;
+}
+
+} // namespace
+
+void tellLimbsLeftOut(const Scene& scene, const BindPose& bindPose, Body& body) {
+  const std::vector<NodeIndex> tops = calledLimbsLeftOut(scene, bindPose, body);
+  if (!tops.empty()) {
+    body.warnings.push_back("called limbs and in none: " + nodeNames(scene, tops) +
+                            "; choose chains of joints if they are to be some");
+  }
+  // Where front legs hang on the joint that is called neck it would swing them.
+  const NodeIndex above = body.head.exists() ? scene.nodes[at(body.head)].parent : NodeIndex::none;
+  const bool isInNone = std::ranges::none_of(
+      body.limbs, [&](const Limb& limb) { return std::ranges::count(limb.joints, above) > 0; });
+  if (body.plan != "other" && isInNone && above.exists() &&
+      readName(scene.nodes[at(above)].name).role(Role::neck) >= 0.8) {
+    body.warnings.push_back("no neck found, though " + nodeNames(scene, {above}) +
+                            " is called one: choose a chain of joints if it is to be one");
+  }
 }
 
 bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach) {

@@ -49,6 +49,11 @@ void doubt(Body& result, const std::string& why);
 /// Whether a biped has no arms, and names call joints of its file wings.
 [[nodiscard]] bool hasWingsForArms(const Scene& scene, const Body& body);
 
+/// Tells the first joints of rows that are called arms, legs, wings, fins or tails, move a mesh away from the
+/// limbs and are in none of them, nor in the trunk: the plan has no place for them, or no reading found them.
+/// So is a neck that is called one.
+void tellLimbsLeftOut(const Scene& scene, const BindPose& bindPose, Body& body);
+
 /// Whether the spine of a biped stands across its legs, as a bird's does. `legsReach`: from hips to feet.
 [[nodiscard]] bool leansAsABird(const BindPose& bindPose, const Body& body, const Vec3& legsReach);
 

@@ -69,14 +69,13 @@ constexpr double calledAlikeError = 0.1;
 // No body has more limbs, ears and teeth on a side; keeps a file that has more from costing much.
 constexpr std::size_t mostOfOneSide = 64;
 
-// FL and "f.l" are the front left leg, BR, HR, RR and "r.r" the hind right one.
+// FL, LF and "f.l" are the front left leg, BR, HR, RR and "r.r" the hind right one.
 void addRowLetters(const std::vector<NameChunk>& chunks, std::set<PartWord>& words) {
   std::string before;
   for (const NameChunk& chunk : chunks) {
     const std::string code = (chunk.whole.size() == 1 && before.size() == 1 ? before : "") + chunk.whole;
-    const bool hasSide = code.size() == 2 && (code[1] == 'l' || code[1] == 'r');
-    if (hasSide && std::string_view("fbhr").find(code[0]) != std::string_view::npos) {
-      words.insert(code[0] == 'f' ? PartWord::front : PartWord::back);
+    if (const std::optional<RowLetters> letters = rowLetters(code); letters && letters->row != 'm') {
+      words.insert(letters->row == 'f' ? PartWord::front : PartWord::back);
     }
     before = chunk.whole;
   }

@@ -42,6 +42,11 @@ struct ExtremityPair {
   }
 };
 
+/// Whether 0.3 of its joints or more are named so.
+[[nodiscard]] inline bool isNamed(const ExtremityPair& pair, PartWord word) {
+  return pair.word(word) >= 0.3;
+}
+
 /// A body taken apart.
 struct Extremities {
   std::vector<ExtremityPair> pairs;

@@ -1,6 +1,7 @@
 #include "rig/body/reading/plan_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,8 +13,6 @@
 namespace stretch::rig::body {
 
 namespace {
-
-constexpr double namedShare = 0.3; // of a row's joints
 
 class PartFinder {
 public:
@@ -47,10 +46,6 @@ private:
              limb.length > 0.08 * view_.size;
     };
     return one(pair.negative) && one(pair.positive);
-  }
-
-  [[nodiscard]] static bool isNamed(const ExtremityPair& pair, PartWord word) {
-    return pair.word(word) >= namedShare;
   }
 
   // By name, else by what it does; nothing for ears, teeth and what is too small to be a limb.
@@ -324,7 +319,7 @@ private:
   [[nodiscard]] Vec3 unnamedForward() const {
     constexpr double convention = 0.3;
     const Vec3 forward = levelInPlane();
-    for (const double told : {namedAhead(forward), sidesAhead(forward)}) {
+    for (const double told : {namedAhead(forward).value_or(0.0), sidesAhead(forward)}) {
       if (told != 0.0) {
         return told * forward;
       }
@@ -376,7 +371,8 @@ private:
     constexpr double clearRow = 0.4; // less than one limb or ear that hangs on the row
     const Vec3 ahead = levelInPlane();
     const bool isDoubtedAnyway = up_.y <= 0.5; // it lies or stands upside down
-    if (legs().empty() || isDoubtedAnyway || namedAhead(ahead) != 0.0 || sidesAhead(ahead) != 0.0) {
+    if (legs().empty() || isDoubtedAnyway || namedAhead(ahead).value_or(0.0) != 0.0 ||
+        sidesAhead(ahead) != 0.0) {
       return true;
     }
     if (isUntold(false) || parts_.axis.headIsNamed) { // in the middle
@@ -432,22 +428,25 @@ private:
     return (pair.negative.points.front() + pair.positive.points.front()) / 2.0;
   }
 
-  // Legs that are called front and hind ones tell, if they stand apart: 1 along a direction, -1 against it.
-  [[nodiscard]] double namedAhead(const Vec3& forward) const {
-    double front = 0.0;
-    double back = 0.0;
-    int fronts = 0;
-    int backs = 0;
+  // 1 for what is called a front one, -1 for a hind one.
+  [[nodiscard]] static int namedRow(const ExtremityPair& pair) {
+    return (isNamed(pair, PartWord::front) ? 1 : 0) - (isNamed(pair, PartWord::back) ? 1 : 0);
+  }
+
+  // Legs that are called front and hind ones tell: 1 along a direction, -1 against it, 0 in one place.
+  [[nodiscard]] std::optional<double> namedAhead(const Vec3& forward) const {
+    std::array<double, 2> places{}; // of front and hind ones
+    std::array<int, 2> counts{};
     for (const KindredPair* leg : legs()) {
-      const double place = glm::dot(baseOf(leg->pair), forward);
-      const bool isFront = isNamed(leg->pair, PartWord::front);
-      const bool isBack = isNamed(leg->pair, PartWord::back);
-      front += isFront && !isBack ? place : 0.0;
-      back += isBack && !isFront ? place : 0.0;
-      fronts += isFront && !isBack ? 1 : 0;
-      backs += isBack && !isFront ? 1 : 0;
+      if (const int row = namedRow(leg->pair); row != 0) {
+        places[row > 0 ? 0 : 1] += glm::dot(baseOf(leg->pair), forward);
+        ++counts[row > 0 ? 0 : 1];
+      }
     }
-    const double apart = fronts > 0 && backs > 0 ? front / fronts - back / backs : 0.0;
+    if (counts[0] == 0 || counts[1] == 0) {
+      return std::nullopt;
+    }
+    const double apart = places[0] / counts[0] - places[1] / counts[1];
     return std::abs(apart) < 0.05 * view_.size ? 0.0 : std::copysign(1.0, apart);
   }
 
@@ -465,7 +464,7 @@ private:
       middle += baseOf(leg->pair);
       count += 1.0;
     }
-    if (const double named = namedAhead(forward); named != 0.0) {
+    if (const double named = namedAhead(forward).value_or(0.0); named != 0.0) {
       parts_.axis.forward = named < 0.0 ? -forward : forward;
       return;
     }
@@ -480,11 +479,13 @@ private:
 
   void orderPairs() {
     const bool hasFrontLegs = legs().size() > 2;
+    const bool isFlat = namedAhead(parts_.axis.forward) == 0.0; // then names tell the rows
     const auto ahead = [&](const KindredPair& one) {
       const Vec3 ends = one.pair.negative.points.back() + one.pair.positive.points.back();
       const bool isLeg = one.kind == LimbKind::leg && hasFrontLegs;
       const Vec3 middle = isLeg ? (baseOf(one.pair) + ends / 2.0) / 2.0 : baseOf(one.pair);
-      return std::pair(one.kind, -glm::dot(middle, parts_.axis.forward));
+      const double named = isFlat && one.kind == LimbKind::leg ? namedRow(one.pair) * view_.size : 0.0;
+      return std::pair(one.kind, -glm::dot(middle, parts_.axis.forward) - named);
     };
     std::ranges::stable_sort(parts_.pairs, {}, ahead);
   }
