@@ -140,8 +140,8 @@ std::string mirrorKey(const std::vector<NameChunk>& chunks) {
   for (const NameChunk& chunk : chunks) {
     for (const std::string& part : chunk.parts) {
       if (const std::optional<RowLetters> letters = rowLetters(part)) {
-        key += letters->row;
-        key += ' ';
+        key += part == "rf" ? "" : std::string{letters->row, ' '}; // the other side's "lf" says its side
+                                                                   // alone
         continue;
       }
       const std::optional<Word> word = lookUpWord(part);

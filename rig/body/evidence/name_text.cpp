@@ -162,7 +162,7 @@ std::vector<std::size_t> partStarts(std::string_view name) {
 
 std::optional<RowLetters> rowLetters(std::string_view part) {
   const auto isSide = [](char letter) { return letter == 'l' || letter == 'r'; };
-  if (part.size() != 2) {
+  if (part.size() != 2 || part == "lf") {
     return std::nullopt;
   }
   if (isSide(part[1]) && std::string_view("fbhrm").find(part[0]) != std::string_view::npos) {

@@ -21,13 +21,14 @@ struct NameChunk {
 /// Bytes of a name at which a part of it begins, but for the first.
 [[nodiscard]] std::vector<std::size_t> partStarts(std::string_view name);
 
-/// Letters that say of which row and side a limb is: of "fl" and "lf" the front left one.
+/// Letters that say of which row and side a limb is: of "fl" and "lh" the front left and the left hind one.
 struct RowLetters {
   char row = 'f';  ///< One of f, b, h, r and m: front, back, hind, rear, middle.
   char side = 'l'; ///< One of l and r.
 };
 
-/// Reads a folded part of a name that consists of the two letters of row and side and no more.
+/// Reads a folded part of a name that consists of the two letters of row and side and no more. "lf" is none:
+/// it says left as well, where "rt" says right.
 [[nodiscard]] std::optional<RowLetters> rowLetters(std::string_view part);
 
 } // namespace stretch::rig::body

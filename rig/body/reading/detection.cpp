@@ -450,9 +450,9 @@ NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& fou
            farthest * legLength;
   };
   centre = centre == found.hips || isNear(centre) ? centre : found.hips;
-  // A pelvis that carries the spine alone, on which the legs hang, goes along.
-  const NodeIndex above = scene.nodes[at(centre)].parent;
-  const bool isPelvis = above.exists() && readName(scene.nodes[at(above)].name).role(Role::hips) >= 0.8;
+  const NodeIndex above = scene.nodes[at(centre)].parent; // maybe a pelvis that carries the legs by the spine
+  const bool isPelvis =
+      skinJoints(scene).contains(above) && readName(scene.nodes[at(above)].name).role(Role::hips) >= 0.8;
   return isPelvis && isNear(above) ? above : centre;
 }
 

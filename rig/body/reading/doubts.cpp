@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/body/evidence/name_evidence.h"
+#include "rig/body/evidence/name_words.h"
 #include "rig/body/evidence/own_names.h"
 #include "rig/body/reading/extremities.h"
 #include "rig/body/reading/limb_assembly.h"
@@ -225,14 +226,47 @@ std::vector<bool> nodesOfLimbs(const Scene& scene, const Body& body) {
   return isTaken;
 }
 
-bool isCalledLimb(const std::string& called) {
+// Clothes, hair and gear, whatever limbs their names name as well: a pony tail, the wing of a collar.
+bool isCalledGear(const std::string& called) {
+  std::string before;
+  for (const NameChunk& chunk : nameChunks(called)) {
+    std::vector<std::string> parts = chunk.parts;
+    parts.insert(parts.end(), {chunk.whole, before + chunk.whole});
+    for (const std::string& part : parts) {
+      const std::set<PartWord> words = partWords(part);
+      const bool isOfBeast = words.contains(PartWord::wing) || words.contains(PartWord::tail);
+      if (part.starts_with("feather") || (lookUpWord(part) == Word::accessory && !isOfBeast)) {
+        return true;
+      }
+    }
+    before = chunk.whole;
+  }
+  return false;
+}
+
+// Whether each word of a name is known: "thigh_plate" may be anything about a thigh.
+bool isKnownThroughout(const std::string& called) {
+  const auto isKnown = [](const std::string& part) {
+    return part.size() < 2 || lookUpWord(part) || !partWords(part).empty() || rowLetters(part) ||
+           !cutIntoWords(part, [](std::string_view word) { return lookUpWord(word).has_value(); }).empty();
+  };
+  const std::vector<NameChunk> chunks = nameChunks(called);
+  return std::ranges::all_of(
+      chunks, [&](const NameChunk& chunk) { return std::ranges::all_of(chunk.parts, isKnown); });
+}
+
+bool isCalledLimb(const std::string& called, const Body& body) {
   const NameEvidence name = readName(called);
   const std::set<PartWord> words = partWords(called);
   const auto has = [&](PartWord word) { return words.contains(word); };
-  const bool isOfBeast = has(PartWord::wing) || has(PartWord::tail); // gear in a biped's words
-  const bool isGear = name.twist || name.control || name.end || name.finger || name.palm ||
-                      (name.accessory && !isOfBeast) || has(PartWord::ornament) || has(PartWord::head);
-  return !isGear && (isOfBeast || has(PartWord::arm) || has(PartWord::leg) || has(PartWord::fin));
+  const bool isGear = name.twist || name.control || name.end || name.finger || name.palm || name.face ||
+                      has(PartWord::ornament) || has(PartWord::head) || isCalledGear(called);
+  const auto legs = std::ranges::count_if(body.limbs, [](const Limb& limb) { return isLeg(limb); });
+  const bool isBelly = called.find("bdomen") != std::string::npos && legs <= 4;
+  const bool hasArms = std::ranges::any_of(body.limbs, isArm); // and so a muscle for each fin
+  const bool hasWings = std::ranges::count(body.limbs, LimbKind::wing, &Limb::kind) > 0;
+  return !isGear && ((has(PartWord::wing) && !hasWings) || (has(PartWord::tail) && !isBelly) ||
+                     (has(PartWord::fin) && !hasArms) || has(PartWord::arm) || has(PartWord::leg));
 }
 
 // Joints of skins by what they are called and where they hang.
@@ -240,14 +274,14 @@ std::vector<bool> isCalledLimbInNone(const Scene& scene, const Body& body) {
   std::vector<bool> isLeft(scene.nodes.size(), false);
   const std::vector<std::string> names = ownNames(scene);
   const std::vector<bool> isTaken = nodesOfLimbs(scene, body);
-  const bool hasWings = std::ranges::count(body.limbs, LimbKind::wing, &Limb::kind) > 0; // with feathers
-  for (const Skin& skin : scene.skins) {
-    for (const NodeIndex joint : skin.joints) {
-      const std::string& called = names[at(joint)];
-      isLeft[at(joint)] = !isTaken[at(joint)] && isCalledLimb(called) &&
-                          !(hasWings && partWords(called).contains(PartWord::wing)) &&
-                          !(body.head.exists() && isAncestorOrSelf(scene, body.head, joint)); // hair
-    }
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  for (const NodeIndex joint : joints) {
+    const std::vector<NodeIndex>& children = scene.nodes[at(joint)].children;
+    const bool isLone =
+        std::ranges::none_of(children, [&](NodeIndex child) { return joints.contains(child); });
+    isLeft[at(joint)] = !isTaken[at(joint)] && isCalledLimb(names[at(joint)], body) &&
+                        (!isLone || isKnownThroughout(names[at(joint)])) &&
+                        !(body.head.exists() && isAncestorOrSelf(scene, body.head, joint)); // hair
   }
   return isLeft;
 }
@@ -285,9 +319,18 @@ std::vector<NodeIndex> calledLimbsLeftOut(const Scene& scene, const BindPose& bi
 } // namespace
 
 void tellLimbsLeftOut(const Scene& scene, const BindPose& bindPose, Body& body) {
-  const std::vector<NodeIndex> tops = calledLimbsLeftOut(scene, bindPose, body);
+  // Of other bodies, of copies and of rows of joints it is told already that they are left out.
+  const bool isTold = body.plan == "other" || std::ranges::any_of(body.warnings, [](const std::string& told) {
+                        return told.find("characters in the file") != std::string::npos ||
+                               told.find("more than one skeleton") != std::string::npos;
+                      });
+  std::vector<NodeIndex> tops = isTold ? std::vector<NodeIndex>{} : calledLimbsLeftOut(scene, bindPose, body);
   if (!tops.empty()) {
+    constexpr std::size_t most = 8;
+    const std::size_t further = tops.size() - std::min(most, tops.size());
+    tops.resize(tops.size() - further);
     body.warnings.push_back("called limbs and in none: " + nodeNames(scene, tops) +
+                            (further > 0 ? " and " + std::to_string(further) + " more" : "") +
                             "; choose chains of joints if they are to be some");
   }
   // Where front legs hang on the joint that is called neck it would swing them.

@@ -69,7 +69,7 @@ constexpr double calledAlikeError = 0.1;
 // No body has more limbs, ears and teeth on a side; keeps a file that has more from costing much.
 constexpr std::size_t mostOfOneSide = 64;
 
-// FL, LF and "f.l" are the front left leg, BR, HR, RR and "r.r" the hind right one.
+// FL and "f.l" are the front left leg, RF the other one, BR, HR, RR and "r.r" the hind right one.
 void addRowLetters(const std::vector<NameChunk>& chunks, std::set<PartWord>& words) {
   std::string before;
   for (const NameChunk& chunk : chunks) {

@@ -191,9 +191,10 @@ private:
     for (int joint = 0; joint < view_.count(); ++joint) {
       const bool named =
           view_.name(joint).role(endRole()) >= 0.8 && view_.name(joint).side == view_.name(middle).side;
-      const int above = view_.parentOf(joint); // a hip hangs from what moves the trunk
+      const int above = view_.parentOf(joint);
+      const bool isApart = above < 0 || view_.points[static_cast<std::size_t>(above)].empty(); // a hip is not
       const bool near = end && glm::distance(end->position, view_.at(joint)) < 0.35 * upper &&
-                        view_.movesMesh(joint) && (above < 0 || !view_.movesMesh(above));
+                        view_.movesMesh(joint) && isApart;
       const bool sameSide = plane_.lateral(view_.at(joint)) * plane_.lateral(view_.at(middle)) > 0.0;
       if ((named || near) && sameSide && isBone(view_.at(middle), view_.at(joint)) &&
           !view_.isAboveOrSelf(base, joint) && !view_.isAboveOrSelf(joint, base)) {
