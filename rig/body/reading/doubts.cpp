@@ -329,7 +329,7 @@ void tellLimbsLeftOut(const Scene& scene, const BindPose& bindPose, Body& body) 
     constexpr std::size_t most = 8;
     const std::size_t further = tops.size() - std::min(most, tops.size());
     tops.resize(tops.size() - further);
-    body.warnings.push_back("called limbs and in none: " + nodeNames(scene, tops) +
+    body.warnings.push_back("left out, though called limbs: " + nodeNames(scene, tops) +
                             (further > 0 ? " and " + std::to_string(further) + " more" : "") +
                             "; choose chains of joints if they are to be some");
   }
